@@ -22,13 +22,13 @@ class CppNode(Node):
             self.declare_parameter(name, value, ParameterDescriptor(read_only=True))
         self.create_subscription(ParameterEvent, "/parameter_events", lambda _event: None, qos_profile_parameter_events)
 
-    def _listed_names(self) -> list[str]:
-        return sorted(super()._listed_names())  # rclcpp keeps them in a std::map
+    def _rclpy_listed_names(self) -> list[str]:
+        return sorted(super()._rclpy_listed_names())  # rclcpp keeps them in a std::map
 
-    def _check(
+    def _rclpy_check(
         self, parameter: Parameter, descriptor: ParameterDescriptor | None, check_read_only: bool
     ) -> SetParametersResult:
-        result = super()._check(parameter, descriptor, check_read_only)
+        result = super()._rclpy_check(parameter, descriptor, check_read_only)
         if descriptor is not None and not result.successful:
             result.reason = _reason(parameter, descriptor)
         return result

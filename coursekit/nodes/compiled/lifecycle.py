@@ -30,7 +30,7 @@ class CompiledLifecycleNode(LifecycleNodeMixin, CompiledNode):
         self._host, self._handler = host, handler
         LifecycleNodeMixin.__init__(self, enable_communication_interface=communicates)
 
-    def _call_back(self, before: Any) -> TransitionCallbackReturn:
+    def _rclpy_call_back(self, before: Any) -> TransitionCallbackReturn:
         through = self._state_machine.current_state[0]
         told = packed(through, before.state_id)
         answer = TransitionCallbackReturn(self._host.call(self._handler, told).integer())
@@ -44,9 +44,9 @@ class CompiledLifecycleNode(LifecycleNodeMixin, CompiledNode):
         get_logger("rcl_lifecycle").warning(f"No transition matching {wanted} found for current state {state}")
         return state
 
-    def _change_if_possible(self, transition_id: int) -> TransitionCallbackReturn:
+    def _rclpy_change_if_possible(self, transition_id: int) -> TransitionCallbackReturn:
         try:
-            return self._change_state(transition_id)
+            return self._rclpy_change_state(transition_id)
         except RCLError:
             state = self._warn_of(transition_id)
             why = "Transition is not registered., at ./src/rcl_lifecycle.c:355"
@@ -61,7 +61,7 @@ class CompiledLifecycleNode(LifecycleNodeMixin, CompiledNode):
 
     def change(self, transition_id: int) -> int:
         """Go through a transition; 97 for success, 98 for failure, 99 for an error."""
-        return int(self._change_if_possible(transition_id))
+        return int(self._rclpy_change_if_possible(transition_id))
 
     def change_by_name(self, label: str) -> int:
         """Go through a transition, as `change`; 0 where the state has none of that name."""

@@ -20,7 +20,7 @@ class CompiledNode(CppNode):
     def set_apart(self, group: CallbackGroup, executor: Any = None) -> None:
         """Have an executor serve a group, or none."""
         self._apart[group] = executor
-        for entity in self._entities():
+        for entity in self._rclpy_entities():
             if entity.callback_group is group:
                 _serve(entity, executor)
 
@@ -29,16 +29,16 @@ class CompiledNode(CppNode):
         group = entity.callback_group
         _serve(entity, self._apart.get(group, self.executor))
 
-    def _own(self, kept: list[Any], entity: Any, group: Any) -> Any:
+    def _rclpy_own(self, kept: list[Any], entity: Any, group: Any) -> Any:
         if group not in self._apart:
-            return super()._own(kept, entity, group)
+            return super()._rclpy_own(kept, entity, group)
         group.add_entity(entity)
         kept.append(entity)
         _serve(entity, self._apart[group])
         return entity
 
-    def _attach(self, executor: Any) -> None:
-        for entity in self._entities():
+    def _rclpy_attach(self, executor: Any) -> None:
+        for entity in self._rclpy_entities():
             if entity.callback_group not in self._apart:
                 executor._attach(entity)
 

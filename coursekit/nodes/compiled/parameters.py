@@ -67,7 +67,7 @@ def _declare_empty(node: Any, given: Parameter, descriptor: ParameterDescriptor,
     kind = None if descriptor.dynamic_typing else given.type_
     declared = node.declare_parameter(given.name, kind, descriptor, ignore)
     if declared.type_ == Parameter.Type.NOT_SET:
-        result = node._apply([given], declares=True)
+        result = node._rclpy_apply([given], declares=True)
         if not result.successful:
             node._parameters.pop(given.name)
             raise InvalidParameterValueException(given.name, given.value, result.reason)
@@ -141,7 +141,7 @@ def do_list_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """The names of parameters below some prefixes."""
     node, depth = host.things[frame.integer()], frame.integer()
     prefixes = [frame.text() for _ in range(frame.integer())]
-    names = [name for name in node._listed_names() if is_listed(name, prefixes, depth)]
+    names = [name for name in node._rclpy_listed_names() if is_listed(name, prefixes, depth)]
     above = [name.rpartition(PARAMETER_SEPARATOR_STRING)[0] for name in names]
     return packed(ListParametersResult(names=names, prefixes=list(dict.fromkeys(filter(None, above)))))
 

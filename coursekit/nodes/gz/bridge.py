@@ -79,7 +79,7 @@ class RosGzBridge(Node):
         super().__init__("ros_gz_bridge")
         self.gz_context = gz_context()
         self.gz = rclpy.create_node("ros_gz_bridge", context=self.gz_context)
-        self._graph_node.deaf_to_itself = self.gz._graph_node.deaf_to_itself = True
+        self._rclpy_graph_node.deaf_to_itself = self.gz._rclpy_graph_node.deaf_to_itself = True
         beat = int(self.declare_parameter("subscription_heartbeat", 1000).value)
         file = str(self.declare_parameter("config_file", "").value)
         self._expand = bool(self.declare_parameter("expand_gz_topic_names", False).value)

@@ -50,19 +50,21 @@ class BasicNavigator(Servers):
             PoseWithCovarianceStamped, "amcl_pose", self._amclPoseCallback, _AMCL_QOS
         )
         self.initial_pose_pub = self.create_publisher(PoseWithCovarianceStamped, "initialpose", 10)
-        self._make_clients()
+        self._navigator_make_clients()
 
-    def _make_clients(self) -> None:
+    def _navigator_make_clients(self) -> None:
         """The clients under the names that programs know."""
-        self.nav_to_pose_client = self.action(NavigateToPose, "navigate_to_pose")
-        self.nav_through_poses_client = self.action(NavigateThroughPoses, "navigate_through_poses")
-        self.follow_waypoints_client = self.action(FollowWaypoints, "follow_waypoints")
-        self.follow_path_client = self.action(FollowPath, "follow_path")
-        self.compute_path_to_pose_client = self.action(ComputePathToPose, "compute_path_to_pose")
-        self.compute_path_through_poses_client = self.action(ComputePathThroughPoses, "compute_path_through_poses")
-        self.smoother_client = self.action(SmoothPath, "smooth_path")
-        self.spin_client, self.backup_client = self.action(Spin, "spin"), self.action(BackUp, "backup")
-        self.assisted_teleop_client = self.action(AssistedTeleop, "assisted_teleop")
+        self.nav_to_pose_client = self._navigator_action(NavigateToPose, "navigate_to_pose")
+        self.nav_through_poses_client = self._navigator_action(NavigateThroughPoses, "navigate_through_poses")
+        self.follow_waypoints_client = self._navigator_action(FollowWaypoints, "follow_waypoints")
+        self.follow_path_client = self._navigator_action(FollowPath, "follow_path")
+        self.compute_path_to_pose_client = self._navigator_action(ComputePathToPose, "compute_path_to_pose")
+        self.compute_path_through_poses_client = self._navigator_action(
+            ComputePathThroughPoses, "compute_path_through_poses"
+        )
+        self.smoother_client = self._navigator_action(SmoothPath, "smooth_path")
+        self.spin_client, self.backup_client = self._navigator_action(Spin, "spin"), self._navigator_action(BackUp, "backup")
+        self.assisted_teleop_client = self._navigator_action(AssistedTeleop, "assisted_teleop")
         self.change_maps_srv = self.create_client(LoadMap, "map_server/load_map")
         clear, get = ClearEntireCostmap, GetCostmap
         self.clear_costmap_global_srv = self.create_client(clear, "global_costmap/clear_entirely_global_costmap")
@@ -104,7 +106,7 @@ class BasicNavigator(Servers):
             self.info("Setting initial pose")
             self._setInitialPose()
             self.info("Waiting for amcl_pose to be received")
-            self._wait(1.0)
+            self._navigator_wait(1.0)
 
     # -- tasks
 
@@ -112,31 +114,35 @@ class BasicNavigator(Servers):
         """Go to a pose."""
         self.info(f"Navigating to goal: {place_of(pose)}...")
         goal = NavigateToPose.Goal(pose=pose, behavior_tree=behavior_tree)
-        return self._give(self.nav_to_pose_client, "NavigateToPose", goal, f"Goal to {place_of(pose)}")
+        return self._navigator_give(self.nav_to_pose_client, "NavigateToPose", goal, f"Goal to {place_of(pose)}")
 
     def goThroughPoses(self, poses: list[PoseStamped], behavior_tree: str = "") -> bool:
         """Go to the last of some poses, by way of the others."""
         self.info(f"Navigating with {len(poses)} goals....")
         goal = NavigateThroughPoses.Goal(poses=poses, behavior_tree=behavior_tree)
-        return self._give(self.nav_through_poses_client, "NavigateThroughPoses", goal, f"Goal with {len(poses)} poses")
+        return self._navigator_give(
+            self.nav_through_poses_client, "NavigateThroughPoses", goal, f"Goal with {len(poses)} poses"
+        )
 
     def followWaypoints(self, poses: list[PoseStamped]) -> bool:
         """Go to one pose after the other, stopping at each."""
         self.info(f"Following {len(poses)} goals....")
         goal = FollowWaypoints.Goal(poses=poses)
-        return self._give(self.follow_waypoints_client, "FollowWaypoints", goal, f"Following {len(poses)} waypoints request")
+        return self._navigator_give(
+            self.follow_waypoints_client, "FollowWaypoints", goal, f"Following {len(poses)} waypoints request"
+        )
 
     def followPath(self, path: Any, controller_id: str = "", goal_checker_id: str = "") -> bool:
         """Drive along a path."""
         self.info("Executing path...")
         goal = FollowPath.Goal(path=path, controller_id=controller_id, goal_checker_id=goal_checker_id)
-        return self._give(self.follow_path_client, "FollowPath", goal, "Follow path")
+        return self._navigator_give(self.follow_path_client, "FollowPath", goal, "Follow path")
 
     def spin(self, spin_dist: float = 1.57, time_allowance: int = 10) -> bool:
         """Turn on the spot [rad], for so many seconds at the most."""
         self.info(f"Spinning to angle {spin_dist}....")
         goal = Spin.Goal(target_yaw=float(spin_dist), time_allowance=Duration(sec=time_allowance))
-        return self._give(self.spin_client, "Spin", goal, "Spin request")
+        return self._navigator_give(self.spin_client, "Spin", goal, "Spin request")
 
     def backup(self, backup_dist: float = 0.15, backup_speed: float = 0.025, time_allowance: int = 10) -> bool:
         """Drive straight back [m, m/s], for so many seconds at the most."""
@@ -144,20 +150,20 @@ class BasicNavigator(Servers):
         goal = BackUp.Goal(
             target=Point(x=float(backup_dist)), speed=float(backup_speed), time_allowance=Duration(sec=time_allowance)
         )
-        return self._give(self.backup_client, "Backup", goal, "Backup request")
+        return self._navigator_give(self.backup_client, "Backup", goal, "Backup request")
 
     def assistedTeleop(self, time_allowance: int = 30) -> bool:
         """Drive by hand (topic cmd_vel_teleop), with brakes; for so many seconds, without end when that is 0."""
         self.info("Running 'assisted_teleop'....")
         goal = AssistedTeleop.Goal(time_allowance=Duration(sec=time_allowance))
-        return self._give(self.assisted_teleop_client, "assisted_teleop", goal, "Assisted Teleop request")
+        return self._navigator_give(self.assisted_teleop_client, "assisted_teleop", goal, "Assisted Teleop request")
 
     # -- paths
 
     def _getPathImpl(self, start: PoseStamped, goal: PoseStamped, planner_id: str = "", use_start: bool = False) -> Any:
         asked = ComputePathToPose.Goal(start=start, goal=goal, planner_id=planner_id, use_start=use_start)
         self.info("Getting path...")
-        return self._have_done(self.compute_path_to_pose_client, "ComputePathToPose", asked, "Get path")
+        return self._navigator_have_done(self.compute_path_to_pose_client, "ComputePathToPose", asked, "Get path")
 
     def getPath(self, start: PoseStamped, goal: PoseStamped, planner_id: str = "", use_start: bool = False) -> Any:
         """A path from the robot (with `use_start`: from `start`) to a goal; None when there is none."""
@@ -170,7 +176,9 @@ class BasicNavigator(Servers):
         """A path by way of some poses; None when there is none."""
         asked = ComputePathThroughPoses.Goal(start=start, goals=goals, planner_id=planner_id, use_start=use_start)
         self.info("Getting path...")
-        result = self._have_done(self.compute_path_through_poses_client, "ComputePathThroughPoses", asked, "Get path")
+        result = self._navigator_have_done(
+            self.compute_path_through_poses_client, "ComputePathThroughPoses", asked, "Get path"
+        )
         return result.path if result else None
 
     def _smoothPathImpl(
@@ -181,7 +189,7 @@ class BasicNavigator(Servers):
             check_for_collisions=check_for_collision,
         )  # fmt: skip
         self.info("Smoothing path...")
-        return self._have_done(self.smoother_client, "SmoothPath", asked, "Smooth path")
+        return self._navigator_have_done(self.smoother_client, "SmoothPath", asked, "Smooth path")
 
     def smoothPath(
         self, path: Any, smoother_id: str = "", max_duration: float = 2.0, check_for_collision: bool = False
@@ -194,7 +202,7 @@ class BasicNavigator(Servers):
 
     def changeMap(self, map_filepath: str) -> None:
         """Have map_server load another map."""
-        answer = self._call(self.change_maps_srv, "change map", LoadMap.Request(map_url=map_filepath))
+        answer = self._navigator_call(self.change_maps_srv, "change map", LoadMap.Request(map_url=map_filepath))
         if answer.result != LoadMap.Response.RESULT_SUCCESS:
             self.error("Change map request failed!")
         else:
@@ -207,32 +215,32 @@ class BasicNavigator(Servers):
 
     def clearLocalCostmap(self) -> None:
         """Clear the local costmap."""
-        self._call(self.clear_costmap_local_srv, "Clear local costmaps", ClearEntireCostmap.Request())
+        self._navigator_call(self.clear_costmap_local_srv, "Clear local costmaps", ClearEntireCostmap.Request())
 
     def clearGlobalCostmap(self) -> None:
         """Clear the global costmap."""
-        self._call(self.clear_costmap_global_srv, "Clear global costmaps", ClearEntireCostmap.Request())
+        self._navigator_call(self.clear_costmap_global_srv, "Clear global costmaps", ClearEntireCostmap.Request())
 
     def getGlobalCostmap(self) -> Any:
         """The global costmap (nav2_msgs/Costmap)."""
-        return self._call(self.get_costmap_global_srv, "Get global costmaps", GetCostmap.Request()).map
+        return self._navigator_call(self.get_costmap_global_srv, "Get global costmaps", GetCostmap.Request()).map
 
     def getLocalCostmap(self) -> Any:
         """The local costmap (nav2_msgs/Costmap)."""
-        return self._call(self.get_costmap_local_srv, "Get local costmaps", GetCostmap.Request()).map
+        return self._navigator_call(self.get_costmap_local_srv, "Get local costmaps", GetCostmap.Request()).map
 
     # -- lifecycle
 
     def lifecycleStartup(self) -> None:
         """Bring all of navigation up."""
         self.info("Starting up lifecycle nodes based on lifecycle_manager.")
-        self._manage(ManageLifecycleNodes.Request.STARTUP)
+        self._navigator_manage(ManageLifecycleNodes.Request.STARTUP)
         self.info("Nav2 is ready for use!")
 
     def lifecycleShutdown(self) -> None:
         """Shut all of navigation down."""
         self.info("Shutting down lifecycle nodes based on lifecycle_manager.")
-        self._manage(ManageLifecycleNodes.Request.SHUTDOWN)
+        self._navigator_manage(ManageLifecycleNodes.Request.SHUTDOWN)
 
 
 __all__ = ["BasicNavigator", "NavigationResult", "TaskResult"]

@@ -24,12 +24,12 @@ class Servers(Node):
         self.result_future: Any = None
         self.feedback: Any = None
         self.status: int | None = None
-        self._actions: list[ActionClient] = []
+        self._navigator_actions: list[ActionClient] = []
 
-    def action(self, kind: Any, name: str) -> ActionClient:
+    def _navigator_action(self, kind: Any, name: str) -> ActionClient:
         """A client of an action, destroyed with the node."""
-        self._actions.append(ActionClient(self, kind, name))
-        return self._actions[-1]
+        self._navigator_actions.append(ActionClient(self, kind, name))
+        return self._navigator_actions[-1]
 
     def destroyNode(self) -> None:
         """Destroy the node."""
@@ -37,23 +37,23 @@ class Servers(Node):
 
     def destroy_node(self) -> None:
         """Destroy the node and its clients."""
-        for client in self._actions:
+        for client in self._navigator_actions:
             client.destroy()
-        self._actions.clear()
+        self._navigator_actions.clear()
         super().destroy_node()
 
     # -- tasks
 
-    def _give(self, client: ActionClient, name: str, goal: Any, what: str) -> bool:
+    def _navigator_give(self, client: ActionClient, name: str, goal: Any, what: str) -> bool:
         """Give a goal to an action; whether it was taken."""
-        handle = self._send(client, name, goal, self._feedbackCallback)
+        handle = self._navigator_send(client, name, goal, self._feedbackCallback)
         if not handle.accepted:
             self.error(f"{what} was rejected!")
             return False
         self.goal_handle, self.result_future = handle, handle.get_result_async()
         return True
 
-    def _send(self, client: ActionClient, name: str, goal: Any, feedback: Any = None) -> Any:
+    def _navigator_send(self, client: ActionClient, name: str, goal: Any, feedback: Any = None) -> Any:
         self.debug(f"Waiting for '{name}' action server")
         while not client.wait_for_server(timeout_sec=1.0):
             self.info(f"'{name}' action server not available, waiting...")
@@ -61,9 +61,9 @@ class Servers(Node):
         rclpy.spin_until_future_complete(self, sent)
         return sent.result()
 
-    def _have_done(self, client: ActionClient, name: str, goal: Any, what: str) -> Any:
+    def _navigator_have_done(self, client: ActionClient, name: str, goal: Any, what: str) -> Any:
         """Give a goal and wait for its end; the action's result, or None when it was not taken or went wrong."""
-        handle = self._send(client, name, goal)
+        handle = self._navigator_send(client, name, goal)
         if not handle.accepted:
             self.error(f"{what} was rejected!")
             return None
@@ -114,7 +114,7 @@ class Servers(Node):
 
     # -- services
 
-    def _call(self, client: Any, what: str, request: Any) -> Any:
+    def _navigator_call(self, client: Any, what: str, request: Any) -> Any:
         """Call a service, and wait for it to be there."""
         while not client.wait_for_service(timeout_sec=1.0):
             self.info(f"{what} service not available, waiting...")
@@ -135,21 +135,21 @@ class Servers(Node):
             if future.result() is not None:
                 state = future.result().current_state.label
             if state != "active":
-                self._wait(2.0)
+                self._navigator_wait(2.0)
         self.destroy_client(client)
 
-    def _wait(self, seconds: float) -> None:
+    def _navigator_wait(self, seconds: float) -> None:
         """Listen for so long."""
         end = self.get_clock().now().nanoseconds + int(seconds * 1e9)
         while rclpy.ok() and (left := end - self.get_clock().now().nanoseconds) > 0:
             rclpy.spin_once(self, timeout_sec=min(left * 1e-9, 0.1))
 
-    def _manage(self, command: int) -> None:
+    def _navigator_manage(self, command: int) -> None:
         """Give a command to every lifecycle manager."""
         for name, kinds in self.get_service_names_and_types():
             if "nav2_msgs/srv/ManageLifecycleNodes" in kinds:
                 client = self.create_client(ManageLifecycleNodes, name)
-                self._call(client, name, ManageLifecycleNodes.Request(command=command))
+                self._navigator_call(client, name, ManageLifecycleNodes.Request(command=command))
                 self.destroy_client(client)
 
     # -- words

@@ -31,7 +31,7 @@ class Executor(Work):
                 return False
             self._nodes.append(node)
             node.executor = self
-        node._attach(self)
+        node._rclpy_attach(self)
         self.wake()
         return True
 
@@ -42,7 +42,7 @@ class Executor(Work):
                 return
             self._nodes.remove(node)
         if node.executor is self:
-            node._detach()
+            node._rclpy_detach()
         self.wake()
 
     def get_nodes(self) -> list[Any]:
@@ -78,7 +78,7 @@ class Executor(Work):
 
     def _node_of(self, entity: Any) -> Any:
         for node in self._nodes:
-            if entity in node._entities():
+            if entity in node._rclpy_entities():
                 return node
         return None
 

@@ -26,27 +26,27 @@ from rclpy.type_support import check_is_valid_msg_type, check_is_valid_srv_type
 class NodeEntities:
     """Publishers, subscriptions, services, clients, timers and the rest of a node."""
 
-    _handle: Any
+    _rclpy_handle: Any
     _context: Any
     _clock: Clock
     _rate_group: Any
-    _publishers: list[Publisher]
-    _subscriptions: list[Subscription]
-    _clients: list[Client]
-    _services: list[Service]
-    _timers: list[Timer]
-    _guards: list[GuardCondition]
-    _waitables: list[Any]
-    _rates: dict[Any, Timer]
-    _executor: Any
-    _remap: Callable[[str, str], str]
-    _checked: Callable[[str, str], str]
+    _rclpy_publishers: list[Publisher]
+    _rclpy_subscriptions: list[Subscription]
+    _rclpy_clients: list[Client]
+    _rclpy_services: list[Service]
+    _rclpy_timers: list[Timer]
+    _rclpy_guards: list[GuardCondition]
+    _rclpy_waitables: list[Any]
+    _rclpy_rates: dict[Any, Timer]
+    _rclpy_executor: Any
+    _rclpy_remap: Callable[[str, str], str]
+    _rclpy_checked: Callable[[str, str], str]
     _default_callback_group: Any
 
     @property
     def executor(self) -> Any:
         """The executor that serves it, or None."""
-        return self._executor() if self._executor is not None else None
+        return self._rclpy_executor() if self._rclpy_executor is not None else None
 
     @executor.setter
     def executor(self, new_executor: Any) -> None:
@@ -54,13 +54,13 @@ class NodeEntities:
         if old is new_executor:
             return
         if old is not None:
-            self._executor = None
-            self._detach()
+            self._rclpy_executor = None
+            self._rclpy_detach()
             old.remove_node(self)
         if new_executor is None:
-            self._executor = None
+            self._rclpy_executor = None
         else:
-            self._executor = weakref.ref(new_executor)
+            self._rclpy_executor = weakref.ref(new_executor)
             new_executor.add_node(self)
 
     @property
@@ -71,9 +71,9 @@ class NodeEntities:
     @property
     def handle(self) -> Any:
         """The handle."""
-        return self._handle
+        return self._rclpy_handle
 
-    def _own(self, kept: list[Any], entity: Any, group: Any) -> Any:
+    def _rclpy_own(self, kept: list[Any], entity: Any, group: Any) -> Any:
         group.add_entity(entity)
         kept.append(entity)
         executor = self.executor
@@ -81,23 +81,23 @@ class NodeEntities:
             executor._attach(entity)
         return entity
 
-    def _attach(self, executor: Any) -> None:
-        for entity in self._entities():
+    def _rclpy_attach(self, executor: Any) -> None:
+        for entity in self._rclpy_entities():
             executor._attach(entity)
 
-    def _detach(self) -> None:
-        for entity in self._entities():
+    def _rclpy_detach(self) -> None:
+        for entity in self._rclpy_entities():
             for source in entity._sources():
                 source.attach(None, None)
 
-    def _entities(self) -> list[Any]:
+    def _rclpy_entities(self) -> list[Any]:
         return [
-            *self._timers,
-            *self._subscriptions,
-            *self._guards,
-            *self._clients,
-            *self._services,
-            *self._waitables,
+            *self._rclpy_timers,
+            *self._rclpy_subscriptions,
+            *self._rclpy_guards,
+            *self._rclpy_clients,
+            *self._rclpy_services,
+            *self._rclpy_waitables,
         ]
 
     def create_publisher(
@@ -115,15 +115,15 @@ class NodeEntities:
         profile = _validated_qos(qos_profile)
         group = callback_group or self.default_callback_group
         check_is_valid_msg_type(msg_type)
-        full = self._checked(topic, "topic")  # type: ignore[attr-defined]
-        profile = self._overridden(Publisher, full, profile, qos_overriding_options)
+        full = self._rclpy_checked(topic, "topic")  # type: ignore[attr-defined]
+        profile = self._rclpy_overridden(Publisher, full, profile, qos_overriding_options)
         handle = _rclpy.Publisher(self.handle, msg_type, full, core_qos(profile))
         publisher = publisher_class(
             handle, msg_type, topic, profile, event_callbacks or PublisherEventCallbacks(), group
         )
         publisher._context_ok = self._context.ok
-        entity_made("publisher", "topic", topic, self._remap(full, "topic"))
-        self._publishers.append(publisher)
+        entity_made("publisher", "topic", topic, self._rclpy_remap(full, "topic"))
+        self._rclpy_publishers.append(publisher)
         for handler in publisher.event_handlers:
             self.add_waitable(handler)
         return publisher
@@ -144,25 +144,25 @@ class NodeEntities:
         profile = _validated_qos(qos_profile)
         group = callback_group or self.default_callback_group
         check_is_valid_msg_type(msg_type)
-        full = self._checked(topic, "topic")  # type: ignore[attr-defined]
-        profile = self._overridden(Subscription, full, profile, qos_overriding_options)
+        full = self._rclpy_checked(topic, "topic")  # type: ignore[attr-defined]
+        profile = self._rclpy_overridden(Subscription, full, profile, qos_overriding_options)
         handle = _rclpy.Subscription(self.handle, msg_type, full, core_qos(profile))
         subscription = Subscription(
             handle, msg_type, topic, callback, group, profile, raw, event_callbacks or SubscriptionEventCallbacks()
         )
-        entity_made("subscription", "topic", topic, self._remap(full, "topic"))
-        self._own(self._subscriptions, subscription, group)
+        entity_made("subscription", "topic", topic, self._rclpy_remap(full, "topic"))
+        self._rclpy_own(self._rclpy_subscriptions, subscription, group)
         for handler in subscription.event_handlers:
             self.add_waitable(handler)
         return subscription
 
-    def _overridden(
+    def _rclpy_overridden(
         self, kind: type, full_name: str, profile: QoSProfile, options: QoSOverridingOptions | None
     ) -> QoSProfile:
         if options is None:
             return profile
         copied = QoSProfile(**{name.lstrip("_"): getattr(profile, name) for name in profile.__slots__})
-        _declare_qos_parameters(kind, self, self._remap(full_name, "topic"), copied, options)
+        _declare_qos_parameters(kind, self, self._rclpy_remap(full_name, "topic"), copied, options)
         return copied
 
     def create_client(
@@ -176,11 +176,11 @@ class NodeEntities:
         """Make a service client."""
         group = callback_group or self.default_callback_group
         check_is_valid_srv_type(srv_type)
-        full = self._checked(srv_name, "service")  # type: ignore[attr-defined]
+        full = self._rclpy_checked(srv_name, "service")  # type: ignore[attr-defined]
         handle = _rclpy.Client(self.handle, srv_type, full, core_qos(qos_profile))
-        entity_made("client", "service", srv_name, self._remap(full, "service"))
+        entity_made("client", "service", srv_name, self._rclpy_remap(full, "service"))
         client = Client(self._context, handle, srv_type, srv_name, qos_profile, group)
-        return self._own(self._clients, client, group)
+        return self._rclpy_own(self._rclpy_clients, client, group)
 
     def create_service(
         self,
@@ -194,11 +194,11 @@ class NodeEntities:
         """Make a service; `callback(request, response)` fills and returns the response."""
         group = callback_group or self.default_callback_group
         check_is_valid_srv_type(srv_type)
-        full = self._checked(srv_name, "service")  # type: ignore[attr-defined]
+        full = self._rclpy_checked(srv_name, "service")  # type: ignore[attr-defined]
         handle = _rclpy.Service(self.handle, srv_type, full, core_qos(qos_profile))
-        entity_made("service", "service", srv_name, self._remap(full, "service"))
+        entity_made("service", "service", srv_name, self._rclpy_remap(full, "service"))
         service = Service(handle, srv_type, srv_name, callback, group, qos_profile)
-        return self._own(self._services, service, group)
+        return self._rclpy_own(self._rclpy_services, service, group)
 
     def create_timer(
         self,
@@ -214,14 +214,14 @@ class NodeEntities:
         timer = Timer(
             callback, group, period_ns, clock or self._clock, context=self._context, autostart=autostart
         )
-        self._own(self._timers, timer, group)
+        self._rclpy_own(self._rclpy_timers, timer, group)
         timer._begin_period()
         return timer
 
     def create_guard_condition(self, callback: Callable[[], Any], callback_group: Any = None) -> GuardCondition:
         """Make a guard condition; its callback runs when it is triggered."""
         group = callback_group or self.default_callback_group
-        return self._own(self._guards, GuardCondition(callback, group, context=self._context), group)
+        return self._rclpy_own(self._rclpy_guards, GuardCondition(callback, group, context=self._context), group)
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
         """Make a rate, whose `sleep` ends `frequency` times a second."""
@@ -230,25 +230,25 @@ class NodeEntities:
         self._rate_group = self._rate_group or ReentrantCallbackGroup()
         timer = self.create_timer(1.0 / frequency, None, self._rate_group, clock)
         rate = Rate(timer, context=self._context)
-        self._rates[rate] = timer
+        self._rclpy_rates[rate] = timer
         return rate
 
     def add_waitable(self, waitable: Any) -> None:
         """Have the executor serve a waitable."""
-        self._own(self._waitables, waitable, waitable.callback_group)
+        self._rclpy_own(self._rclpy_waitables, waitable, waitable.callback_group)
 
     def remove_waitable(self, waitable: Any) -> None:
         """Serve it no more."""
-        self._waitables.remove(waitable)
+        self._rclpy_waitables.remove(waitable)
         for source in waitable._sources():
             source.attach(None, None)
 
-    def _destroy(self, kept: list[Any], entity: Any) -> bool:
+    def _rclpy_destroy(self, kept: list[Any], entity: Any) -> bool:
         if entity not in kept:
             return False
         kept.remove(entity)
         for handler in getattr(entity, "event_handlers", ()):
-            if handler in self._waitables:
+            if handler in self._rclpy_waitables:
                 self.remove_waitable(handler)
         for source in getattr(entity, "_sources", list)():
             source.attach(None, None)
@@ -257,31 +257,31 @@ class NodeEntities:
 
     def destroy_publisher(self, publisher: Publisher) -> bool:
         """Destroy a publisher; False if it is not this node's."""
-        return self._destroy(self._publishers, publisher)
+        return self._rclpy_destroy(self._rclpy_publishers, publisher)
 
     def destroy_subscription(self, subscription: Subscription) -> bool:
         """Destroy a subscription; False if it is not this node's."""
-        return self._destroy(self._subscriptions, subscription)
+        return self._rclpy_destroy(self._rclpy_subscriptions, subscription)
 
     def destroy_client(self, client: Client) -> bool:
         """Destroy a client; False if it is not this node's."""
-        return self._destroy(self._clients, client)
+        return self._rclpy_destroy(self._rclpy_clients, client)
 
     def destroy_service(self, service: Service) -> bool:
         """Destroy a service; False if it is not this node's."""
-        return self._destroy(self._services, service)
+        return self._rclpy_destroy(self._rclpy_services, service)
 
     def destroy_timer(self, timer: Timer) -> bool:
         """Destroy a timer; False if it is not this node's."""
-        return self._destroy(self._timers, timer)
+        return self._rclpy_destroy(self._rclpy_timers, timer)
 
     def destroy_guard_condition(self, guard: GuardCondition) -> bool:
         """Destroy a guard condition; False if it is not this node's."""
-        return self._destroy(self._guards, guard)
+        return self._rclpy_destroy(self._rclpy_guards, guard)
 
     def destroy_rate(self, rate: Rate) -> bool:
         """Destroy a rate; who sleeps in it wakes."""
-        timer = self._rates.pop(rate, None)
+        timer = self._rclpy_rates.pop(rate, None)
         if timer is None:
             return False
         self.destroy_timer(timer)

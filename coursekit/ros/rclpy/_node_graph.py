@@ -25,15 +25,15 @@ NamesAndTypes = list[tuple[str, list[str]]]
 class NodeGraph:
     """A node's questions to the graph."""
 
-    _graph_node: Any
+    _rclpy_graph_node: Any
 
     @property
-    def _graph(self) -> Any:
+    def _rclpy_graph(self) -> Any:
         self.handle.check()  # type: ignore[attr-defined]
-        return self._graph_node.graph
+        return self._rclpy_graph_node.graph
 
-    def _endpoints_of(self, kind: str, node_name: str, node_namespace: str) -> list[Any]:
-        nodes = self._graph.find_nodes(node_name, node_namespace)
+    def _rclpy_endpoints_of(self, kind: str, node_name: str, node_namespace: str) -> list[Any]:
+        nodes = self._rclpy_graph.find_nodes(node_name, node_namespace)
         if not nodes:
             raise NodeNameNonExistentError(
                 f"Cannot get {kind} names and types for nonexistent node: cannot get them for node, it does not exist: "
@@ -45,78 +45,78 @@ class NodeGraph:
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
         """Topics that a node publishes."""
-        return names_and_types(self._endpoints_of("publishers", node_name, node_namespace))
+        return names_and_types(self._rclpy_endpoints_of("publishers", node_name, node_namespace))
 
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
         """Topics that a node subscribes to."""
-        return names_and_types(self._endpoints_of("subscriptions", node_name, node_namespace))
+        return names_and_types(self._rclpy_endpoints_of("subscriptions", node_name, node_namespace))
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
         """Services that a node serves."""
-        return names_and_types(self._endpoints_of("servers", node_name, node_namespace))
+        return names_and_types(self._rclpy_endpoints_of("servers", node_name, node_namespace))
 
     def get_client_names_and_types_by_node(self, node_name: str, node_namespace: str) -> NamesAndTypes:
         """Services that a node calls."""
-        return names_and_types(self._endpoints_of("clients", node_name, node_namespace))
+        return names_and_types(self._rclpy_endpoints_of("clients", node_name, node_namespace))
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
         """All topics."""
-        return self._graph.topics()
+        return self._rclpy_graph.topics()
 
     def get_service_names_and_types(self) -> NamesAndTypes:
         """All services."""
-        return self._graph.services()
+        return self._rclpy_graph.services()
 
     def get_node_names(self) -> list[str]:
         """Names of all nodes."""
-        return [node.name for node in list(self._graph.nodes)]
+        return [node.name for node in list(self._rclpy_graph.nodes)]
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
         """(name, namespace) of all nodes."""
-        return [(node.name, node.namespace) for node in list(self._graph.nodes)]
+        return [(node.name, node.namespace) for node in list(self._rclpy_graph.nodes)]
 
     def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
         """(name, namespace, enclave) of all nodes."""
         return [(name, namespace, "/") for name, namespace in self.get_node_names_and_namespaces()]
 
-    def _resolved(self, name: str, kind: str) -> str:
+    def _rclpy_resolved(self, name: str, kind: str) -> str:
         full = expand_topic_name(name, self.get_name(), self.get_namespace())  # type: ignore[attr-defined]
         validate_full_topic_name(full, is_service=kind == "service")
         return self.handle.resolve(full, kind)  # type: ignore[attr-defined]
 
     def count_publishers(self, topic_name: str) -> int:
         """How many publish on a topic."""
-        return len(self._graph.publishers.get(self._resolved(topic_name, "topic"), ()))
+        return len(self._rclpy_graph.publishers.get(self._rclpy_resolved(topic_name, "topic"), ()))
 
     def count_subscribers(self, topic_name: str) -> int:
         """How many subscribe to a topic."""
-        return len(self._graph.subscriptions.get(self._resolved(topic_name, "topic"), ()))
+        return len(self._rclpy_graph.subscriptions.get(self._rclpy_resolved(topic_name, "topic"), ()))
 
     def count_services(self, service_name: str) -> int:
         """How many serve a service."""
-        return len(self._graph.servers.get(self._resolved(service_name, "service"), ()))
+        return len(self._rclpy_graph.servers.get(self._rclpy_resolved(service_name, "service"), ()))
 
     def count_clients(self, service_name: str) -> int:
         """How many call a service."""
-        return len(self._graph.clients.get(self._resolved(service_name, "service"), ()))
+        return len(self._rclpy_graph.clients.get(self._rclpy_resolved(service_name, "service"), ()))
 
     def get_publishers_info_by_topic(
         self, topic_name: str, no_mangle: bool = False
     ) -> list[TopicEndpointInfo]:
         """The publishers of a topic."""
-        name = topic_name if no_mangle else self._resolved(topic_name, "topic")
+        name = topic_name if no_mangle else self._rclpy_resolved(topic_name, "topic")
         kind = TopicEndpointTypeEnum.PUBLISHER
-        return [_info(one, kind) for one in list(self._graph.publishers.get(name, ()))]
+        return [_info(one, kind) for one in list(self._rclpy_graph.publishers.get(name, ()))]
 
     def get_subscriptions_info_by_topic(
         self, topic_name: str, no_mangle: bool = False
     ) -> list[TopicEndpointInfo]:
         """The subscriptions to a topic."""
-        name = topic_name if no_mangle else self._resolved(topic_name, "topic")
+        name = topic_name if no_mangle else self._rclpy_resolved(topic_name, "topic")
         kind = TopicEndpointTypeEnum.SUBSCRIPTION
-        return [_info(one, kind) for one in list(self._graph.subscriptions.get(name, ()))]
+        return [_info(one, kind) for one in list(self._rclpy_graph.subscriptions.get(name, ()))]
 
 
 def _info(endpoint: Any, kind: TopicEndpointTypeEnum) -> TopicEndpointInfo:

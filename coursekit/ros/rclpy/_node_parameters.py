@@ -69,16 +69,16 @@ class NodeParameters(ParameterSetting):
         if known:
             raise ParameterAlreadyDeclaredException(known)
         for parameter in declared:
-            self._declare(parameter, descriptors[parameter.name])
+            self._rclpy_declare(parameter, descriptors[parameter.name])
         return [self._parameters[parameter.name] for parameter in declared]
 
-    def _declare(self, parameter: Parameter, descriptor: ParameterDescriptor) -> None:
+    def _rclpy_declare(self, parameter: Parameter, descriptor: ParameterDescriptor) -> None:
         if parameter.type_ == Parameter.Type.NOT_SET and not descriptor.dynamic_typing:
             self._parameters[parameter.name] = parameter
             self._descriptors[parameter.name] = descriptor
             return
         self._descriptors[parameter.name] = descriptor
-        result = self._apply([parameter], declares=True)
+        result = self._rclpy_apply([parameter], declares=True)
         if result.successful:
             return
         del self._descriptors[parameter.name]
@@ -99,7 +99,7 @@ class NodeParameters(ParameterSetting):
         """Whether it was declared."""
         return name in self._parameters
 
-    def _listed_names(self) -> list[str]:
+    def _rclpy_listed_names(self) -> list[str]:
         """The names of all parameters in the order in which they are listed."""
         return list(self._parameters)
 

@@ -25,8 +25,8 @@ class ParameterSetting:
     _parameters: dict[str, Parameter]
     _descriptors: dict[str, ParameterDescriptor]
     _parameters_callbacks: list[Callable[[list[Parameter]], SetParametersResult]]
-    _pre_set_callbacks: list[Callable[[list[Parameter]], list[Parameter]]]
-    _post_set_callbacks: list[Callable[[list[Parameter]], None]]
+    _rclpy_pre_set_callbacks: list[Callable[[list[Parameter]], list[Parameter]]]
+    _rclpy_post_set_callbacks: list[Callable[[list[Parameter]], None]]
     _allow_undeclared_parameters: bool
     _parameter_event_publisher: Any
 
@@ -34,16 +34,16 @@ class ParameterSetting:
         """Set several, each by itself, up to the first undeclared one: an error, unless the node allows them."""
         results = []
         for parameter in parameter_list:
-            self._check_declared([parameter])
-            results.append(self._set([parameter]))
+            self._rclpy_check_declared([parameter])
+            results.append(self._rclpy_set([parameter]))
         return results
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
         """Set all or none."""
-        self._check_declared(parameter_list)
-        return self._set(parameter_list)
+        self._rclpy_check_declared(parameter_list)
+        return self._rclpy_set(parameter_list)
 
-    def _check_declared(self, parameters: list[Parameter]) -> None:
+    def _rclpy_check_declared(self, parameters: list[Parameter]) -> None:
         if not all(isinstance(parameter, Parameter) for parameter in parameters):
             raise TypeError(f"parameter must be instance of type '{Parameter!r}'")
         if self._allow_undeclared_parameters:
@@ -52,38 +52,38 @@ class ParameterSetting:
         if unknown:
             raise ParameterNotDeclaredException(unknown)
 
-    def _set(self, parameters: list[Parameter]) -> SetParametersResult:
-        for callback in list(self._pre_set_callbacks):
+    def _rclpy_set(self, parameters: list[Parameter]) -> SetParametersResult:
+        for callback in list(self._rclpy_pre_set_callbacks):
             parameters = callback(parameters)
-        self._check_declared(parameters)
-        return self._apply(parameters)
+        self._rclpy_check_declared(parameters)
+        return self._rclpy_apply(parameters)
 
-    def _apply(self, parameters: list[Parameter], declares: bool = False) -> SetParametersResult:
+    def _rclpy_apply(self, parameters: list[Parameter], declares: bool = False) -> SetParametersResult:
         """Check, ask the callbacks, set, and tell /parameter_events; only declaring may leave one without a value."""
         for parameter in parameters:
             descriptor = self._descriptors.get(parameter.name)
-            result = self._check(parameter, descriptor, not declares)
+            result = self._rclpy_check(parameter, descriptor, not declares)
             if not result.successful:
                 return result
         for callback in list(self._parameters_callbacks):
             result = callback(parameters)
             if not result.successful:
                 return result
-        self._store(parameters, declares)
-        for post in list(self._post_set_callbacks):
+        self._rclpy_store(parameters, declares)
+        for post in list(self._rclpy_post_set_callbacks):
             post(parameters)
         return SetParametersResult(successful=True)
 
-    def _check(
+    def _rclpy_check(
         self, parameter: Parameter, descriptor: ParameterDescriptor | None, check_read_only: bool
     ) -> SetParametersResult:
         if descriptor is None:
             return SetParametersResult(successful=True)
         if check_read_only and descriptor.read_only:
             return SetParametersResult(successful=False, reason=f"Trying to set a read-only parameter: {parameter.name}.")
-        return self._check_value(parameter, descriptor)
+        return self._rclpy_check_value(parameter, descriptor)
 
-    def _check_value(self, parameter: Parameter, descriptor: ParameterDescriptor) -> SetParametersResult:
+    def _rclpy_check_value(self, parameter: Parameter, descriptor: ParameterDescriptor) -> SetParametersResult:
         if not descriptor.dynamic_typing and descriptor.type and descriptor.type != parameter.type_.value:
             if parameter.type_ == Parameter.Type.NOT_SET:
                 return SetParametersResult(successful=False, reason="Static parameter cannot be undeclared")
@@ -99,7 +99,7 @@ class ParameterSetting:
             reason = outside_floating_range(parameter, descriptor.floating_point_range[0], self.PARAM_REL_TOL)
         return SetParametersResult(successful=not reason, reason=reason)
 
-    def _store(self, parameters: list[Parameter], declares: bool) -> None:
+    def _rclpy_store(self, parameters: list[Parameter], declares: bool) -> None:
         event = ParameterEvent(node=self.get_fully_qualified_name())  # type: ignore[attr-defined]
         event.stamp = self.get_clock().now().to_msg()  # type: ignore[attr-defined]
         for parameter in parameters:
@@ -115,10 +115,10 @@ class ParameterSetting:
                     self._descriptors.pop(parameter.name, None)
                 continue
             (event.changed_parameters if had_value else event.new_parameters).append(parameter.to_parameter_msg())
-            self._remember(parameter)
+            self._rclpy_remember(parameter)
         self._parameter_event_publisher.publish(event)
 
-    def _remember(self, parameter: Parameter) -> None:
+    def _rclpy_remember(self, parameter: Parameter) -> None:
         if parameter.name not in self._descriptors:
             self._descriptors[parameter.name] = ParameterDescriptor(name=parameter.name, dynamic_typing=True)
         self._descriptors[parameter.name].type = parameter.type_.value
@@ -137,7 +137,7 @@ class ParameterSetting:
             parameter = Parameter.from_parameter_msg(_parameter_msg(name, alternative_value))
         descriptor.name = name
         descriptor.type = parameter.type_.value
-        result = self._check_value(parameter, descriptor)
+        result = self._rclpy_check_value(parameter, descriptor)
         if not result.successful:
             raise InvalidParameterValueException(name, parameter.value, result.reason)
         self._descriptors[name] = descriptor
@@ -156,19 +156,19 @@ class ParameterSetting:
 
     def add_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
         """Have `callback` change the list before it is checked (ROS releases after Humble)."""
-        self._pre_set_callbacks.insert(0, callback)
+        self._rclpy_pre_set_callbacks.insert(0, callback)
 
     def remove_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
         """Ask it no more."""
-        self._pre_set_callbacks.remove(callback)
+        self._rclpy_pre_set_callbacks.remove(callback)
 
     def add_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
         """Tell `callback` of changes that were made (ROS releases after Humble)."""
-        self._post_set_callbacks.insert(0, callback)
+        self._rclpy_post_set_callbacks.insert(0, callback)
 
     def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
         """Tell it no more."""
-        self._post_set_callbacks.remove(callback)
+        self._rclpy_post_set_callbacks.remove(callback)
 
 
 def _parameter_msg(name: str, value: Any) -> Any:

@@ -62,9 +62,13 @@ _ROSOUT_QOS = QoSProfile(
 
 
 class Node(NodeEntities, NodeParameters, NodeGraph):
-    """A participant of the ROS graph."""
+    """A participant of the ROS graph.
 
-    _handle: Any
+    Its private names begin with `_rclpy_`, except those that Humble's nodes have too: a program's node inherits them, and
+    has names such as `_check`, `_graph` and `_publishers` of its own.
+    """
+
+    _rclpy_handle: Any
 
     def __init__(
         self,
@@ -80,23 +84,23 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         allow_undeclared_parameters: bool = False,
         automatically_declare_parameters_from_overrides: bool = False,
     ) -> None:
-        self._handle = None
+        self._rclpy_handle = None
         self._context = get_default_context() if context is None else context
         self._parameters = {}
         self._descriptors = {}
-        self._publishers: list[Publisher] = []
-        self._subscriptions: list[Subscription] = []
-        self._clients: list[Client] = []
-        self._services: list[Service] = []
-        self._timers: list[Timer] = []
-        self._guards: list[GuardCondition] = []
-        self._waitables: list[Any] = []
-        self._rates: dict[Any, Timer] = {}
-        self._executor: Any = None
+        self._rclpy_publishers: list[Publisher] = []
+        self._rclpy_subscriptions: list[Subscription] = []
+        self._rclpy_clients: list[Client] = []
+        self._rclpy_services: list[Service] = []
+        self._rclpy_timers: list[Timer] = []
+        self._rclpy_guards: list[GuardCondition] = []
+        self._rclpy_waitables: list[Any] = []
+        self._rclpy_rates: dict[Any, Timer] = {}
+        self._rclpy_executor: Any = None
         self._default_callback_group = MutuallyExclusiveCallbackGroup()
         self._parameters_callbacks = []
-        self._pre_set_callbacks = []
-        self._post_set_callbacks = []
+        self._rclpy_pre_set_callbacks = []
+        self._rclpy_post_set_callbacks = []
         self._rate_group: Any = None
         self._allow_undeclared_parameters = allow_undeclared_parameters
         if not self._context.ok():
@@ -104,16 +108,16 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         if component := take_for_first_node():  # as rclcpp_components makes the nodes of a container
             cli_args, use_global_arguments = [*component.arguments, "--", *(cli_args or [])], False
             parameter_overrides = [*(parameter_overrides or []), *component.parameters]
-        self._join_graph(node_name, namespace, cli_args, use_global_arguments)
-        self._logger = get_logger(self._handle.logger_name())
+        self._rclpy_join_graph(node_name, namespace, cli_args, use_global_arguments)
+        self._logger = get_logger(self._rclpy_handle.logger_name())
         self._clock = ROSClock()
-        self._rosout: Any = None
-        if enable_rosout and self._arguments.rosout_enabled:
-            self._start_rosout()
+        self._rclpy_rosout: Any = None
+        if enable_rosout and self._rclpy_arguments.rosout_enabled:
+            self._rclpy_start_rosout()
         self._parameter_event_publisher = self.create_publisher(
             ParameterEvent, "/parameter_events", qos_profile_parameter_events
         )
-        self._read_overrides(parameter_overrides, automatically_declare_parameters_from_overrides)
+        self._rclpy_read_overrides(parameter_overrides, automatically_declare_parameters_from_overrides)
         self._time_source = TimeSource(node=self)
         self._time_source.attach_clock(self._clock)
         if start_parameter_services:
@@ -121,23 +125,23 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
 
     # -- joining the graph
 
-    def _join_graph(
+    def _rclpy_join_graph(
         self, node_name: str, namespace: str | None, cli_args: list[str] | None, use_global: bool
     ) -> None:
-        self._arguments = self._read_arguments(cli_args, use_global)
+        self._rclpy_arguments = self._rclpy_read_arguments(cli_args, use_global)
         validate_node_name(node_name)
         given = namespace or ""
         namespace = "/" + given.removeprefix("/")
         validate_namespace(namespace)
-        name = self._arguments.node_name(node_name)
-        namespace = self._arguments.node_namespace(node_name, namespace)
+        name = self._rclpy_arguments.node_name(node_name)
+        namespace = self._rclpy_arguments.node_namespace(node_name, namespace)
         handle = self._context.handle
-        self._graph_node = handle.graph.add_node(name, namespace, current_process(), handle)
-        logger_name = self._graph_node.full_name.strip("/").replace("/", ".")
-        self._handle = _rclpy.NodeHandle(self._graph_node, self._resolve, logger_name)
+        self._rclpy_graph_node = handle.graph.add_node(name, namespace, current_process(), handle)
+        logger_name = self._rclpy_graph_node.full_name.strip("/").replace("/", ".")
+        self._rclpy_handle = _rclpy.NodeHandle(self._rclpy_graph_node, self._rclpy_resolve, logger_name)
         node_made(name, given, handle.domain_id)
 
-    def _read_arguments(self, cli_args: list[str] | None, use_global: bool) -> Any:
+    def _rclpy_read_arguments(self, cli_args: list[str] | None, use_global: bool) -> Any:
         try:
             own = parse_ros_arguments(cli_args or [])
         except UnknownRosArguments as error:
@@ -146,23 +150,23 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
             raise _rclpy.RCLInvalidROSArgsError(f"Failed to parse ROS arguments: {error}") from None
         return merge(own, self._context.handle.arguments) if use_global else own
 
-    def _remap(self, full_name: str, kind: str) -> str:
-        return self._arguments.remap(kind, full_name, self._graph_node.name, self._graph_node.namespace)
+    def _rclpy_remap(self, full_name: str, kind: str) -> str:
+        return self._rclpy_arguments.remap(kind, full_name, self._rclpy_graph_node.name, self._rclpy_graph_node.namespace)
 
-    def _start_rosout(self) -> None:
-        handle = _rclpy.Publisher(self._handle, Log, "/rosout", core_qos(_ROSOUT_QOS))
-        self._rosout = handle.core
-        add_rosout(self._logger.name, self._publish_log)
+    def _rclpy_start_rosout(self) -> None:
+        handle = _rclpy.Publisher(self._rclpy_handle, Log, "/rosout", core_qos(_ROSOUT_QOS))
+        self._rclpy_rosout = handle.core
+        add_rosout(self._logger.name, self._rclpy_publish_log)
 
-    def _publish_log(
+    def _rclpy_publish_log(
         self, level: int, name: str, text: str, file: str, function: str, line: int, stamp_ns: int
     ) -> None:
         log = Log(level=level, name=name, msg=text, file=file, function=function, line=line)
         log.stamp.sec, log.stamp.nanosec = divmod(stamp_ns, 1_000_000_000)
-        self._rosout.publish(log)
+        self._rclpy_rosout.publish(log)
 
-    def _read_overrides(self, given: list[Parameter] | None, declare: bool) -> None:
-        values = self._arguments.parameters_for(self.get_fully_qualified_name())
+    def _rclpy_read_overrides(self, given: list[Parameter] | None, declare: bool) -> None:
+        values = self._rclpy_arguments.parameters_for(self.get_fully_qualified_name())
         self._parameter_overrides = {name: Parameter(name, value=value) for name, value in values.items()}
         self._parameter_overrides.update({parameter.name: parameter for parameter in given or ()})
         if declare:
@@ -175,37 +179,37 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
     @property
     def publishers(self) -> Iterator[Publisher]:
         """The publishers made by this node."""
-        yield from list(self._publishers)
+        yield from list(self._rclpy_publishers)
 
     @property
     def subscriptions(self) -> Iterator[Subscription]:
         """The subscriptions made by this node."""
-        yield from list(self._subscriptions)
+        yield from list(self._rclpy_subscriptions)
 
     @property
     def clients(self) -> Iterator[Client]:
         """The service clients made by this node."""
-        yield from list(self._clients)
+        yield from list(self._rclpy_clients)
 
     @property
     def services(self) -> Iterator[Service]:
         """The services made by this node."""
-        yield from list(self._services)
+        yield from list(self._rclpy_services)
 
     @property
     def timers(self) -> Iterator[Timer]:
         """The timers made by this node."""
-        yield from list(self._timers)
+        yield from list(self._rclpy_timers)
 
     @property
     def guards(self) -> Iterator[GuardCondition]:
         """The guard conditions made by this node."""
-        yield from list(self._guards)
+        yield from list(self._rclpy_guards)
 
     @property
     def waitables(self) -> Iterator[Any]:
         """The waitables added to this node."""
-        yield from list(self._waitables)
+        yield from list(self._rclpy_waitables)
 
     @property
     def context(self) -> Any:
@@ -236,20 +240,20 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
         """The full name of a topic, after remapping."""
-        return self._resolve(topic, "topic", only_expand)
+        return self._rclpy_resolve(topic, "topic", only_expand)
 
     def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
         """The full name of a service, after remapping."""
-        return self._resolve(service, "service", only_expand)
+        return self._rclpy_resolve(service, "service", only_expand)
 
-    def _resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
+    def _rclpy_resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
         try:
             full = expand_topic_name(name, self.get_name(), self.get_namespace())
         except ValueError as error:
             raise _rclpy.RCLError(f"failed to resolve name: {error}") from None
-        return full if only_expand else self._remap(full, kind)
+        return full if only_expand else self._rclpy_remap(full, kind)
 
-    def _checked(self, name: str, kind: str) -> str:
+    def _rclpy_checked(self, name: str, kind: str) -> str:
         """The full name, after the checks in ROS's order."""
         validate_topic_name(name, is_service=kind == "service")
         full = expand_topic_name(name, self.get_name(), self.get_namespace())
@@ -260,26 +264,26 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
 
     def destroy_node(self) -> None:
         """Leave the graph with all that belongs to the node; harmless the second time."""
-        if self._handle is None or not self._handle.valid:
+        if self._rclpy_handle is None or not self._rclpy_handle.valid:
             return
         if self.executor is not None:
             self.executor.wake()
-        for rate in list(self._rates):
+        for rate in list(self._rclpy_rates):
             self.destroy_rate(rate)
         everything: tuple[tuple[Callable[[Any], bool], list[Any]], ...] = (
-            (self.destroy_publisher, self._publishers),
-            (self.destroy_subscription, self._subscriptions),
-            (self.destroy_client, self._clients),
-            (self.destroy_service, self._services),
-            (self.destroy_timer, self._timers),
-            (self.destroy_guard_condition, self._guards),
+            (self.destroy_publisher, self._rclpy_publishers),
+            (self.destroy_subscription, self._rclpy_subscriptions),
+            (self.destroy_client, self._rclpy_clients),
+            (self.destroy_service, self._rclpy_services),
+            (self.destroy_timer, self._rclpy_timers),
+            (self.destroy_guard_condition, self._rclpy_guards),
         )
         for destroy, kept in everything:
             for entity in list(kept):
                 destroy(entity)
-        if self._rosout is not None:
+        if self._rclpy_rosout is not None:
             remove_rosout(self._logger.name)
-        self._handle.destroy_when_not_in_use()
+        self._rclpy_handle.destroy_when_not_in_use()
 
     def __enter__(self) -> Node:
         return self

@@ -75,7 +75,7 @@ class ParameterService:
 
     def _list(self, request: Any, response: Any) -> Any:
         names = [
-            name for name in self.node._listed_names() if is_listed(name, list(request.prefixes), request.depth)
+            name for name in self.node._rclpy_listed_names() if is_listed(name, list(request.prefixes), request.depth)
         ]
         response.result.names = names
         prefixes = [name.rpartition(PARAMETER_SEPARATOR_STRING)[0] for name in names]

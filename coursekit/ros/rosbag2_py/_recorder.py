@@ -123,12 +123,12 @@ class RecorderNode(Node):
             if self.get_clock().now().nanoseconds == 0:
                 return
             self.get_logger().info("Sim time /clock found, starting recording.", once=True)
-        if self._graph.version != self._seen:
+        if self._rclpy_graph.version != self._seen:
             self._look_for_topics()
             self._stop_when_complete()
 
     def _look_for_topics(self) -> None:
-        self._seen = self._graph.version
+        self._seen = self._rclpy_graph.version
         for name, kind in self._filter.select().items():
             if name in self._recorded:
                 self._warn_of_new_publishers(name)

@@ -34,29 +34,29 @@ class LifecycleNodeMixin(ManagedEntity):
         self._managed_entities: list[ManagedEntity] = []
         node: Any = self
         self._transition_event_publisher = node.create_publisher(TransitionEvent, "~/transition_event", 10)
-        self._state_machine = StateMachine(self._tell)
+        self._state_machine = StateMachine(self._rclpy_tell)
         group = callback_group or node.default_callback_group
         if enable_communication_interface:
-            LifecycleServices(self, self._state_machine, self._change_if_possible, group)
+            LifecycleServices(self, self._state_machine, self._rclpy_change_if_possible, group)
 
-    def _tell(self, start: int, goal: int) -> None:
+    def _rclpy_tell(self, start: int, goal: int) -> None:
         self._transition_event_publisher.publish(event_of(start, goal))
 
     def trigger_configure(self) -> TransitionCallbackReturn:
         """Go from unconfigured to inactive."""
-        return self._change_state(1)
+        return self._rclpy_change_state(1)
 
     def trigger_cleanup(self) -> TransitionCallbackReturn:
         """Go from inactive to unconfigured."""
-        return self._change_state(2)
+        return self._rclpy_change_state(2)
 
     def trigger_activate(self) -> TransitionCallbackReturn:
         """Go from inactive to active."""
-        return self._change_state(3)
+        return self._rclpy_change_state(3)
 
     def trigger_deactivate(self) -> TransitionCallbackReturn:
         """Go from active to inactive."""
-        return self._change_state(4)
+        return self._rclpy_change_state(4)
 
     def trigger_shutdown(self) -> TransitionCallbackReturn:
         """Go from unconfigured, inactive or active to finalized; RCLError from elsewhere."""
@@ -64,7 +64,7 @@ class LifecycleNodeMixin(ManagedEntity):
         state = self._state_machine.current_state[0]
         if state not in by_state:
             raise RCLError("Shutdown transtion not possible")
-        return self._change_state(by_state[state])
+        return self._rclpy_change_state(by_state[state])
 
     def add_managed_entity(self, entity: ManagedEntity) -> None:
         """Let the entity follow the node's states; TypeError for what is no ManagedEntity."""
@@ -90,36 +90,36 @@ class LifecycleNodeMixin(ManagedEntity):
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Configure the managed entities."""
-        return self._pass_on("on_configure", state)
+        return self._rclpy_pass_on("on_configure", state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Clean the managed entities up."""
-        return self._pass_on("on_cleanup", state)
+        return self._rclpy_pass_on("on_cleanup", state)
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Shut the managed entities down."""
-        return self._pass_on("on_shutdown", state)
+        return self._rclpy_pass_on("on_shutdown", state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Activate the managed entities."""
-        return self._pass_on("on_activate", state)
+        return self._rclpy_pass_on("on_activate", state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Deactivate the managed entities."""
-        return self._pass_on("on_deactivate", state)
+        return self._rclpy_pass_on("on_deactivate", state)
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Tell the managed entities of an error."""
-        return self._pass_on("on_error", state)
+        return self._rclpy_pass_on("on_error", state)
 
-    def _pass_on(self, callback: str, state: LifecycleState) -> TransitionCallbackReturn:
+    def _rclpy_pass_on(self, callback: str, state: LifecycleState) -> TransitionCallbackReturn:
         for entity in list(self._managed_entities):
             answer = getattr(entity, callback)(state)
             if answer != TransitionCallbackReturn.SUCCESS:
                 return answer
         return TransitionCallbackReturn.SUCCESS
 
-    def _change_state(self, transition_id: int) -> TransitionCallbackReturn:
+    def _rclpy_change_state(self, transition_id: int) -> TransitionCallbackReturn:
         """Go through a transition: its callback, and on_error when that ends with an error.
 
         Raises:
@@ -128,32 +128,32 @@ class LifecycleNodeMixin(ManagedEntity):
         state_id, label = self._state_machine.current_state
         before = LifecycleState(label, state_id)
         self._state_machine.trigger_transition_by_id(transition_id)
-        answer = self._call_back(before)
+        answer = self._rclpy_call_back(before)
         if answer == TransitionCallbackReturn.ERROR:
-            self._call_back(before)
+            self._rclpy_call_back(before)
         return answer
 
-    def _change_if_possible(self, transition_id: int) -> TransitionCallbackReturn:
+    def _rclpy_change_if_possible(self, transition_id: int) -> TransitionCallbackReturn:
         """The service's callback: a client that asks for an impossible transition is told so, and the node lives on."""
         state = self._state_machine.current_state
         try:
-            return self._change_state(transition_id)
+            return self._rclpy_change_state(transition_id)
         except RCLError as error:
-            self._logger_of().error(f"Unable to start transition {transition_id} from current state {state}: {error}")
+            self._rclpy_logger_of().error(f"Unable to start transition {transition_id} from current state {state}: {error}")
             return TransitionCallbackReturn.ERROR
 
-    def _call_back(self, before: LifecycleState) -> TransitionCallbackReturn:
+    def _rclpy_call_back(self, before: LifecycleState) -> TransitionCallbackReturn:
         """Call the callback of the state that the node passes through, and leave that state as it says."""
         callback = _CALLBACKS[self._state_machine.current_state[0]]
         try:
             answer = TransitionCallbackReturn(getattr(self, callback)(before))
         except Exception:
-            self._logger_of().error(f"{callback} raised in state {before.label}:\n{traceback.format_exc()}")
+            self._rclpy_logger_of().error(f"{callback} raised in state {before.label}:\n{traceback.format_exc()}")
             answer = TransitionCallbackReturn.ERROR
         self._state_machine.trigger_transition_by_label(answer.to_label())
         return answer
 
-    def _logger_of(self) -> Any:
+    def _rclpy_logger_of(self) -> Any:
         node: Any = self
         return node.get_logger()
 

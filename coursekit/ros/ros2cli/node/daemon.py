@@ -24,7 +24,7 @@ class _View(NodeGraph):
 
     def __init__(self) -> None:
         graph: Any = ask.graph()
-        self._graph_node = SimpleNamespace(graph=graph)
+        self._rclpy_graph_node = SimpleNamespace(graph=graph)
         self.handle = SimpleNamespace(check=lambda: None, resolve=lambda name, _kind: name)
 
     def get_name(self) -> str:

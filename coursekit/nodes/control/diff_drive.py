@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from geometry_msgs.msg import TransformStamped, Twist, TwistStamped
+from geometry_msgs.msg import Twist, TwistStamped
 from nav_msgs.msg import Odometry
 from tf2_msgs.msg import TFMessage
 
-from .controller import ControlError, Controller, stamp
+from .controller import ControlError, Controller
+from .reckoning import Reckoning
 
 LIMITS = (("linear.x.max_velocity", 0), ("angular.z.max_velocity", 1))
 
@@ -32,18 +33,18 @@ class DiffDriveController(Controller):
         self._separation *= factor
         if min(self._separation, self._radius) <= 0:
             raise ControlError("wheel_separation and wheel_radius must be more than 0")
-        self._frames = self.parameter("odom_frame_id", "odom"), self.parameter("base_frame_id", "base_link")
+        frames = self.parameter("odom_frame_id", "odom"), self.parameter("base_frame_id", "base_link")
         self._patience = float(self.parameter("cmd_vel_timeout", 0.5))
         self._feedback = "position" if self.parameter("position_feedback", True) else "velocity"
         self._most = [float(self.parameter(name, math.inf)) for name, _ in LIMITS]
-        self._period_ns = round(1e9 / max(float(self.parameter("publish_rate", 50.0)), 1e-3))
+        period_ns = round(1e9 / max(float(self.parameter("publish_rate", 50.0)), 1e-3))
         stamped = self.parameter("use_stamped_vel", True)
         kind, topic = (TwistStamped, "~/cmd_vel") if stamped else (Twist, "~/cmd_vel_unstamped")
         self.node.create_subscription(kind, topic, self._hear, 10)
-        self._out = self.node.create_publisher(Odometry, "~/odom", 10)
-        self._tf = self.node.create_publisher(TFMessage, "/tf", 100) if self.parameter("enable_odom_tf", True) else None
-        self._x = self._y = self._theta = 0.0
-        self._told_ns = self._heard_ns = 0
+        out = self.node.create_publisher(Odometry, "~/odom", 10)
+        tf = self.node.create_publisher(TFMessage, "/tf", 100) if self.parameter("enable_odom_tf", True) else None
+        self._reckoning = Reckoning(frames, out, tf, period_ns)
+        self._heard_ns = 0
         self._wish = (0.0, 0.0)
         self._last: tuple[float, float] | None = None
 
@@ -75,13 +76,7 @@ class DiffDriveController(Controller):
         for joints, speed in ((self.left, ahead - half), (self.right, ahead + half)):
             for joint in joints:
                 self.interfaces.command(f"{joint}/velocity", speed / self._radius)
-        way, bend = self._rolled(dt)
-        self._theta += bend / 2
-        self._x, self._y = self._x + way * math.cos(self._theta), self._y + way * math.sin(self._theta)
-        self._theta += bend / 2
-        if now_ns - self._told_ns >= self._period_ns:
-            self._told_ns = now_ns
-            self._tell(now_ns, way / dt if dt else 0.0, bend / dt if dt else 0.0)
+        self._reckoning.go(now_ns, dt, *self._rolled(dt))
 
     def _rolled(self, dt: float) -> tuple[float, float]:
         """How far it went and turned in this step."""
@@ -96,20 +91,6 @@ class DiffDriveController(Controller):
             last, self._last = self._last or (sides[0], sides[1]), (sides[0], sides[1])
             left, right = sides[0] - last[0], sides[1] - last[1]
         return (left + right) / 2, (right - left) / self._separation
-
-    def _tell(self, now_ns: int, ahead: float, turn: float) -> None:
-        msg = Odometry(child_frame_id=self._frames[1])
-        msg.header.stamp, msg.header.frame_id = stamp(now_ns), self._frames[0]
-        msg.pose.pose.position.x, msg.pose.pose.position.y = self._x, self._y
-        turned = msg.pose.pose.orientation
-        turned.z, turned.w = math.sin(self._theta / 2), math.cos(self._theta / 2)
-        msg.twist.twist.linear.x, msg.twist.twist.angular.z = ahead, turn
-        self._out.publish(msg)
-        if self._tf is not None:
-            one = TransformStamped(header=msg.header, child_frame_id=self._frames[1])
-            one.transform.translation.x, one.transform.translation.y = self._x, self._y
-            one.transform.rotation = turned
-            self._tf.publish(TFMessage(transforms=[one]))
 
 
 __all__ = ["DiffDriveController"]

@@ -13,10 +13,13 @@ from .forward import (
     VelocityGroup,
 )
 from .gripper import GripperActionController
+from .steering import AckermannSteeringController, BicycleSteeringController, TricycleSteeringController
 from .trajectory_controller import JointTrajectoryController
 
 DRIVE = "diff_drive_controller/DiffDriveController"
 TYPES: dict[str, Maker] = {
+    "ackermann_steering_controller/AckermannSteeringController": AckermannSteeringController,
+    "bicycle_steering_controller/BicycleSteeringController": BicycleSteeringController,
     DRIVE: DiffDriveController,
     "effort_controllers/JointGroupEffortController": EffortGroup,
     "effort_controllers/GripperActionController": GripperActionController,
@@ -28,6 +31,7 @@ TYPES: dict[str, Maker] = {
     "joint_trajectory_controller/JointTrajectoryController": JointTrajectoryController,
     "position_controllers/GripperActionController": GripperActionController,
     "position_controllers/JointGroupPositionController": PositionGroup,
+    "tricycle_steering_controller/TricycleSteeringController": TricycleSteeringController,
     "velocity_controllers/JointGroupVelocityController": VelocityGroup,
 }
 __all__ = ["DRIVE", "TYPES"]

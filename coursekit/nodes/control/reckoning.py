@@ -1,0 +1,47 @@
+"""The way that wheels tell, as odometry and tf: what all controllers of vehicles publish."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from geometry_msgs.msg import TransformStamped
+from nav_msgs.msg import Odometry
+from tf2_msgs.msg import TFMessage
+
+from .controller import stamp
+
+
+class Reckoning:
+    """Adds up a way; `frames` are those of the odometry and of the robot."""
+
+    def __init__(self, frames: tuple[str, str], out: Any, tf: Any, period_ns: int = 0) -> None:
+        self._frames, self._out, self._tf, self._period_ns = frames, out, tf, period_ns
+        self._x = self._y = self._theta = 0.0
+        self._told_ns = 0
+
+    def go(self, now_ns: int, dt: float, way: float, bend: float) -> None:
+        """It went so far [m] and turned so much [rad] in a step; tell it when it is time."""
+        self._theta += bend / 2
+        self._x, self._y = self._x + way * math.cos(self._theta), self._y + way * math.sin(self._theta)
+        self._theta += bend / 2
+        if now_ns - self._told_ns >= self._period_ns:
+            self._told_ns = now_ns
+            self._tell(now_ns, way / dt if dt else 0.0, bend / dt if dt else 0.0)
+
+    def _tell(self, now_ns: int, ahead: float, turn: float) -> None:
+        msg = Odometry(child_frame_id=self._frames[1])
+        msg.header.stamp, msg.header.frame_id = stamp(now_ns), self._frames[0]
+        msg.pose.pose.position.x, msg.pose.pose.position.y = self._x, self._y
+        turned = msg.pose.pose.orientation
+        turned.z, turned.w = math.sin(self._theta / 2), math.cos(self._theta / 2)
+        msg.twist.twist.linear.x, msg.twist.twist.angular.z = ahead, turn
+        self._out.publish(msg)
+        if self._tf is not None:
+            one = TransformStamped(header=msg.header, child_frame_id=self._frames[1])
+            one.transform.translation.x, one.transform.translation.y = self._x, self._y
+            one.transform.rotation = turned
+            self._tf.publish(TFMessage(transforms=[one]))
+
+
+__all__ = ["Reckoning"]

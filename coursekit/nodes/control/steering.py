@@ -1,0 +1,148 @@
+"""The steering controllers: commands as speeds of driven wheels and angles of steered ones, and odometry from both."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from geometry_msgs.msg import Twist, TwistStamped
+from nav_msgs.msg import Odometry
+from tf2_msgs.msg import TFMessage
+
+from .controller import ControlError, Controller
+from .reckoning import Reckoning
+
+
+class SteeringController(Controller):
+    """One axle that drives, one that steers; each with a wheel in the middle, or with the right and the left one.
+
+    A subclass names its parameters of lengths, and how many wheels are on each axle. Right comes first, as in Humble.
+    """
+
+    lengths: tuple[str, ...] = ()
+    driven = steered = 2
+
+    def configure(self) -> None:
+        """Read parameters, open topics."""
+        front = bool(self.parameter("front_steering", True))
+        wheels = {end: self.parameter(f"{end}_wheels_names", []) for end in ("rear", "front")}
+        felt = {end: self.parameter(f"{end}_wheels_state_names", []) or wheels[end] for end in wheels}
+        drives, steers = ("rear", "front") if front else ("front", "rear")
+        self.drives, self.steers = self._wheels(wheels, drives, self.driven), self._wheels(wheels, steers, self.steered)
+        self._felt = felt[drives], felt[steers]
+        self._measure(drives, steers)
+        self._kind = "position" if self.parameter("position_feedback", False) else "velocity"
+        self._open_loop = bool(self.parameter("open_loop", False))
+        self._patience = float(self.parameter("reference_timeout", 1.0))
+        stamped = self.parameter("use_stamped_vel", True)
+        kind, topic = (TwistStamped, "~/reference") if stamped else (Twist, "~/reference_unstamped")
+        self.node.create_subscription(kind, topic, self._hear, 10)
+        self._reckoning = self._reckoner()
+        self._wish, self._angle, self._heard_ns = (0.0, 0.0), 0.0, 0
+        self._last: list[float] | None = None
+
+    def _reckoner(self) -> Reckoning:
+        frames = self.parameter("odom_frame_id", "odom"), self.parameter("base_frame_id", "base_link")
+        tf = self.node.create_publisher(TFMessage, "~/tf_odometry", 10) if self.parameter("enable_odom_tf", True) else None
+        return Reckoning(frames, self.node.create_publisher(Odometry, "~/odometry", 10), tf)
+
+    def _wheels(self, wheels: dict[str, list[str]], end: str, count: int) -> list[str]:
+        if len(wheels[end]) != count:
+            words = "one joint" if count == 1 else "two joints, the right one first"
+            raise ControlError(f"{end}_wheels_names has {len(wheels[end])} names; name {words}")
+        return wheels[end]
+
+    def _measure(self, drives: str, steers: str) -> None:
+        told = {name: float(self.parameter(name, 0.0)) for name in self.lengths}
+        if min(told.values()) <= 0:
+            wrong = ", ".join(name for name, value in told.items() if value <= 0)
+            raise ControlError(f"{wrong} must be more than 0: give metres")
+        self._base = told["wheelbase"]
+        self._radius = told.get(f"{drives}_wheels_radius") or told[f"{drives}_wheel_radius"]
+        middle = told.get("wheel_track", 0.0)
+        self._track = told.get(f"{drives}_wheel_track", middle), told.get(f"{steers}_wheel_track", middle)
+
+    def _hear(self, msg: Any) -> None:
+        twist = getattr(msg, "twist", msg)
+        if math.isfinite(twist.linear.x) and math.isfinite(twist.angular.z):
+            self._wish, self._heard_ns = (twist.linear.x, twist.angular.z), self.now_ns
+
+    def command_names(self) -> list[str]:
+        """Speeds of driven wheels, angles of steered ones."""
+        return [*(f"{joint}/velocity" for joint in self.drives), *(f"{joint}/position" for joint in self.steers)]
+
+    def state_names(self) -> list[str]:
+        """What odometry is made of."""
+        return [*(f"{joint}/{self._kind}" for joint in self._felt[0]), *(f"{joint}/position" for joint in self._felt[1])]
+
+    def deactivate(self) -> None:
+        """Stop; the wheels stay turned."""
+        self._wish = (0.0, 0.0)
+        for joint in self.drives:
+            self.interfaces.command(f"{joint}/velocity", 0.0)
+
+    def update(self, now_ns: int, dt: float) -> None:
+        """Command the wheels; tell the way."""
+        late = self._patience and (now_ns - self._heard_ns) * 1e-9 > self._patience
+        ahead, turn = (0.0, 0.0) if late else self._wish
+        if not late:  # a robot that is told nothing leaves its wheels turned
+            self._angle = math.atan(turn * self._base / ahead) if ahead and turn else 0.0
+        self._command(ahead / self._radius, self._angle)
+        bend = math.tan(self._angle) / self._base
+        way = (ahead * dt, ahead * bend * dt) if self._open_loop else self._rolled(dt)
+        self._reckoning.go(now_ns, dt, *way)
+
+    def _command(self, speed: float, angle: float) -> None:
+        """Each wheel goes around the same point, on the line of the axle that does not steer."""
+        bend = math.tan(angle) / self._base
+        for joint, side in zip(self.drives, _sides(self.drives), strict=True):
+            self.interfaces.command(f"{joint}/velocity", speed * (1 + side * bend * self._track[0] / 2))
+        for joint, side in zip(self.steers, _sides(self.steers), strict=True):
+            own = math.atan2(self._base * bend, 1 + side * bend * self._track[1] / 2)
+            self.interfaces.command(f"{joint}/position", own)
+
+    def _rolled(self, dt: float) -> tuple[float, float]:
+        """How far it went and turned in this step."""
+        wheels = [self.interfaces.state(f"{joint}/{self._kind}") for joint in self._felt[0]]
+        angles = [self.interfaces.state(f"{joint}/position") for joint in self._felt[1]]
+        if any(map(math.isnan, (*wheels, *angles))):
+            return 0.0, 0.0
+        turned = [one * dt for one in wheels]
+        if self._kind == "position":
+            turned = [one - before for one, before in zip(wheels, self._last or wheels, strict=True)]
+            self._last = wheels
+        way = sum(turned) / len(turned) * self._radius
+        return way, way * sum(map(self._bend, angles, _sides(angles))) / len(angles)
+
+    def _bend(self, angle: float, side: int) -> float:
+        """One over the radius of the circle on which a steered wheel of this angle puts the robot [1/m]."""
+        slope = math.tan(angle)
+        return slope / (self._base - side * slope * self._track[1] / 2)
+
+
+def _sides(wheels: list[Any]) -> tuple[int, ...]:
+    """1 for a wheel on the right, -1 on the left, 0 in the middle."""
+    return (1, -1) if len(wheels) == 2 else (0,)
+
+
+class AckermannSteeringController(SteeringController):
+    """A car: two wheels on each axle."""
+
+    lengths = ("wheelbase", "front_wheel_track", "rear_wheel_track", "front_wheels_radius", "rear_wheels_radius")
+
+
+class BicycleSteeringController(SteeringController):
+    """One wheel on each axle."""
+
+    lengths = ("wheelbase", "front_wheel_radius", "rear_wheel_radius")
+    driven = steered = 1
+
+
+class TricycleSteeringController(SteeringController):
+    """Two wheels that drive, one that steers."""
+
+    lengths = ("wheelbase", "wheel_track", "front_wheels_radius", "rear_wheels_radius")
+    steered = 1
+
+
+__all__ = ["AckermannSteeringController", "BicycleSteeringController", "TricycleSteeringController"]

@@ -163,6 +163,12 @@ EXECUTABLES: dict[str, dict[str, str]] = {
         "list_transports": "coursekit.nodes.images.republish:list_transports",
         "republish": "coursekit.nodes.images.republish:main",
     },
+    "imu_complementary_filter": {
+        "complementary_filter_node": "coursekit.nodes.imu_tools.filters:complementary",
+    },
+    "imu_filter_madgwick": {
+        "imu_filter_madgwick_node": "coursekit.nodes.imu_tools.filters:madgwick",
+    },
     "intra_process_demo": {
         "camera_node": "coursekit.nodes.intra_process.images:camera",
         "cyclic_pipeline": "coursekit.nodes.intra_process.pipelines:cyclic",

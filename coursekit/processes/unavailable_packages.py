@@ -32,7 +32,7 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"\w+_(msgs|interfaces)", "holds interfaces", "its source builds here: put it into the src folder of your workspace, "
      "then `colcon build`"),
     (r"cartographer_ros|slam_gmapping|gmapping|hector_\w+|rtabmap\w*", _CPP, _SLAM),
-    (r"imu_(?!sensor_broadcaster$)\w+|robot_pose_ekf", _CPP,
+    (r"imu_(?!sensor_broadcaster$|tools$|filter_madgwick$|complementary_filter$)\w+|robot_pose_ekf", _CPP,
      "robot_localization's ekf_node takes an IMU's messages as they are"),
     (r"joy_linux|joy_teleop|spacenav|wiimote", _DRIVER, f"`ros2 run joy joy_node` reads a gamepad; {_DRIVE}"),
     (r"moveit\w*|pymoveit2", "belongs to MoveIt, whose planners are C++, which is not compiled here",

@@ -1,0 +1,1 @@
+"""imu_tools: orientations from what inertial units measure."""

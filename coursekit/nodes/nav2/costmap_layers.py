@@ -16,6 +16,7 @@ from coursekit.nodes.nav2.cloud_source import CloudSource
 from coursekit.nodes.nav2.costmap_filters import filters
 from coursekit.nodes.nav2.costmap_parameters import layers, sources
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
+from coursekit.nodes.nav2.range_source import RangeSource
 from coursekit.nodes.nav2.scan_source import ScanSource, Source, in_server_space, layer_of
 from coursekit.nodes.nav2.whereabouts import Whereabouts
 
@@ -57,6 +58,14 @@ class Layers:
         frame = self.given["global_frame"]
         kinds = {"LaserScan": ScanSource, "PointCloud2": CloudSource}
         self._sources += [kinds[one["data_type"]](self.node, where, frame, made, one) for one in given]
+
+    def _add_ranges(self, name: str, layer: dict[str, Any], where: Whereabouts) -> None:
+        if not layer["topics"]:
+            raise ValueError(f"{name}.topics is empty: name those of the sensors, as topics: [/sonar]")
+        made = ObstacleLayer(self.costmap)
+        self.obstacles.append((made, {**layer, "footprint_clearing_enabled": True}))
+        frame = self.given["global_frame"]
+        self._sources += [RangeSource(self.node, where, frame, made, {**layer, "topic": one}) for one in layer["topics"]]
 
     def _add_inflation(self, name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
         self._inflation = layer

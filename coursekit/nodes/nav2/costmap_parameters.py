@@ -36,6 +36,10 @@ COSTMAP: dict[str, Any] = {
 """`predicted_seconds` is ours: so far ahead a rolling costmap keeps the way of things that move free; 0 is not at all."""
 STATIC: dict[str, Any] = {"enabled": True, "map_subscribe_transient_local": True, "map_topic": ""}
 OBSTACLES: dict[str, Any] = {"enabled": True, "footprint_clearing_enabled": True, "observation_sources": ""}
+RANGES: dict[str, Any] = {
+    "enabled": True, "topics": [], "clear_on_max_reading": False, "no_readings_timeout": 0.0, "phi": 1.2,
+    "inflate_cone": 1.0, "clear_threshold": 0.2, "mark_threshold": 0.8, "input_sensor_type": "ALL",
+}  # fmt: skip
 INFLATION: dict[str, Any] = {
     "enabled": True, "cost_scaling_factor": 10.0, "inflation_radius": 0.55, "inflate_unknown": False,
 }  # fmt: skip
@@ -56,6 +60,7 @@ _KINDS: dict[str, tuple[str, dict[str, Any]]] = {
     "nav2_costmap_2d::StaticLayer": ("static", STATIC),
     "nav2_costmap_2d::ObstacleLayer": ("obstacles", OBSTACLES),
     "nav2_costmap_2d::VoxelLayer": ("obstacles", OBSTACLES),
+    "nav2_costmap_2d::RangeSensorLayer": ("ranges", RANGES),
     "nav2_costmap_2d::InflationLayer": ("inflation", INFLATION),
 }
 _USUAL = {
@@ -67,7 +72,7 @@ _USUAL = {
 
 
 def layers(node: Node, names: list[str]) -> list[tuple[str, str, dict[str, Any]]]:
-    """(name, 'static' | 'obstacles' | 'inflation', parameters) of each layer; ValueError for kinds that are not known."""
+    """(name, 'static', 'obstacles', 'ranges' or 'inflation', parameters) of each layer; ValueError for other kinds."""
     found = []
     for name in names:
         kind = declare(node, {"plugin": _USUAL.get(name, "")}, name)["plugin"]

@@ -44,7 +44,7 @@ class Source:
     def _take(self, msg: Any) -> None:
         fault = self.fault(msg)
         if fault:
-            what = "cloud" if self.kind is not LaserScan else "scan"
+            what = {"LaserScan": "scan", "PointCloud2": "cloud"}.get(self.kind.__name__, "range")
             self.node.get_logger().error(f"A {what} of {self.given['topic']} cannot be used: {fault}", once=True)
             return
         try:

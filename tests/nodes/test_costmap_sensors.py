@@ -1,10 +1,10 @@
-"""Costmaps that take in clouds, as those of depth cameras, on the virtual clock."""
+"""Costmaps that take in clouds, as those of depth cameras, and ranges, as those of sonars, on the virtual clock."""
 
 import numpy as np
 import pytest
 from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import OccupancyGrid
-from sensor_msgs.msg import PointCloud2
+from sensor_msgs.msg import PointCloud2, Range
 from sensor_msgs_py.point_cloud2 import create_cloud_xyz32
 from std_msgs.msg import Header
 from tf2_ros import StaticTransformBroadcaster
@@ -30,13 +30,18 @@ PARAMETERS = """local_costmap:
 """
 
 
-@pytest.fixture
-def seen(session, run, ros2, tmp_path):
-    """seen(heights, *clouds) are the obstacles (x, y) of a costmap that took in clouds of points in turn, and its log."""
+RANGES = """      plugins: [sonars]
+      sonars: {plugin: nav2_costmap_2d::RangeSensorLayer, topics: [/sonar], clear_on_max_reading: %s}
+"""
 
-    def look(heights, *clouds):
+
+@pytest.fixture
+def costmap(session, run, ros2, tmp_path):
+    """costmap(text, topic, *messages) are the obstacles (x, y) of one that took in messages in turn, and its log."""
+
+    def look(text, topic, *messages):
         file = tmp_path / "costmap.yaml"
-        file.write_text(PARAMETERS % heights)
+        file.write_text(text)
         process = run("nav2_controller", "controller_server", "--ros-args", "--params-file", str(file))
         friend = Friend(session)
         mount(friend)
@@ -44,12 +49,24 @@ def seen(session, run, ros2, tmp_path):
             assert "successful" in ros2("lifecycle", "set", "/controller_server", state), process.output
         heard = []
         friend.node.create_subscription(OccupancyGrid, "/local_costmap/costmap", heard.append, MAP_QOS)
-        for points in clouds:
-            msg = create_cloud_xyz32(Header(frame_id="camera", stamp=friend.node.get_clock().now().to_msg()), points)
-            friend.say("/camera/points", msg)
+        friend.spin(0.5)
+        for msg in messages:
+            msg.header.frame_id, msg.header.stamp = "camera", friend.node.get_clock().now().to_msg()
+            friend.say(topic, msg)
             friend.spin(2.0)
-        assert heard and friend.node.count_subscribers("/camera/points") == 1
+        assert heard and friend.node.count_subscribers(topic) == 1
         return obstacles(heard[-1]), process.output
+
+    return look
+
+
+@pytest.fixture
+def seen(costmap):
+    """seen(heights, *clouds) are the obstacles (x, y) of a costmap that took in clouds of points in turn, and its log."""
+
+    def look(heights, *clouds):
+        made = (create_cloud_xyz32(Header(), points) for points in clouds)
+        return costmap(PARAMETERS % heights, "/camera/points", *made)
 
     return look
 
@@ -88,8 +105,22 @@ def test_without_a_greatest_height_nothing_is_an_obstacle_and_that_is_told(seen)
 
 
 def test_a_cloud_without_coordinates_is_told_once(session, seen, run, monkeypatch):
-    from tests.nodes import test_costmap_clouds
+    from tests.nodes import test_costmap_sensors
 
-    monkeypatch.setattr(test_costmap_clouds, "create_cloud_xyz32", lambda header, points: PointCloud2(header=header))
+    monkeypatch.setattr(test_costmap_sensors, "create_cloud_xyz32", lambda header, points: PointCloud2(header=header))
     found, said = seen("max_obstacle_height: 2.0", [[1.0, 0.0, 0.0]], [[1.0, 0.0, 0.0]])
     assert found == [] and said.count("A cloud of /camera/points cannot be used") == 1
+
+
+def test_a_sonar_s_cone_ends_at_an_obstacle(costmap):
+    text = PARAMETERS[: PARAMETERS.index("      plugins")] + RANGES
+    sonar = {"field_of_view": 0.2, "min_range": 0.1, "max_range": 2.0}
+    near, far = Range(range=1.05, **sonar), Range(range=2.0, **sonar)
+    found, _ = costmap(text % "false", "/sonar", near, far)
+    assert found == [(1.05, -0.15), (1.05, -0.05), (1.05, 0.05), (1.05, 0.15)]
+
+
+def test_a_sonar_that_hears_nothing_clears_where_that_is_wanted(costmap):
+    text = PARAMETERS[: PARAMETERS.index("      plugins")] + RANGES
+    sonar = {"field_of_view": 0.2, "min_range": 0.1, "max_range": 2.0}
+    assert costmap(text % "true", "/sonar", Range(range=1.05, **sonar), Range(range=2.0, **sonar))[0] == []

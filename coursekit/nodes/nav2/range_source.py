@@ -1,0 +1,44 @@
+"""A topic of ranges, as those of sonars and infrared sensors, as a costmap's RangeSensorLayer takes it in."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from geometry_msgs.msg import TransformStamped
+from sensor_msgs.msg import Range
+from tf2_sensor_msgs.tf2_sensor_msgs import transform_points
+
+from coursekit.nodes.nav2.scan_source import Source
+
+STEP = math.radians(2.0)
+"""The beams of a cone are so far apart [rad]."""
+
+
+class RangeSource(Source):
+    """An obstacle on the arc at which a cone of sound ended, free space before it."""
+
+    kind: Any = Range
+
+    def fault(self, msg: Range) -> str:
+        """Why a range cannot be used; empty when it can."""
+        numbers = (msg.field_of_view, msg.min_range, msg.max_range)
+        if all(map(math.isfinite, numbers)) and 0 <= msg.field_of_view <= 2 * math.pi and msg.min_range <= msg.max_range:
+            return ""
+        return f"its field_of_view, min_range and max_range are {', '.join(f'{one:g}' for one in numbers)}"
+
+    def see(self, msg: Range, seat: TransformStamped) -> None:
+        """Mark and clear with the range of a sensor that sits there."""
+        far = msg.range >= msg.max_range
+        if (far and not self.given["clear_on_max_reading"]) or not msg.range >= msg.min_range:
+            return
+        half = msg.field_of_view / 2
+        angles = np.linspace(-half, half, max(math.ceil(2 * half / STEP), 1) + 1)
+        reach = min(msg.range, msg.max_range)
+        flat = np.column_stack([reach * np.cos(angles), reach * np.sin(angles), np.zeros(len(angles))])
+        ends, here = transform_points(flat, seat)[:, :2], seat.transform.translation
+        self.layer.see((here.x, here.y), ends, np.full(len(ends), not far), clearing=True)
+
+
+__all__ = ["RangeSource"]

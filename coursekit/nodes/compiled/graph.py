@@ -96,12 +96,12 @@ def _endpoints(found: list[Any]) -> bytes:
 
 def do_graph_changes(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """A number that grows when nodes, topics or services come or go."""
-    return packed(host.things[frame.integer()]._graph.version)
+    return packed(host.things[frame.integer()]._rclpy_graph.version)
 
 
 def do_wait_for_graph(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Wait until that number has grown, at most so long (negative: without end); the number."""
-    graph, seen, nanoseconds = host.things[frame.integer()]._graph, frame.integer(), frame.integer()
+    graph, seen, nanoseconds = host.things[frame.integer()]._rclpy_graph, frame.integer(), frame.integer()
     end = None if nanoseconds < 0 else host.clock.steady() + nanoseconds
     waiter = host.clock.new_waiter()
     graph.watch(waiter.notify)

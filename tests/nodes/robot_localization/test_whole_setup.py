@@ -79,7 +79,8 @@ def test_navigation_drives_on_the_filters_odometry(session, tmp_path, space, sla
     map_file = save_map(tmp_path / "map", true_map("robot_world"))[0]
     file = tmp_path / "user.launch.py"
     wheels, gyroscope = mask("vx", "vy", "vyaw"), mask("vyaw")
-    file.write_text(LAUNCH.format(space=space, map=str(map_file), slam=slam, urdf=str(URDF), wheels=wheels, gyroscope=gyroscope))
+    told = {"space": space, "map": str(map_file), "slam": slam, "urdf": str(URDF), "wheels": wheels, "gyroscope": gyroscope}
+    file.write_text(LAUNCH.format(**told))
     launched = session.start(lambda: run_cli(["launch", str(file)]), name="ros2", argv=["launch"])
     session.clock.sleep(8.0)
     tourist = session.start(lambda: tour(space, slam), name="tour")

@@ -11,6 +11,8 @@ from . import which
 _BEFORE_QUOTE = re.compile(r'(\\*)"')
 _AT_END = re.compile(r"(\\+)\Z")
 _PLAIN = re.compile(r"""[^\s"']+""")
+_FOLDER = re.compile(r"(?:[A-Za-z]:(?=[\\/]))?[^;:]+")
+"""On Windows, where a drive has a colon."""
 
 
 def split_words(text: str) -> list[str]:
@@ -47,6 +49,17 @@ def plain_words(text: str) -> list[str]:
     except ValueError:
         return []
     return [] if any(word and set(word) <= set("();<>|&") for word in words) else words
+
+
+def split_folders(text: str) -> list[str]:
+    """The folders of a variable that a package has put together, without empty ones.
+
+    Launch files that were written on Linux join with a colon, on every system: on Windows both separators count.
+
+    >>> split_folders("/opt/models:/home/vera/models:")
+    ['/opt/models', '/home/vera/models']
+    """
+    return _FOLDER.findall(text) if which.WINDOWS else [one for one in text.split(":") if one]
 
 
 def _with_operators(text: str) -> shlex.shlex:

@@ -19,6 +19,7 @@ from urllib.parse import unquote, urlsplit
 from coursekit.files import is_file, is_folder
 from coursekit.systems import copies, which
 from coursekit.systems.uris import path_of
+from coursekit.systems.words import split_folders
 
 from .errors import MeshError, close
 
@@ -96,8 +97,8 @@ def _where(name: str, searched: list[Path]) -> str:
 def model_folders() -> list[Path]:
     """Folders in which Gazebo looks for models and what they are made of, as the environment names them."""
     environment = _environment[0]() if _environment else os.environ
-    told = (one for name in MODEL_PATHS for one in environment.get(name, "").split(os.pathsep))
-    return list(dict.fromkeys(Path(one).expanduser() for one in told if one))
+    told = (one for name in MODEL_PATHS for one in split_folders(environment.get(name, "")))
+    return list(dict.fromkeys(Path(one).expanduser() for one in told))
 
 
 def _in_models(uri: str, near: Path | None) -> Path:

@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from tests.needs import real_windows
+
 BIN = Path(sys.executable).parent
 FILES = {
     "package.xml": """<?xml version="1.0"?>
@@ -119,6 +121,7 @@ def colcon(folder, *args):
     return subprocess.run(command, cwd=folder, env=env, capture_output=True, encoding="utf-8", check=False)
 
 
+@real_windows("its cmd does not read a variable twice, as colcon's package.bat asks for")
 @pytest.mark.slow
 @pytest.mark.parametrize(("word", "failures"), [("counted", "0 failures"), ("never said", "1 failure")])
 def test_launch_tests_of_a_package_are_run_and_reported(workspace, word, failures):

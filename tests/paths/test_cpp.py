@@ -3,9 +3,10 @@
 import pytest
 
 from coursekit.cpp.toolchain import NoToolchain, find_toolchain
+from tests.needs import posix
 from tests.paths.workspace import HOSTILE, type_in
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(240)]
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(240), posix("bash reads what is typed there")]
 CREATE = """
 cd src; ros2 pkg create says_cpp --build-type ament_cmake --node-name says --maintainer-email ada@example.com
 echo 'install(FILES package.xml DESTINATION share/${PROJECT_NAME}/kept)' > line

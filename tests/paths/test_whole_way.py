@@ -17,10 +17,12 @@ from coursekit.cli.lab import lab_environment
 from coursekit.cli.terminal_settings import terminal_settings
 from tests.grade.attacks import RIGHT
 from tests.grade.test_attacks import cells
+from tests.needs import posix
 from tests.paths import workspace
 from tests.paths.workspace import HOSTILE, type_in
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(240)]
+typed = posix("bash reads what is typed there")
 
 
 @pytest.fixture(scope="module", params=["copied", "linked"])
@@ -40,12 +42,14 @@ def nothing_is_run(tmp_path_factory: pytest.TempPathFactory):
     assert not [*tmp_path_factory.getbasetemp().rglob("PWNED*"), *Path.cwd().glob("PWNED*")]
 
 
+@typed
 def test_setup_files_lead_to_the_workspace_in_each_shell(built: Path) -> None:
     for shell in ("bash", "sh"):
         said = type_in(built, f'{shell} -c ". ./install/setup.{shell} && ros2 pkg prefix talks && ros2 run talks talk" 2>&1')
         assert str(built / "install" / "talks") in said and "told by the ñ's" in said, said
 
 
+@typed
 def test_a_workspace_that_is_sourced_on_another_finds_both(built: Path, tmp_path: Path) -> None:
     above = tmp_path / HOSTILE
     (above / "src").mkdir(parents=True)
@@ -55,6 +59,7 @@ def test_a_workspace_that_is_sourced_on_another_finds_both(built: Path, tmp_path
     assert said.splitlines() == [str(built / "install" / "talks"), str(above / "install" / "above")]
 
 
+@typed
 def test_launch_files_start_it_and_a_map_is_loaded_and_saved(built: Path) -> None:
     said = type_in(built, ". install/setup.bash; ros2 launch talks all.launch.py")
     assert "told by the ñ's" in said and "Map saved" in said and "got segment wheel" in said, said
@@ -62,6 +67,7 @@ def test_launch_files_start_it_and_a_map_is_loaded_and_saved(built: Path) -> Non
     assert picture.endswith(bytes([0, 254, 254, 254, 254, 0]))
 
 
+@typed
 @pytest.mark.parametrize("file", ["pair.launch.xml", "whole.launch.yaml"])
 def test_launch_files_in_xml_and_yaml_start_it(built: Path, file: str) -> None:
     said = type_in(built, '. install/setup.bash; ros2 launch talks "$1"', file)
@@ -70,6 +76,7 @@ def test_launch_files_in_xml_and_yaml_start_it(built: Path, file: str) -> None:
     assert said.count(f"{share}/room.yaml") >= 1, said
 
 
+@typed
 def test_a_bag_is_recorded_told_and_played(built: Path) -> None:
     lines = '. install/setup.bash; ros2 launch "$1" bag:="$2"; ros2 bag info "$2"; ros2 bag play "$2"'
     file = built / "record.launch.py"
@@ -145,6 +152,7 @@ def test_a_course_is_worked_in_and_handed_in(course: Path, kernel: Callable[[str
     assert main(["verify", str(course / "AdaLovelace_names.zip"), "--notebooks", str(course)]) == 0
 
 
+@posix("its terminals are PowerShell's")
 def test_terminals_of_the_course_begin_in_its_folder_with_its_commands(course: Path) -> None:
     (setting,) = terminal_settings(course)
     words = ast.literal_eval(setting.partition("=")[2])["shell_command"]
@@ -160,6 +168,7 @@ def test_terminals_of_the_course_begin_in_its_folder_with_its_commands(course: P
     assert said.splitlines() == [str(course), str(workspace.BIN / "ros2")]
 
 
+@posix("no folder has a colon in its name")
 def test_a_course_in_a_folder_that_no_list_can_name_is_refused_in_a_sentence(tmp_path: Path) -> None:
     with pytest.raises(SystemExit, match="No workspace can be in '.*a:b': ':' separates folders .* coursekit lab --folder"):
         main(["course", "--folder", str(tmp_path / "a:b")])

@@ -7,8 +7,13 @@ import subprocess
 import sys
 from pathlib import Path
 
-HOSTILE = "ñ o' \"\"\" \\n $(touch PWNED) `touch PWNED` %d"
-"""A name in which a space, an accent, quotes, a backslash, commands of a shell and a format stand for themselves."""
+from tests.needs import ON_WINDOWS
+
+HOSTILE = "ñ o' $(touch PWNED) `touch PWNED` %d" if ON_WINDOWS else "ñ o' \"\"\" \\n $(touch PWNED) `touch PWNED` %d"
+"""A name in which a space, an accent, quotes, a backslash, commands of a shell and a format stand for themselves.
+
+Windows has no names with a double quotation mark or a backslash.
+"""
 
 BIN = Path(sys.executable).parent
 _CREATE = """

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from coursekit.systems import which
-from coursekit.systems.words import join_words, plain_words, shell_command, split_words
+from coursekit.systems.words import join_words, plain_words, shell_command, split_folders, split_words
 
 
 @pytest.fixture
@@ -81,3 +81,8 @@ def test_windows_shell_is_the_one_that_the_system_names(monkeypatch):
     monkeypatch.setattr(which, "WINDOWS", True)
     command = shell_command('echo "a b" && dir', {"COMSPEC": r"C:\Windows\system32\cmd.exe"})
     assert command == [r"C:\Windows\system32\cmd.exe", "/d", "/c", "echo", "a b", "&&", "dir"]
+
+
+@pytest.mark.parametrize("text", [r"C:\ws\worlds;D:/more;\\server\share", r"C:\ws\worlds:D:/more:\\server\share;", ":;"])
+def test_folders_that_a_package_has_joined_as_on_linux_are_told_apart_on_windows(windows, text):
+    assert split_folders(text) == ([r"C:\ws\worlds", "D:/more", r"\\server\share"] if "C" in text else [])

@@ -8,6 +8,7 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from coursekit.files import is_file, is_folder, read_text
+from coursekit.systems.words import split_folders
 from coursekit.urdf import MeshError, UrdfError
 from coursekit.urdf.errors import close
 from coursekit.urdf.resources import find_file, package_paths
@@ -47,8 +48,7 @@ def resource_paths() -> list[Path]:
 
 def told_by(*variables: str) -> list[Path]:
     """The folders of environment variables."""
-    told = (one for name in variables for one in os.environ.get(name, "").split(os.pathsep))
-    return [Path(one).expanduser() for one in told if one]
+    return [Path(one).expanduser() for name in variables for one in split_folders(os.environ.get(name, ""))]
 
 
 def exported(attribute: str) -> list[Path]:
@@ -72,7 +72,7 @@ def _exported(attribute: str, shares: tuple[tuple[Path, int], ...]) -> tuple[Pat
             continue
         for element in export.all("gazebo_ros") if export is not None else ():
             told = (element.get(attribute) or "").replace("${prefix}", str(file.parent))
-            found += [Path(one) for one in told.split(os.pathsep) if one]
+            found += [Path(one) for one in split_folders(told)]
     return tuple(found)
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import OccupancyGrid
-from sensor_msgs.msg import PointCloud2, Range
+from sensor_msgs.msg import LaserScan, PointCloud2, Range
 from sensor_msgs_py.point_cloud2 import create_cloud_xyz32
 from std_msgs.msg import Header
 from tf2_ros import StaticTransformBroadcaster
@@ -110,6 +110,19 @@ def test_a_cloud_without_coordinates_is_told_once(session, seen, run, monkeypatc
     monkeypatch.setattr(test_costmap_sensors, "create_cloud_xyz32", lambda header, points: PointCloud2(header=header))
     found, said = seen("max_obstacle_height: 2.0", [[1.0, 0.0, 0.0]], [[1.0, 0.0, 0.0]])
     assert found == [] and said.count("A cloud of /camera/points cannot be used") == 1
+
+
+SCANS = PARAMETERS.replace("PointCloud2", "LaserScan").replace("/camera/points", "/scan")
+SCAN = LaserScan(ranges=[1.02], range_max=5.0)
+
+
+def test_scans_count_between_the_heights(costmap):
+    assert costmap(SCANS % "max_obstacle_height: 2.0", "/scan", SCAN)[0] == [(1.05, 0.05)]
+
+
+def test_scans_of_a_laser_above_the_greatest_height_do_not_count_and_that_is_told_once(costmap):
+    found, said = costmap(SCANS % "max_obstacle_height: 0.4", "/scan", SCAN, SCAN)
+    assert found == [] and said.count("the laser is 0.50 m above odom") == 1 and "max_obstacle_height: 2.0" in said
 
 
 def test_a_sonar_s_cone_ends_at_an_obstacle(costmap):

@@ -84,7 +84,7 @@ def layers(node: Node, names: list[str]) -> list[tuple[str, str, dict[str, Any]]
 
 
 def sources(node: Node, layer: str, names: str) -> list[dict[str, Any]]:
-    """The sensors of an obstacle layer. The heights count for clouds only: a scan is one height, which the robot has."""
+    """The sensors of an obstacle layer."""
     found = []
     for name in names.split():
         source = declare(node, SOURCE, f"{layer}.{name}")

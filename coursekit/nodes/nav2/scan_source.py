@@ -55,7 +55,7 @@ class Source:
 
 
 class ScanSource(Source):
-    """Scans: an obstacle where a beam ended, free space where it passed."""
+    """Scans: an obstacle where a beam ended, free space where it passed, if the laser is at a height that counts."""
 
     def fault(self, msg: LaserScan) -> str:
         """Why a scan cannot be used; empty when it can."""
@@ -63,9 +63,24 @@ class ScanSource(Source):
 
     def see(self, msg: LaserScan, seat: TransformStamped) -> None:
         """Mark and clear with a scan of a laser that sits there."""
+        if not self._counts(seat.transform.translation.z):
+            return
         laser = of_transform(seat)
         ends, hits = self._ends(msg, upside_down(seat.transform.rotation))
         self.layer.see((laser.x, laser.y), laser.transform(ends), hits, clearing=self.given["clearing"])
+
+    def _counts(self, height: float) -> bool:
+        """Whether the height [m] is one of those that count; a robot says nothing where it is not, and sees nothing."""
+        lowest, highest = self.given["min_obstacle_height"], self.given["max_obstacle_height"]
+        if lowest <= height <= highest:
+            return True
+        self.node.get_logger().warning(
+            f"Scans of {self.given['topic']} do not count: the laser is {height:.2f} m above {self._frame}, and "
+            f"{self.given['name']} has min_obstacle_height {lowest}, max_obstacle_height {highest}. "
+            "Give the height up to which they count, as max_obstacle_height: 2.0",
+            once=True,
+        )
+        return False
 
     def _ends(self, scan: LaserScan, flipped: bool) -> tuple[np.ndarray, np.ndarray]:
         """Where the beams that tell something end, in the laser's frame [m], and which of them are obstacles to mark."""

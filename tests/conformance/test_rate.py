@@ -1,14 +1,20 @@
+import contextlib
 import threading
 import time
 
 import pytest
 import rclpy
 from rclpy.exceptions import ROSInterruptException
+from rclpy.executors import ExternalShutdownException
 
 
 @pytest.fixture
 def spinning(world):
-    thread = threading.Thread(target=world.executor.spin, daemon=True)
+    def spin():
+        with contextlib.suppress(ExternalShutdownException):
+            world.executor.spin()
+
+    thread = threading.Thread(target=spin, daemon=True)
     node = world.node()
     thread.start()
     yield world, node

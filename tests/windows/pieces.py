@@ -129,6 +129,7 @@ _BUILDS = ("test_build_state.py", "test_colcon.py", "test_links.py", "test_quiet
 """They build for minutes, and Wine 8 refuses to start one of some twenty programs (WinError 1359) on a busy computer."""
 IN_CI = [
     fast("core"), fast("systems"), chapters("0", "1"), fast("launch"), fast("packages", *_BUILDS), chapters("2", "5", "8"),
-    fast("lab"), fast("cli"), fast("joined"), fast("bag"), fast("urdf"), fast("interfaces"),
+    fast("lab"), fast("cli"), fast("joined"), fast("bag"), fast("urdf"), fast("interfaces"), fast("processes"), fast("rcl"),
+    fast("conformance"), fast("tf"), fast("ros"), fast("nodes"), fast("launch_testing"), fast("net"), fast("tutorials"),
 ]  # fmt: skip
 """What passed every time that it was run, in the order of what it tells of Windows for its time."""

@@ -42,7 +42,7 @@ def test_all_pieces_run_where_there_is_time(run, now):
 
 def test_nothing_is_begun_near_the_end_and_that_is_said(run, now):
     late = Pieces(now, "cli", 1, 0)
-    code, _, said = run(Pieces(now, "core", 600, 0), late)
+    code, _, said = run(Pieces(now, "core", 850, 0), late)
     assert (code, late.runs) == (0, []) and "LEFT OUT, for there was no time: cli." in said
 
 
@@ -57,7 +57,7 @@ def test_what_fails_once_and_then_passes_has_passed(run, now):
     assert (code, shaky.runs) == (0, [False, True]) and "core: exit code 1" in said
 
 
-@pytest.mark.parametrize("seconds", [100, 600])
+@pytest.mark.parametrize("seconds", [100, 850])
 def test_what_fails_fails_the_leg_also_where_there_is_no_time_to_try_again(run, now, seconds):
     code, _, said = run(Pieces(now, "core", seconds, 1, 1), Pieces(now, "cli", 1, 0))
     assert code == 1 and "FAILED: core." in said

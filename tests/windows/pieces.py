@@ -127,8 +127,11 @@ def named(names: Iterable[str]) -> list[Piece | FromOutside]:
 FAST = [*map(fast, ROOMS), *map(chapter, CHAPTERS)]
 _BUILDS = ("test_build_state.py", "test_colcon.py", "test_links.py", "test_quiet.py")
 """They build for minutes, and Wine 8 refuses to start one of some twenty programs (WinError 1359) on a busy computer."""
+_FILES_OF_A_CLASS = ("collecting", "container", "exchange", "handing_back", "handing_in", "identifying", "lateness",
+                     "release", "review", "spreadsheets")  # fmt: skip
 IN_CI = [
     fast("core"), fast("systems"), chapters("0", "1"), fast("launch"), fast("packages", *_BUILDS), chapters("2", "5", "8"),
+    Piece("files of a class", tuple(f"tests/grade/test_{one}.py" for one in _FILES_OF_A_CLASS), ("-m", "not slow")),
     fast("lab"), fast("cli"), fast("joined"), fast("bag"), fast("urdf"), fast("interfaces"), fast("processes"), fast("rcl"),
     fast("conformance"), fast("tf"), fast("ros"), fast("nodes"), fast("launch_testing"), fast("net"), fast("tutorials"),
 ]  # fmt: skip

@@ -251,5 +251,19 @@ public:
   : WaitSet(
       {subscriptions.begin(), subscriptions.end()}, {guards.begin(), guards.end()}, {timers.begin(), timers.end()},
       {clients.begin(), clients.end()}, {services.begin(), services.end()}, {waitables.begin(), waitables.end()}) {}
+
+  // Nothing comes to it, and nothing leaves it: a program that tries does not compile, here as on a robot.
+  template<class ... T> void add_subscription(T && ...) = delete;
+  template<class ... T> void add_guard_condition(T && ...) = delete;
+  template<class ... T> void add_timer(T && ...) = delete;
+  template<class ... T> void add_client(T && ...) = delete;
+  template<class ... T> void add_service(T && ...) = delete;
+  template<class ... T> void add_waitable(T && ...) = delete;
+  template<class ... T> void remove_subscription(T && ...) = delete;
+  template<class ... T> void remove_guard_condition(T && ...) = delete;
+  template<class ... T> void remove_timer(T && ...) = delete;
+  template<class ... T> void remove_client(T && ...) = delete;
+  template<class ... T> void remove_service(T && ...) = delete;
+  template<class ... T> void remove_waitable(T && ...) = delete;
 };
 }  // namespace rclcpp

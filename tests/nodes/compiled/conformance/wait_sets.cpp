@@ -6,6 +6,12 @@ using example_interfaces::srv::AddTwoInts;
 using std_msgs::msg::Int32;
 using Kind = rclcpp::WaitResultKind;
 
+template<class Set, class = void>
+struct TakesTimers : std::false_type {};
+template<class Set>
+struct TakesTimers<Set, std::void_t<decltype(std::declval<Set &>().add_timer(rclcpp::TimerBase::SharedPtr()))>>
+: std::true_type {};
+
 int main(int argc, char ** argv)
 {
   rclcpp::init(argc, argv);
@@ -64,6 +70,7 @@ int main(int argc, char ** argv)
     std::array<rclcpp::ServiceBase::SharedPtr, 0>{}, std::array<Fixed::WaitableEntry, 0>{});
   own_guard->trigger();
   check("one of fixed size", fixed.wait(1s).kind() == Kind::Ready);
+  check("to which nothing can be added", TakesTimers<rclcpp::WaitSet>::value && !TakesTimers<Fixed>::value);
   rclcpp::ThreadSafeWaitSet safe;
   safe.add_timer(timer);
   check("one for several threads", safe.wait(1s).kind() == Kind::Ready);

@@ -125,14 +125,15 @@ def named(names: Iterable[str]) -> list[Piece | FromOutside]:
 
 
 FAST = [*map(fast, ROOMS), *map(chapter, CHAPTERS)]
-_BUILDS = ("test_build_state.py", "test_colcon.py", "test_links.py", "test_quiet.py")
+_BUILDS = ("test_build_state.py", "test_cmake_tests.py", "test_colcon.py", "test_links.py", "test_quiet.py")
 """They build for minutes, and Wine 8 refuses to start one of some twenty programs (WinError 1359) on a busy computer."""
-_FILES_OF_A_CLASS = ("collecting", "container", "exchange", "handing_back", "handing_in", "identifying", "lateness",
-                     "release", "review", "spreadsheets")  # fmt: skip
+_LONG = ("test_completion.py", "test_neighbours.py")
+"""They start many interpreters, which takes seconds each in Wine."""
+_FILES_OF_A_CLASS = ("collecting", "container", "exchange", "handing_back", "handing_in", "release", "review")
 IN_CI = [
     fast("core"), fast("systems"), chapters("0", "1"), fast("launch"), fast("packages", *_BUILDS), chapters("2", "5", "8"),
     Piece("files of a class", tuple(f"tests/grade/test_{one}.py" for one in _FILES_OF_A_CLASS), ("-m", "not slow")),
-    fast("lab"), fast("cli"), fast("joined"), fast("bag"), fast("urdf"), fast("interfaces"), fast("processes"), fast("rcl"),
+    fast("lab"), fast("cli", *_LONG), fast("joined"), fast("bag"), fast("urdf"), fast("interfaces"), fast("processes"), fast("rcl"),
     fast("conformance"), fast("tf"), fast("ros"), fast("nodes"), fast("launch_testing"), fast("net"), fast("tutorials"),
 ]  # fmt: skip
 """What passed every time that it was run, in the order of what it tells of Windows for its time."""

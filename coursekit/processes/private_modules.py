@@ -84,29 +84,30 @@ class PrivateModules:
         return {name: sys.modules.pop(name) for name in mine}
 
 
-def top_level_names(folder: Path) -> Iterator[str]:
-    """Modules and packages that can be imported from a folder.
+def top_level_names(folder: Path) -> list[str]:
+    """Modules and packages that can be imported from a folder, in order.
 
     A folder without an __init__.py is no package where the real one can be imported: the `launch` folder of a package
     built with --symlink-install must not hide ROS's launch, nor a folder `numpy` numpy. Coursekit is never anyone's own.
     """
-    if not folder.is_dir():
-        return
-    here = folder.resolve()
-    beside = [place for place in sys.path if Path(place or ".").resolve() != here]
-    for entry in sorted(folder.iterdir()):
+    names: list[str] = []
+    bare: list[str] = []
+    for entry in folder.iterdir() if folder.is_dir() else ():
         if entry.suffix == ".py":
-            yield entry.stem
-        elif entry.is_dir() and entry.name.isidentifier() and entry.name not in _NEVER and not _is_elsewhere(entry, beside):
-            yield entry.name
+            names.append(entry.stem)
+        elif entry.is_dir() and entry.name.isidentifier() and entry.name not in _NEVER:
+            (names if (entry / "__init__.py").exists() else bare).append(entry.name)
+    if bare:  # few folders have any, and each place on the path costs a look at the disk
+        here = folder.resolve()
+        beside = [place for place in sys.path if Path(place or ".").resolve() != here]
+        names += [name for name in bare if not _is_elsewhere(name, beside)]
+    return sorted(names)
 
 
-def _is_elsewhere(folder: Path, beside: Sequence[str]) -> bool:
-    """Whether Python would import something else by this name, from the folders `beside` this one's."""
-    if (folder / "__init__.py").exists():
-        return False
-    found = importlib.machinery.PathFinder.find_spec(folder.name, beside)
-    return folder.name in sys.builtin_module_names or (found is not None and found.origin is not None)
+def _is_elsewhere(name: str, beside: Sequence[str]) -> bool:
+    """Whether Python would import something else by this name, from the places `beside` the folder that has it."""
+    found = importlib.machinery.PathFinder.find_spec(name, beside)
+    return name in sys.builtin_module_names or (found is not None and found.origin is not None)
 
 
 def use_private_modules(process: Process, folders: Sequence[str]) -> None:

@@ -78,6 +78,7 @@ def test_tf_is_published_either_way_round_and_gravity_is_taken_out(start):
     frames = tf[-1].transforms[0]
     assert (frames.header.frame_id, frames.child_frame_id) == ("imu_link", "map")
     assert frames.transform.rotation.x == pytest.approx(-math.sin(0.15), abs=1e-3)
+    assert unit.found[-1].orientation.x == pytest.approx(math.sin(0.15), abs=1e-3)
     felt = unit.found[-1].linear_acceleration
     assert (felt.x, felt.y, felt.z) == pytest.approx((0.0, 0.0, 0.0), abs=0.02)
 

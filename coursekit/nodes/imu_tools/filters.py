@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from geometry_msgs.msg import TransformStamped
+from geometry_msgs.msg import Quaternion, TransformStamped
 from rclpy.node import Node
 from rclpy.time import Time
 from sensor_msgs.msg import Imu, MagneticField
@@ -89,14 +89,11 @@ class ImuFilter(Node):
         return constant if constant > 0 else max(now - (now if last is None else last), 0) * 1e-9
 
     def _turned(self, msg: Imu) -> TransformStamped:
-        frames, q = (self.given["fixed_frame"], msg.header.frame_id), msg.orientation
-        made = TransformStamped(child_frame_id=frames[1])
-        made.header.stamp, made.header.frame_id = msg.header.stamp, frames[0]
-        made.transform.rotation = q
-        if self.given["reverse_tf"]:
-            made.header.frame_id, made.child_frame_id = frames[1], frames[0]
-            turn = made.transform.rotation
-            turn.x, turn.y, turn.z, turn.w = -q.x, -q.y, -q.z, q.w
+        above, below, q = self.given["fixed_frame"], msg.header.frame_id, msg.orientation
+        if self.given["reverse_tf"]:  # a turn of its own, for the message has been published
+            above, below, q = below, above, Quaternion(x=-q.x, y=-q.y, z=-q.z, w=q.w)
+        made = TransformStamped(child_frame_id=below)
+        made.header.stamp, made.header.frame_id, made.transform.rotation = msg.header.stamp, above, q
         return made
 
 

@@ -17,7 +17,7 @@ from coursekit.nodes.nav2.scan_source import Source
 class CloudSource(Source):
     """Points between two heights are obstacles, and what lies before them is free; others do not count, as in nav2."""
 
-    kind = PointCloud2
+    kind, what = PointCloud2, "cloud"
 
     def __init__(self, node: Any, where: Any, frame: str, layer: Any, given: dict[str, Any]) -> None:
         super().__init__(node, where, frame, layer, given)

@@ -17,7 +17,7 @@ from coursekit.geometry.plane import Array
 from coursekit.nodes.nav2.cloud_source import points_of
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.whereabouts import Whereabouts
-from coursekit.nodes.scanning.planar import of_transform
+from coursekit.nodes.scanning.planar import ends_of, of_transform
 from coursekit.nodes.scanning.scan_filter import lookup
 
 NOTHING = np.zeros((0, 2))
@@ -86,7 +86,7 @@ class SensorSource:
 def _of_scan(msg: LaserScan) -> Array:
     ranges = np.asarray(msg.ranges, float)
     good = (ranges >= msg.range_min) & (ranges <= msg.range_max)
-    return _ends(ranges[good], (msg.angle_min + msg.angle_increment * np.arange(len(ranges)))[good])
+    return ends_of(ranges[good], (msg.angle_min + msg.angle_increment * np.arange(len(ranges)))[good])
 
 
 def _of_range(msg: Range, step: float) -> Array:
@@ -94,11 +94,7 @@ def _of_range(msg: Range, step: float) -> Array:
         return np.zeros((0, 3))
     half = msg.field_of_view / 2
     angles = np.append(np.arange(-half, half, max(step, 1e-3)), half)
-    return _ends(np.full(len(angles), msg.range), angles)
-
-
-def _ends(ranges: Array, angles: Any) -> Array:
-    return np.column_stack([ranges * np.cos(angles), ranges * np.sin(angles), np.zeros(len(ranges))])
+    return ends_of(np.full(len(angles), msg.range), angles)
 
 
 __all__ = ["SensorSource"]

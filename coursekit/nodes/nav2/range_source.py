@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 from geometry_msgs.msg import TransformStamped
@@ -11,6 +10,7 @@ from sensor_msgs.msg import Range
 from tf2_sensor_msgs.tf2_sensor_msgs import transform_points
 
 from coursekit.nodes.nav2.scan_source import Source
+from coursekit.nodes.scanning.planar import ends_of
 
 STEP = math.radians(2.0)
 """The beams of a cone are so far apart [rad]."""
@@ -19,7 +19,7 @@ STEP = math.radians(2.0)
 class RangeSource(Source):
     """An obstacle on the arc at which a cone of sound ended, free space before it."""
 
-    kind: Any = Range
+    kind, what = Range, "range"
 
     def fault(self, msg: Range) -> str:
         """Why a range cannot be used; empty when it can."""
@@ -35,8 +35,7 @@ class RangeSource(Source):
             return
         half = msg.field_of_view / 2
         angles = np.linspace(-half, half, max(math.ceil(2 * half / STEP), 1) + 1)
-        reach = min(msg.range, msg.max_range)
-        flat = np.column_stack([reach * np.cos(angles), reach * np.sin(angles), np.zeros(len(angles))])
+        flat = ends_of(np.full(len(angles), min(msg.range, msg.max_range)), angles)
         ends, here = transform_points(flat, seat)[:, :2], seat.transform.translation
         self.layer.see((here.x, here.y), ends, np.full(len(ends), not far), clearing=True)
 

@@ -20,7 +20,9 @@ from coursekit.nodes.scanning.scan_filter import ScanFilter, lookup
 class Source:
     """Marks and clears a layer with the messages of a topic, once tf knows where they were taken."""
 
-    kind: Any = LaserScan
+    kind: Any
+    what: str
+    """The type of its messages, and what a sentence calls one."""
 
     def __init__(self, node: Any, where: Whereabouts, frame: str, layer: ObstacleLayer, given: dict[str, Any]) -> None:
         self.node, self.layer, self.given, self._where, self._frame = node, layer, given, where, frame
@@ -44,8 +46,7 @@ class Source:
     def _take(self, msg: Any) -> None:
         fault = self.fault(msg)
         if fault:
-            what = {"LaserScan": "scan", "PointCloud2": "cloud"}.get(self.kind.__name__, "range")
-            self.node.get_logger().error(f"A {what} of {self.given['topic']} cannot be used: {fault}", once=True)
+            self.node.get_logger().error(f"A {self.what} of {self.given['topic']} cannot be used: {fault}", once=True)
             return
         try:
             seat = lookup(self._where.buffer, self._frame, msg.header.frame_id, msg.header.stamp)
@@ -56,6 +57,8 @@ class Source:
 
 class ScanSource(Source):
     """Scans: an obstacle where a beam ended, free space where it passed, if the laser is at a height that counts."""
+
+    kind, what = LaserScan, "scan"
 
     def fault(self, msg: LaserScan) -> str:
         """Why a scan cannot be used; empty when it can."""

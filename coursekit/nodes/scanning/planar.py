@@ -43,6 +43,15 @@ def points_of(path: Any) -> Array:
     return np.array([(one.pose.position.x, one.pose.position.y) for one in path.poses]).reshape(-1, 2)
 
 
+def ends_of(ranges: Array, angles: Any) -> Array:
+    """Where beams of a flat sensor end, in its own frame, (n, 3) [m].
+
+    >>> ends_of(np.array([2.0]), np.array([0.0])).tolist()
+    [[2.0, 0.0, 0.0]]
+    """
+    return np.column_stack([ranges * np.cos(angles), ranges * np.sin(angles), np.zeros(len(ranges))])
+
+
 def upside_down(q: Any) -> bool:
     """Whether a quaternion's z axis points down."""
     return 1 - 2 * (q.x * q.x + q.y * q.y) < 0

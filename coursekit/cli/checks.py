@@ -81,7 +81,7 @@ def cpp_tools() -> Check:
 
 def socket_folder() -> Check:
     """Where terminals find the session."""
-    from .runtime_folder import choose
+    from coursekit.systems.runtime_folder import choose
 
     try:
         folder, faults = choose()

@@ -9,20 +9,13 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import secrets
 import socket
 from pathlib import Path
-from typing import Any
 
-from coursekit.systems import rights, which
-
-from .runtime_folder import folder
-
-HAS_UNIX = hasattr(socket, "AF_UNIX") and not which.WINDOWS
-
-
-class NoSession(ConnectionError):
-    """Nobody listens."""
+from coursekit.systems import rights, user_socket
+from coursekit.systems.runtime_folder import folder
+from coursekit.systems.user_socket import NobodyListens as NoSession
+from coursekit.systems.user_socket import connect_at, listen_at, token_at
 
 
 def address(domain_id: int) -> Path:
@@ -46,23 +39,6 @@ def listen(domain_id: int, *, take: bool = False) -> socket.socket:
     return server
 
 
-def listen_at(path: Path) -> socket.socket:
-    """Listen at a file, or at a loopback port that it names with a token; only this user can read it."""
-    path.unlink(missing_ok=True)
-    if HAS_UNIX:
-        server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
-        with contextlib.suppress(OSError):
-            os.fchmod(server.fileno(), 0o600)  # so Linux makes it; elsewhere it is the folder that nobody can enter
-        server.bind(str(path))
-        path.chmod(0o600)
-    else:
-        server = socket.socket(socket.AF_INET, socket.SOCK_STREAM)
-        server.bind(("127.0.0.1", 0))
-        rights.write_text(path, json.dumps({"port": server.getsockname()[1], "token": secrets.token_hex(16)}))
-    server.listen(16)
-    return server
-
-
 def claim(domain_id: int) -> bool:
     """Have the domain's terminals from now on; whether that is a change."""
     if has_terminals(domain_id):
@@ -77,23 +53,20 @@ def has_terminals(domain_id: int) -> bool:
     """Whether new commands of the domain's terminals come to this process."""
     current, own = address(domain_id), own_address(domain_id)
     with contextlib.suppress(OSError):
-        return os.readlink(current) == own.name if HAS_UNIX else _said_at(current) == _said_at(own)
+        if user_socket.HAS_UNIX:
+            return os.readlink(current) == own.name
+        return user_socket.said_at(current) == user_socket.said_at(own)
     return False
 
 
 def _lead_to(own: Path, domain_id: int) -> None:
     fresh = own.with_name(f"{own.name}.new")
     fresh.unlink(missing_ok=True)
-    if HAS_UNIX:
+    if user_socket.HAS_UNIX:
         fresh.symlink_to(own.name)
     else:
-        rights.write_text(fresh, json.dumps(_said_at(own)))
+        rights.write_text(fresh, json.dumps(user_socket.said_at(own)))
     fresh.replace(address(domain_id))
-
-
-def _said_at(path: Path) -> dict[str, Any]:
-    """Where there are no Unix sockets: the port and the token that the file holds."""
-    return dict(json.loads(path.read_text(encoding="utf-8")))
 
 
 def token(domain_id: int) -> str:
@@ -102,16 +75,6 @@ def token(domain_id: int) -> str:
         return token_at(address(domain_id))
     except NoSession as error:
         raise NoSession(f"no session listens for ROS_DOMAIN_ID={domain_id}") from error
-
-
-def token_at(path: Path) -> str:
-    """The first word to the loopback port that a file names; empty for Unix sockets. NoSession when it has gone."""
-    if HAS_UNIX:
-        return ""
-    try:
-        return str(_said_at(path)["token"])
-    except (OSError, ValueError, KeyError) as error:
-        raise NoSession(f"nobody listens at {path}") from error
 
 
 def connect(domain_id: int) -> socket.socket:
@@ -142,19 +105,6 @@ def live_sessions(domain_id: int) -> int:
         except NoSession:
             path.unlink(missing_ok=True)
     return count
-
-
-def connect_at(path: Path) -> socket.socket:
-    """Connect to who listens at a file. Raises NoSession."""
-    try:
-        if HAS_UNIX:
-            client = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
-            client.connect(str(path))
-        else:
-            client = socket.create_connection(("127.0.0.1", _said_at(path)["port"]), timeout=5)
-    except (OSError, ValueError, KeyError) as error:
-        raise NoSession(f"no session listens at {path}") from error
-    return client
 
 
 def close(server: socket.socket, domain_id: int) -> None:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import atexit
 import contextlib
 import os
-import secrets
 import socket
 import sys
 import threading
@@ -19,14 +18,11 @@ from coursekit.core.graph import Graph
 from coursekit.joined.link import Link
 from coursekit.joined.pipe import Broken
 from coursekit.systems.locks import alone
-
-from .endpoint import NoSession, connect_at, listen_at, token_at
-from .runtime_folder import folder
+from coursekit.systems.runtime_folder import folder
+from coursekit.systems.user_socket import NobodyListens, accept, call, listen_at
 
 FLUSH_SECONDS = 0.5
 """How long the last words of a program may take to be on their way [s]."""
-TOKEN_SECONDS = 2.0
-"""How long a caller on a loopback port may take to say its token [s]."""
 _domains: dict[int, Neighbourhood] = {}
 _joining = threading.Lock()
 
@@ -59,20 +55,11 @@ class Neighbourhood:
 
     def _call(self, path: Path) -> None:
         try:
-            token = token_at(path).encode()
-            peer = connect_at(path)
-        except NoSession:
+            self._join(call(path), calling=True)
+        except NobodyListens:
             path.unlink(missing_ok=True)  # it ended without a word
-        else:
-            try:
-                peer.sendall(token)
-            except OSError:
-                peer.close()
-            else:
-                self._join(peer, calling=True)
 
     def _join(self, peer: socket.socket, *, calling: bool) -> None:
-        peer.settimeout(None)
         try:
             self._links.append(Link(self._graph, peer, self._forget, calling=calling))
         except (Broken, OSError):
@@ -84,13 +71,8 @@ class Neighbourhood:
 
     def _accept(self) -> None:
         with contextlib.suppress(OSError):
-            token = token_at(self._path).encode()
             while True:
-                peer, _ = self._server.accept()
-                if _says(peer, token):
-                    self._join(peer, calling=False)
-                else:
-                    peer.close()
+                self._join(accept(self._server, self._path), calling=False)
 
     def abandon(self) -> None:
         """In a forked child: let go of the sockets and of the nodes, which are the parent's, without a word."""
@@ -110,16 +92,6 @@ def neighbours(domain_id: int, kinds: tuple[str, ...] = ("program", "test")) -> 
     """Where programs of the domain listen; some may be gone."""
     found = [path for kind in kinds for path in folder().glob(f"{kind}-{domain_id}-*")]
     return sorted(path for path in found if path.name.rpartition("-")[2].isdecimal())
-
-
-def _says(peer: socket.socket, token: bytes) -> bool:
-    """Whether a caller says the token, where there is one: at a loopback port anybody may call."""
-    said = b""
-    with contextlib.suppress(OSError):
-        peer.settimeout(TOKEN_SECONDS)
-        while len(said) < len(token) and (part := peer.recv(len(token) - len(said))):
-            said += part
-    return secrets.compare_digest(said, token)
 
 
 def _leave_all() -> None:

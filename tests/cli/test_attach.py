@@ -7,6 +7,7 @@ import threading
 import pytest
 
 from coursekit.cli import attach, endpoint
+from coursekit.systems import user_socket
 
 
 class Sessions:
@@ -64,7 +65,7 @@ def test_when_none_takes_it_that_is_an_error_and_a_script_runs_by_itself(asked, 
 
 
 def test_where_a_session_has_gone_its_token_is_gone_and_that_is_no_session(monkeypatch, tmp_path):
-    monkeypatch.setattr(endpoint, "HAS_UNIX", False)
+    monkeypatch.setattr(user_socket, "HAS_UNIX", False)
     monkeypatch.setattr(endpoint, "folder", lambda: tmp_path)
     with pytest.raises(endpoint.NoSession):
         endpoint.token(7)

@@ -101,7 +101,7 @@ def test_two_programs_started_by_path_meet_whichever_comes_first(programs):
     assert late.communicate()[0] == "['one', 'two'] []\n"
 
 
-AT_A_PORT = "from coursekit.cli import endpoint\nendpoint.HAS_UNIX = False\n"
+AT_A_PORT = "from coursekit.systems import user_socket\nuser_socket.HAS_UNIX = False\n"
 """As on Windows, where a file holds a loopback port and a token."""
 
 

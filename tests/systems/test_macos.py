@@ -1,6 +1,6 @@
 """A Mac, made on Linux: no /proc, /tmp is a link, other programs of Python begin afresh instead of being forked.
 
-What else a Mac has of its own stands beside what it is about: sockets of 104 bytes in tests/cli/test_runtime_folder.py,
+What else a Mac has of its own stands beside what it is about: sockets of 104 bytes in tests/systems/test_runtime_folder.py,
 names in any case in test_letter_case.py, zsh and its keys in test_typed.py, containers in tests/grade/test_container.py.
 """
 
@@ -11,7 +11,7 @@ import tempfile
 
 import pytest
 
-from coursekit.cli import runtime_folder
+from coursekit.systems import runtime_folder
 from tests.needs import posix
 from tests.paths import workspace
 from tests.paths.workspace import type_in
@@ -76,7 +76,7 @@ def test_sessions_listen_below_a_folder_that_is_a_link(link, monkeypatch):
     for name in ("COURSEKIT_RUNTIME_DIR", "XDG_RUNTIME_DIR", "PYTEST_XDIST_WORKER"):
         monkeypatch.delenv(name, raising=False)
     monkeypatch.setattr(tempfile, "tempdir", str(link))
-    monkeypatch.setattr("coursekit.cli.runtime_folder.socket_path_bytes", lambda: 1000)
+    monkeypatch.setattr("coursekit.systems.runtime_folder.socket_path_bytes", lambda: 1000)
     path, faults = runtime_folder.choose()
     assert path.parent == link and faults == []
 

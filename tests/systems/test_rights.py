@@ -6,7 +6,7 @@ import stat
 import pytest
 
 from coursekit.cli import endpoint
-from coursekit.systems import rights, which
+from coursekit.systems import rights, user_socket, which
 from tests.needs import posix, real_windows
 
 USER = "S-1-5-21-1111-2222-3333-1001"
@@ -81,7 +81,7 @@ def test_a_file_is_not_written_through_a_link(tmp_path):
 @posix("modes are its way")
 @pytest.mark.parametrize("unix", [True, False])
 def test_where_a_session_listens_is_for_this_user_only(tmp_path, monkeypatch, unix):
-    monkeypatch.setattr(endpoint, "HAS_UNIX", unix)
+    monkeypatch.setattr(user_socket, "HAS_UNIX", unix)
     monkeypatch.setattr(endpoint, "folder", lambda: tmp_path)
     monkeypatch.setattr(type(tmp_path), "chmod", lambda *_: None)  # what it is before anybody changes it
     before = os.umask(0)

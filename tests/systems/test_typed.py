@@ -5,8 +5,8 @@ from pathlib import Path
 
 import pytest
 
-from coursekit.cli import checks, runtime_folder
-from coursekit.systems import typed, which
+from coursekit.cli import checks
+from coursekit.systems import runtime_folder, typed, which
 
 ROOT = Path(__file__).resolve().parents[2]
 PLACES = ("coursekit/systems/typed.py", "coursekit/systems/rights.py")

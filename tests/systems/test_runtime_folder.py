@@ -5,9 +5,9 @@ from pathlib import Path
 
 import pytest
 
-from coursekit.cli import checks, runtime_folder
-from coursekit.cli.runtime_folder import choose, folder
-from coursekit.systems import which
+from coursekit.cli import checks
+from coursekit.systems import runtime_folder, which
+from coursekit.systems.runtime_folder import choose, folder
 from tests.needs import posix
 
 

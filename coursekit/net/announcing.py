@@ -12,6 +12,7 @@ from coursekit.core.topic import Endpoint, Publisher, Subscription
 from coursekit.joined.ghosts import GhostNode
 
 from .calls import Answers
+from .direct import DirectLines
 from .place import Place
 from .quality import wire_quality
 from .remote import RemoteSubscription
@@ -42,8 +43,9 @@ class Announced:
 class Announcer:
     """Keeps the announcements equal to the graph: `compare` is called after each change, by one thread."""
 
-    def __init__(self, place: Place, *, listen_only: bool) -> None:
+    def __init__(self, place: Place, direct: DirectLines | None, *, listen_only: bool) -> None:
         self._place = place
+        self._direct = direct
         self._listen_only = listen_only
         self._numbers = itertools.count(1)
         self._node_numbers: dict[GraphNode, int] = {}
@@ -64,7 +66,9 @@ class Announcer:
             if one not in self.known:
                 self.known[one] = self._announce(one)
         for sender in self.senders:
-            sender.want({one.type_hash for one in sender.publisher.targets if isinstance(one, RemoteSubscription)})
+            listeners = [one for one in sender.publisher.targets if isinstance(one, RemoteSubscription)]
+            lines = self._direct.to(one.session for one in listeners) if self._direct else ()
+            sender.want({one.type_hash for one in listeners}, lines)
 
     def close(self) -> None:
         """Take everything back."""

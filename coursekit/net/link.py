@@ -11,7 +11,10 @@ import weakref
 from collections.abc import Callable
 from typing import Any
 
+from coursekit.systems.user_socket import HAS_UNIX
+
 from .announcing import Announcer
+from .direct import DirectLines
 from .place import Place
 from .visiting import Visitors
 from .wire.token import ADMIN, Token, read_token
@@ -28,8 +31,9 @@ class Link:
     def __init__(self, place: Place, *, listen_only: bool = False) -> None:
         self.place = place
         self.listen_only = listen_only
-        self.announcer = Announcer(place, listen_only=listen_only)
         self.visitors = Visitors(place, listen_only=listen_only)
+        self.direct = self._listen_for_neighbours()
+        self.announcer = Announcer(place, self.direct, listen_only=listen_only)
         self.since = place.graph.clock.now()
         self.is_up = True
         """Whether the router answers at present."""
@@ -41,6 +45,13 @@ class Link:
         self._worker = threading.Thread(target=self._work, name="coursekit-network", daemon=True)
         self._listeners: list[Any] = []
         _close_before_python_ends(self)
+
+    def _listen_for_neighbours(self) -> DirectLines | None:
+        if not HAS_UNIX:
+            return None  # a notebook opens no port
+        with contextlib.suppress(OSError):  # no safe folder: `coursekit doctor` says so
+            return DirectLines(self.place.address, self.place.id, self.visitors.take)
+        return None
 
     def tokens(self) -> list[Token]:
         """The announcements of the others up to now."""
@@ -100,6 +111,8 @@ class Link:
         with contextlib.suppress(Exception):
             self.announcer.close()
         self.visitors.close()
+        if self.direct:
+            self.direct.close()
         self.place.session.close()
 
     def _work(self) -> None:
@@ -122,6 +135,8 @@ class Link:
     def _compare(self) -> None:
         self._planned.clear()
         self.visitors.listen()
+        if self.direct:
+            self.direct.keep(self.visitors.sessions)
         self.announcer.compare()
         self.visitors.compare()
 
@@ -135,6 +150,8 @@ class Link:
         if is_up == self.is_up or self.closed:
             return
         self.is_up = is_up
+        if self.direct:
+            self.direct.pause(not is_up)
         where = self.place.address
         self.place.tell(
             f"The link to {where} is there again."

@@ -48,13 +48,16 @@ class Receiver:
 
     def _hear(self, sample: Any) -> None:
         data = sample.payload.to_bytes()
-        if len(data) > LARGEST:
-            return
+        if len(data) <= LARGEST:
+            self.take(data, attachment_of(sample))
+
+    def take(self, data: bytes, came_with: Attachment | None) -> None:
+        """Take a message, from Zenoh or from a direct line."""
         with self._lock:
             if self._publishers:
-                self._give(data, attachment_of(sample))
+                self._give(data, came_with)
             else:
-                self._early.append((data, attachment_of(sample)))
+                self._early.append((data, came_with))
 
     def _give(self, data: bytes, came_with: Attachment | None) -> None:
         one = self._publishers.get(came_with.gid) if came_with else None

@@ -132,6 +132,7 @@ class RemoteSubscription(Subscription):
     def __init__(self, graph: Graph, node: GraphNode, token: Token, *, hears: bool = True) -> None:
         super().__init__(graph, node, token.name, Named(token.type_name), core_qos(token.quality))
         self.type_hash = token.type_hash
+        self.session = token.session
         self.reduce = _nothing
         self._hears = hears
         """Whether this side sends to it."""

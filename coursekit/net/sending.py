@@ -13,6 +13,7 @@ from coursekit.core.qos import KEEP_ALL, RELIABLE
 from coursekit.core.topic import Publisher
 from coursekit.interfaces import cdr
 
+from .direct import LONGEST, Line, frame
 from .remote import Early, is_latched
 from .traffic import Traffic
 from .wire.attachment import Attachment
@@ -31,19 +32,29 @@ class Sender:
         self._gid = gid
         self._key_of = key_of
         self._outlets: dict[str, Any] = {}
+        self._lines: tuple[Line, ...] = ()
+        qos = publisher.qos
+        self._keeps = is_latched(publisher)
+        self._may_block = qos.history == KEEP_ALL and qos.reliability == RELIABLE
         self._numbers = itertools.count(1)
-        depth = MOST_LATCHED if publisher.qos.history == KEEP_ALL else min(publisher.qos.depth, MOST_LATCHED)
+        depth = MOST_LATCHED if qos.history == KEEP_ALL else min(qos.depth, MOST_LATCHED)
         self._kept: deque[tuple[bytes, bytes]] = deque(maxlen=depth)
         self._last_kept = -1
         self._lock = threading.Lock()
 
-    def want(self, hashes: set[str]) -> None:
-        """Send for listeners of these hashes from now on; those that come late get first what is kept for them."""
+    def want(self, hashes: set[str], lines: tuple[Line, ...] = ()) -> None:
+        """Send for listeners of these hashes from now on; those that come late get first what is kept for them.
+
+        `lines` lead to all listeners, if there are any. Once Zenoh carries a topic it goes on, or messages would overtake
+        those that are on their way.
+        """
         for gone in self._outlets.keys() - hashes:
             with self._lock:
                 outlet = self._outlets.pop(gone)
             outlet.undeclare()
         begins = bool(hashes) and self.publisher.tap != self._take
+        if begins or self._lines:
+            self._lines = () if self._keeps or self._may_block else lines
         if begins:
             self._read_kept()
         for new in hashes - self._outlets.keys():
@@ -72,10 +83,9 @@ class Sender:
     def _add(self, type_hash: str) -> None:
         from zenoh import CongestionControl, ext
 
-        qos = self.publisher.qos
-        may_block = qos.history == KEEP_ALL and qos.reliability == RELIABLE
-        options: dict[str, Any] = {"congestion_control": CongestionControl.BLOCK if may_block else CongestionControl.DROP}
-        if is_latched(self.publisher):
+        control = CongestionControl.BLOCK if self._may_block else CongestionControl.DROP
+        options: dict[str, Any] = {"congestion_control": control}
+        if self._keeps:
             options |= {"cache": ext.CacheConfig(self._kept.maxlen), "publisher_detection": True}
         outlet = ext.declare_advanced_publisher(self._session, self._key_of(type_hash), **options)
         with self._lock:
@@ -85,15 +95,24 @@ class Sender:
 
     def _take(self, msg: Any, stamp: int) -> None:
         with self._lock:
-            if stamp <= self._last_kept and is_latched(self.publisher):
+            if stamp <= self._last_kept and self._keeps:
                 return  # it was among those kept
             data, attachment = self._packed(msg)
-            for outlet in self._outlets.values():
-                outlet.put(data, attachment=attachment)
+            if not self._sent_directly(data, attachment):
+                for outlet in self._outlets.values():
+                    outlet.put(data, attachment=attachment)
         self.traffic.count(self.publisher.graph.clock.now())
+
+    def _sent_directly(self, data: bytes, attachment: bytes) -> bool:
+        """Whether all have it by lines; those of them that get it by Zenoh, too, know it by its number."""
+        if self._lines:
+            sent = frame(self.publisher.name, self.publisher.type_name, data, attachment) if len(data) <= LONGEST else b""
+            if not sent or not all(line.send(sent) for line in self._lines):
+                self._lines = ()
+        return bool(self._lines)
 
     def _packed(self, msg: Any) -> tuple[bytes, bytes]:
         entry = cdr.serialize(msg), Attachment(next(self._numbers), time.time_ns(), self._gid).data()
-        if is_latched(self.publisher):
+        if self._keeps:
             self._kept.append(entry)
         return entry

@@ -16,6 +16,7 @@ from .calls import Questions
 from .place import Place
 from .receiving import Receiver
 from .remote import RemoteClient, RemotePublisher, RemoteServer, RemoteSubscription, is_latched
+from .wire.attachment import Attachment
 from .wire.token import NODE, PUBLISHER, SERVER, SUBSCRIPTION, Token, gid_of, read_token
 
 MOST = 20_000
@@ -102,6 +103,12 @@ class Visitors:
                     known.close()
         for key in [key for key in self._receivers if key not in wanted]:
             self._receivers.pop(key).close()
+
+    def take(self, name: str, type_name: str, data: bytes, came_with: Attachment) -> None:
+        """Take a message of a topic that a direct line brought."""
+        receiver = self._receivers.get((name, type_name))
+        if receiver is not None:
+            receiver.take(data, came_with)
 
     def compare(self) -> None:
         """Tell receivers who publishes, and the user whose nodes have the same names."""

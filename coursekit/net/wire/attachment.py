@@ -7,6 +7,8 @@ from typing import NamedTuple
 
 _LAYOUT = struct.Struct("<qqB16s")
 _GID_SIZE = 16
+SIZE = _LAYOUT.size
+"""Bytes of it."""
 
 
 class Attachment(NamedTuple):
@@ -31,7 +33,7 @@ def read_attachment(data: bytes) -> Attachment:
     >>> read_attachment(Attachment(7, 1000, bytes(16)).data()).number
     7
     """
-    if len(data) != _LAYOUT.size or data[16] != _GID_SIZE:
+    if len(data) != SIZE or data[16] != _GID_SIZE:
         raise ValueError(f"{len(data)} bytes that are no attachment")
     number, stamp, _, gid = _LAYOUT.unpack(data)
     return Attachment(number, stamp, gid)

@@ -180,12 +180,6 @@ class Stage:
         return f"No transform from [{frame}] to [{fixed}]: they are in two trees, under [{self.root(frame)}] and " \
                f"[{self.root(fixed)}]"  # fmt: skip
 
-    def too_old(self, frame: str, limit: float) -> bool:
-        """Whether the newest transform of a moving frame is older than `limit` seconds."""
-        cache = self.buffer.frames.get(frame)
-        newest = 0 if cache is None or cache.static else cache.newest
-        return bool(newest) and self.now() - newest > limit * 1e9
-
     def now(self) -> int:
         """The node's time [ns]."""
         return int(self.node.get_clock().now().nanoseconds)

@@ -22,6 +22,7 @@ from nav_msgs.msg import GridCells, OccupancyGrid, Odometry, Path
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from sensor_msgs.msg import ChannelFloat32, LaserScan, PointCloud, Range, Temperature
 from tf2_msgs.msg import TFMessage
+from tf2_ros import TransformBroadcaster
 
 from coursekit.lab.viewer import viewer
 from coursekit.view.scene_shapes import Lines, Points, Triangles
@@ -237,3 +238,20 @@ def test_as_many_of_the_last_messages_stay_as_are_wanted(session, talker, kind, 
     assert len(things) == 3
     _, _, things = show(session, talker, kind, *[msg] * 5)
     assert len(things) == 1
+
+
+def test_a_frame_fades_when_it_has_not_changed_for_long_whatever_its_stamps_say(session, talker):
+    """A simulation's stamps begin at 0, hours after the viewer's clock, and RViz counts from the last change."""
+    session.clock.sleep(3600.0)
+    broadcaster, moves = TransformBroadcaster(talker), TransformStamped(child_frame_id="base")
+    moves.header.frame_id = "map"
+    panel = viewer(fixed_frame="map", displays=["TF"])
+    for second in range(1, 20):
+        moves.header.stamp.sec = second
+        broadcaster.sendTransform(moves)
+        session.clock.sleep(1.0)
+        assert panel.status("TF").startswith("Ok"), panel.status("TF")
+    session.clock.sleep(14.0)
+    assert "No new transform" not in panel.status("TF")
+    session.clock.sleep(2.0)
+    assert "No new transform for [base] for 15 s" in panel.status("TF")

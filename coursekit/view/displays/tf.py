@@ -15,6 +15,7 @@ from .display import Display, NoTransform
 from .facts import Fact, pose_facts
 
 if TYPE_CHECKING:
+    from coursekit.nodes.rviz.config import DisplayConfig
     from coursekit.view.scene_stage import Stage
 
 LENGTH, RADIUS = 0.12, 0.005
@@ -26,6 +27,11 @@ class TF(Display):
     """All frames of the buffer."""
 
     kind = "TF"
+
+    def __init__(self, config: DisplayConfig, number: int) -> None:
+        super().__init__(config, number)
+        self._changes: dict[str, tuple[int, int]] = {}
+        """Of each moving frame: its newest stamp, and when that was first seen [ns]."""
 
     def draw(self, stage: Stage, scene: Scene) -> None:
         """Follow the frames."""
@@ -50,7 +56,7 @@ class TF(Display):
         lost: list[str] = []
         old: list[str] = []
         for frame in sorted(stage.buffer.frames):
-            if stage.too_old(frame, self.options["frame_timeout"]):
+            if self._is_old(frame, stage):
                 old.append(frame)
                 continue
             try:
@@ -58,6 +64,17 @@ class TF(Display):
             except NoTransform:
                 lost.append(frame)
         return poses, lost, old
+
+    def _is_old(self, frame: str, stage: Stage) -> bool:
+        """Whether a moving frame has not changed for long; its stamp does not tell, it may be of a simulation's time."""
+        cache, now = stage.buffer.frames.get(frame), stage.now()
+        if cache is None or cache.static:
+            return False
+        stamp, since = self._changes.get(frame, (None, now))
+        if stamp != cache.newest:
+            self._changes[frame] = cache.newest, now
+            return False
+        return now - since > self.options["frame_timeout"] * 1e9
 
     def _frame(self, frame: str, pose: Pose, scene: Scene) -> set[str]:
         made = {f"axes {frame}"}

@@ -6,7 +6,9 @@ from xml.sax.saxutils import quoteattr
 import pytest
 from geometry_msgs.msg import PointStamped, PoseStamped, PoseWithCovarianceStamped
 from nav_msgs.msg import Path
+from rclpy.qos import DurabilityPolicy, QoSProfile
 from sensor_msgs.msg import LaserScan
+from std_msgs.msg import Header
 
 from coursekit.lab.panel import end_panels
 from coursekit.lab.viewer import viewer
@@ -89,6 +91,17 @@ def test_a_topic_without_messages_says_why(session, talker):
     panel = viewer(displays=["LaserScan /scan", {"type": "LaserScan", "topic": "/strange", "name": "other"}])
     assert "Nobody publishes /scan. There is: /front" in panel.status("LaserScan")
     assert "/strange has the type nav_msgs/msg/Path, not sensor_msgs/msg/LaserScan" in panel.status("other")
+
+
+def test_a_message_that_came_before_is_there_for_a_display_that_asks_for_it(session, talker):
+    lasting = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    talker.create_publisher(Path, "/plan", lasting).publish(Path(header=Header(frame_id="map")))
+    panel = viewer(fixed_frame="map", displays=["Path /plan"])
+    said = panel.status("Path")
+    assert "talker keeps its last message on /plan" in said and "set the Durability Policy to Transient Local" in said
+    panel.change("Path", durability="Transient Local")
+    session.clock.sleep(0.1)
+    assert panel.status("Path").startswith("Ok")
 
 
 def test_robots_are_shown_by_namespace(session):

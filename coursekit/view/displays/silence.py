@@ -11,14 +11,14 @@ if TYPE_CHECKING:
 
 
 def why_nothing(node: Any, display: Display) -> str:
-    """Another type, a QoS that does not fit, a publisher that is silent, or none."""
+    """Another type, a QoS that does not fit, a message that came before, a publisher that is silent, or none."""
     topic, wanted = display.config.topic, KINDS[display.kind].type
     resolved = dict(node.get_topic_names_and_types())
     if node.count_publishers(topic):
         types = [one for one in resolved.get(topic, []) if one != wanted]
         if types:
             return f"{topic} has the type {types[0]}, not {wanted}"
-        return _unfit(node, display) or f"{topic} has a publisher that has not published yet"
+        return _unfit(node, display) or _missed(node, display) or f"{topic} has a publisher that has not published yet"
     others = sorted(name for name, kinds in resolved.items() if wanted in kinds and node.count_publishers(name))
     return f"Nobody publishes {topic}." + (f" There is: {', '.join(others[:4])}" if others else "")
 
@@ -32,6 +32,20 @@ def _unfit(node: Any, display: Display) -> str:
         if verdict == QoSCompatibility.ERROR:
             return f"The QoS of {one.node_name} on {display.config.topic} does not fit: {reason.strip(' ;')}"
     return ""
+
+
+def _missed(node: Any, display: Display) -> str:
+    """Which publisher keeps messages for late joiners that a display does not ask for."""
+    from rclpy.qos import DurabilityPolicy
+
+    topic, lasting = display.config.topic, DurabilityPolicy.TRANSIENT_LOCAL
+    keepers = [one for one in node.get_publishers_info_by_topic(topic) if one.qos_profile.durability == lasting]
+    if not keepers or display.quality.durability == lasting:
+        return ""
+    return (
+        f"{keepers[0].node_name} keeps its last message on {topic}. To get what was published before, set the Durability "
+        "Policy to Transient Local"
+    )
 
 
 __all__ = ["why_nothing"]

@@ -14,13 +14,15 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from colcon_core import subprocess
 from colcon_core.plugin_system import satisfies_version
 from colcon_core.shell import ShellExtensionPoint
 from colcon_core.shell.template import expand_template
 
 from coursekit.files import read_text, write_whole
 from coursekit.packages.folder_name import refusal
-from coursekit.packages.windows_quotes import as_bytes, quoted_for_cmd, quoted_for_powershell
+from coursekit.packages.windows_quotes import as_bytes, quoted_for_cmd, quoted_for_powershell, word_for_cmd
+from coursekit.systems import which
 
 _WRITERS = (
     "colcon_core.shell.sh",
@@ -79,6 +81,8 @@ class QuotingShell(ShellExtensionPoint):  # type: ignore[misc]
         for name in _WRITERS:
             with contextlib.suppress(ModuleNotFoundError):  # PowerShell's is there on Windows only
                 importlib.import_module(name).expand_template = expand_quoted  # type: ignore[attr-defined]
+        if which.WINDOWS:
+            subprocess.escape_shell_argument = word_for_cmd  # colcon's doubles a single quotation mark as a shell's
 
     def create_prefix_script(self, prefix_path: Path, merge_install: bool) -> list[Path]:
         """Write none."""

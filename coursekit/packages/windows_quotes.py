@@ -15,9 +15,19 @@ _ALONE = re.compile(
 _HOOK = re.compile(rf'^(colcon_\w+_unique_value \w+ )"\$env:COLCON_CURRENT_PREFIX[\\/]({_ABSOLUTE})"$', re.M)
 _WILD = re.compile(r"\b(Test-Path|Get-Item) (?=\$_colcon_\w+_param\b|\$_colcon_package_source|\"\$|\$PSCommandPath)")
 
+_OPERATORS = (";", "|", "&&", "||")
 _CMD_HOOK = re.compile(rf'^(call:colcon_\w+_unique_value \w+ )"({_ABSOLUTE})"$', re.M)
 _CMD_CHAIN = re.compile(rf'^(call:_colcon_prefix_chain_bat_call_script )"({_ABSOLUTE})"$', re.M)
 _CMD_PYTHON = re.compile(rf'^(\s*set "_colcon_python_executable=)({_ABSOLUTE})"$', re.M)
+
+
+def word_for_cmd(word: str) -> str:
+    r"""A word of a command line of cmd, which knows no quotation marks but double ones; operators stay what they are.
+
+    >>> print(word_for_cmd(r"C:\Users\Tim O'Neil\setup.bat"), word_for_cmd("&&"))
+    "C:\Users\Tim O'Neil\setup.bat" &&
+    """
+    return word if word in _OPERATORS else f'"{word}"'
 
 
 def powershell_quote(text: str) -> str:

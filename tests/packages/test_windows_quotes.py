@@ -11,7 +11,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from coursekit.packages.shell_quotes import expand_quoted
+from coursekit.packages.shell_quotes import QuotingShell, expand_quoted
 from coursekit.packages.windows_quotes import as_bytes, quoted_for_cmd, quoted_for_powershell
 from coursekit.systems import which
 from tests.needs import real_windows
@@ -123,3 +123,13 @@ def test_cmd_puts_such_a_folder_before_the_others(tmp_path: Path) -> None:
     (tmp_path / "try.bat").write_bytes(f'@echo off\r\ncall "{hook}"\r\nset CK_PATHS\r\n'.encode("oem"))
     done = subprocess.run(["cmd", "/d", "/c", str(tmp_path / "try.bat")], capture_output=True, encoding="oem", check=True)
     assert done.stdout.strip() == f"CK_PATHS={folder}"
+
+
+def test_on_windows_colcon_s_command_lines_name_folders_with_single_quotation_marks(monkeypatch):
+    from colcon_core import subprocess as commands
+
+    monkeypatch.setattr(commands, "escape_shell_argument", commands.escape_shell_argument)
+    monkeypatch.setattr(which, "WINDOWS", True)
+    QuotingShell()
+    assert commands.escape_shell_argument(rf"{HOSTILE}\set.bat") == rf'"{HOSTILE}\set.bat"'
+    assert commands.escape_shell_argument("&&") == "&&"

@@ -15,6 +15,7 @@ _ALONE = re.compile(
 _HOOK = re.compile(rf'^(colcon_\w+_unique_value \w+ )"\$env:COLCON_CURRENT_PREFIX[\\/]({_ABSOLUTE})"$', re.M)
 _WILD = re.compile(r"\b(Test-Path|Get-Item) (?=\$_colcon_\w+_param\b|\$_colcon_package_source|\"\$|\$PSCommandPath)")
 
+_BARE = re.compile(r"[\w.:\\/-]+", re.ASCII)
 _OPERATORS = (";", "|", "&&", "||")
 _CMD_HOOK = re.compile(rf'^(call:colcon_\w+_unique_value \w+ )"({_ABSOLUTE})"$', re.M)
 _CMD_CHAIN = re.compile(rf'^(call:_colcon_prefix_chain_bat_call_script )"({_ABSOLUTE})"$', re.M)
@@ -22,12 +23,12 @@ _CMD_PYTHON = re.compile(rf'^(\s*set "_colcon_python_executable=)({_ABSOLUTE})"$
 
 
 def word_for_cmd(word: str) -> str:
-    r"""A word of a command line of cmd, which knows no quotation marks but double ones; operators stay what they are.
+    r"""A word of a command line of cmd, which knows no quotation marks but double ones, and no command of its own in them.
 
-    >>> print(word_for_cmd(r"C:\Users\Tim O'Neil\setup.bat"), word_for_cmd("&&"))
-    "C:\Users\Tim O'Neil\setup.bat" &&
+    >>> print(word_for_cmd(r"C:\Users\Tim O'Neil\setup.bat"), word_for_cmd("&&"), word_for_cmd("set"))
+    "C:\Users\Tim O'Neil\setup.bat" && set
     """
-    return word if word in _OPERATORS else f'"{word}"'
+    return word if word in _OPERATORS or _BARE.fullmatch(word) else f'"{word}"'
 
 
 def powershell_quote(text: str) -> str:

@@ -27,11 +27,16 @@ WORLD = ("map", "odom", "world")
 ROOM = 3.0
 """From so far [m] at least one looks at robots that may drive around."""
 
+CLOCK_SECONDS = 1.0
+"""So often it is looked whether there is a simulation's clock [s]."""
+
 
 class Stage:
     """The content of a viewer. `update()` brings the scene up to date; nothing is drawn between two calls."""
 
     def __init__(self, node: Any, config: Config) -> None:
+        from rclpy.clock import Clock, ClockType
+
         self.node = node
         self.config = config
         self.scene = Scene()
@@ -41,6 +46,9 @@ class Stage:
         self.looking = Looking(self)
         self._guessed = ""
         self._count = 0
+        self._simulated = False
+        self._follow_clock()
+        node.create_timer(CLOCK_SECONDS, self._follow_clock, clock=Clock(clock_type=ClockType.STEADY_TIME))
         for one in config.displays:
             self.add(one)
 
@@ -179,6 +187,15 @@ class Stage:
                 return f"No transform from [{frame}] to [{fixed}]: frame [{one}] does not exist. {hint}{_there(known)}"
         return f"No transform from [{frame}] to [{fixed}]: they are in two trees, under [{self.root(frame)}] and " \
                f"[{self.root(fixed)}]"  # fmt: skip
+
+    def _follow_clock(self) -> None:
+        """Take the time from /clock while somebody publishes it: the frames and goals of a simulation are of its time."""
+        from rclpy.parameter import Parameter
+
+        simulated = self.node.count_publishers("/clock") > 0
+        if simulated != self._simulated:
+            self._simulated = simulated
+            self.node.set_parameters([Parameter("use_sim_time", value=simulated)])
 
     def now(self) -> int:
         """The node's time [ns]."""

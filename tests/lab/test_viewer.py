@@ -4,9 +4,11 @@ import math
 from xml.sax.saxutils import quoteattr
 
 import pytest
+from builtin_interfaces.msg import Time
 from geometry_msgs.msg import PointStamped, PoseStamped, PoseWithCovarianceStamped
 from nav_msgs.msg import Path
 from rclpy.qos import DurabilityPolicy, QoSProfile
+from rosgraph_msgs.msg import Clock as ClockMessage
 from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Header
 
@@ -143,6 +145,23 @@ def test_the_tools_publish_in_the_fixed_frame(session, talker):
     assert goal.header.frame_id == "map" and goal.pose.orientation.z == pytest.approx(1.0)
     assert estimate.pose.covariance[0] == 0.25 and estimate.pose.covariance[35] == pytest.approx(0.0685389)
     assert (point.point.x, point.point.y) == (1.0, 2.0)
+
+
+def test_a_goal_is_of_the_simulation_s_time_while_there_is_one(session, talker):
+    goals = []
+    talker.create_subscription(PoseStamped, "/goal_pose", goals.append, 1)
+    panel = viewer(fixed_frame="map", displays=["Grid"])
+    clock = talker.create_publisher(ClockMessage, "/clock", 10)
+    for step in range(30):
+        clock.publish(ClockMessage(clock=Time(sec=7, nanosec=step)))
+        session.clock.sleep(0.1)
+    panel.goal_pose(1, 2)
+    talker.destroy_publisher(clock)
+    session.clock.sleep(1.5)
+    panel.goal_pose(1, 2)
+    session.clock.sleep(0.1)
+    simulated, real = (goal.header.stamp.sec for goal in goals)
+    assert simulated == 7 and real == session.clock.now() // 1_000_000_000
 
 
 def test_the_browser_gets_batches_and_nothing_while_it_draws(session, monkeypatch):

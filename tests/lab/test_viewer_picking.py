@@ -101,6 +101,7 @@ def test_poses_markers_and_frames_say_what_they_are(session, talker, page):
     assert (marker["Namespace"], marker["Id"], marker["Type"]) == ("shop", "7", "SPHERE")
     robot, _ = clicked(panel, does, "TF", (2.0, 0.0, 0.0), "axes robot")
     assert (robot["Frame"], robot["Parent"], robot["Position"]) == ("robot", "map", "2.00, 0.00, 0.00 m")
+    assert robot["Age"] == "static"
     assert clicked(panel, does, "Polygon", (0.5, 0.0, 0.0))[0]["Clicked"] == "0.50, 0.00, 0.00 m"
     assert clicked(panel, does, "Odometry", (0.0, 0.0, 0.0))[0]["Velocity"] == "0.25 m/s, 0.00 rad/s"
     does("pick", number=None, at=None)
@@ -123,3 +124,14 @@ def test_a_link_of_a_robot_says_its_joint(session, talker, page):
     assert (facts["Link"], facts["Joint"], facts["Position"]) == ("head", "neck (fixed)", "1.00, 0.00, 0.00 m")
     panel.remove("RobotModel")
     assert panel.shown()["picked"] is None, "what is gone says nothing"
+
+
+def test_a_frame_that_moves_says_how_long_ago_it_did(session, talker, page):
+    panel = viewer(fixed_frame="map", displays=["TF"])
+    does = page(panel)
+    frame(talker, "map", "robot", 2.0, static=False)
+    session.clock.sleep(0.1)
+    panel.stage.update()
+    session.clock.sleep(3.0)
+    robot, _ = clicked(panel, does, "TF", (2.0, 0.0, 0.0), "axes robot")
+    assert robot["Age"] == "3.0 s"

@@ -47,9 +47,15 @@ class TF(Display):
         self._tell(stage, poses, lost, old)
 
     def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
-        """The frame, its parent, and where it is in the fixed frame."""
+        """The frame, its parent, how long ago it changed, and where it is in the fixed frame."""
         frame = name.partition(" ")[2]
-        return [("Frame", frame), ("Parent", stage.buffer.parent(frame) or "none"), *pose_facts(thing.pose)]
+        parent = stage.buffer.parent(frame) or "none"
+        return [("Frame", frame), ("Parent", parent), ("Age", self._age(frame, stage)), *pose_facts(thing.pose)]
+
+    def _age(self, frame: str, stage: Stage) -> str:
+        if frame not in self._changes:
+            return "static"
+        return f"{max(0, stage.now() - self._changes[frame][1]) * 1e-9:.1f} s"
 
     def _poses(self, stage: Stage) -> tuple[dict[str, Pose], list[str], list[str]]:
         poses: dict[str, Pose] = {}

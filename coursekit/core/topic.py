@@ -46,7 +46,7 @@ class Endpoint(Source):
 class Publisher(Endpoint):
     """The sending end."""
 
-    __slots__ = ("_deadline_timer", "_history", "_last_sign", "_lease_timer", "_live", "tap", "targets")
+    __slots__ = ("_deadline_timer", "_history", "_last_sent", "_last_sign", "_lease_timer", "_live", "tap", "targets")
 
     def __init__(self, graph: Graph, node: GraphNode, name: str, msg_type: Any, qos: Qos) -> None:
         super().__init__(graph, node, name, msg_type, qos)
@@ -56,7 +56,7 @@ class Publisher(Endpoint):
         keeps = self.qos.durability == TRANSIENT_LOCAL
         depth = None if self.qos.history == KEEP_ALL else self.qos.depth
         self._history: deque[tuple[Any, int]] | None = deque(maxlen=depth) if keeps else None
-        self._last_sign = 0
+        self._last_sent = self._last_sign = 0  # a deadline is kept by messages, a lease by any sign of life
         self._live = True
         self._deadline_timer: Any = None
         self._lease_timer: Any = None
@@ -86,7 +86,9 @@ class Publisher(Endpoint):
             self._history.append((msg._clone(), stamp))
         if self.tap is not None:
             self.tap(msg, stamp)
-        if self._deadline_timer is not None or not self._live or self._lease_timer is not None:
+        if self._deadline_timer is not None:
+            self._last_sent = self.graph.clock.steady()
+        if not self._live or self._lease_timer is not None:
             self._sign_of_life()
 
     def kept(self) -> list[tuple[Any, int]]:
@@ -134,12 +136,12 @@ class Publisher(Endpoint):
 
     def _watch_deadline(self) -> None:
         steady = self.graph.clock.steady()
-        due = self._last_sign + self.qos.deadline
+        due = self._last_sent + self.qos.deadline
         if self._deadline_timer is not None and due <= steady:
             self.status(DEADLINE).add()
-            self._last_sign = steady
+            self._last_sent = steady
         if self.alive:
-            due = max(self._last_sign, steady if self._deadline_timer is None else 0) + self.qos.deadline
+            due = max(self._last_sent, steady if self._deadline_timer is None else 0) + self.qos.deadline
             self._deadline_timer = self.graph.clock.call_at(due, self._watch_deadline)
 
     def close(self) -> None:

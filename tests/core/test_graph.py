@@ -137,6 +137,18 @@ def test_a_publisher_that_does_not_assert_its_liveliness_is_lost_and_found_again
     assert (alive.total, alive.not_alive) == (1, 0)
 
 
+def test_a_missed_deadline_is_no_sign_of_life_and_a_sign_of_life_keeps_no_deadline(graph, node):
+    qos = Qos(deadline=10**8, liveliness=3, lease=3 * 10**8)
+    publisher = node.publisher("/t", String, qos)
+    publisher.status(DEADLINE), publisher.status(LIVELINESS)
+    for _ in range(5):
+        publisher.assert_liveliness()
+        graph.clock.sleep(0.09)
+    assert (publisher.status(DEADLINE).total, publisher.status(LIVELINESS).total) == (4, 0)
+    graph.clock.sleep(0.5)
+    assert publisher.status(LIVELINESS).total == 1
+
+
 def test_a_request_is_answered_to_the_client_that_asked(node):
     server = node.server("/s", SetBool, Qos())
     one, other = (node.client("/s", SetBool, Qos()) for _ in range(2))

@@ -18,6 +18,8 @@ EXPORTED = {
     "tf2_ros": f"{_TF2} message_filters rcl_interfaces rclcpp_action rclcpp_components tf2_msgs",
     "tf2_geometry_msgs": f"{_TF2} tf2_ros",
     "tf2_eigen": f"{_TF2} tf2_ros",
+    "tf2_kdl": f"{_TF2} tf2_ros",
+    "kdl_parser": "urdf urdfdom_headers",
     "tf2_sensor_msgs": f"{_TF2} sensor_msgs tf2_ros",
     "message_filters": "rclcpp std_msgs",
     "laser_geometry": "rclcpp sensor_msgs tf2",

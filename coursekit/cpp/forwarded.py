@@ -32,7 +32,7 @@ FORWARDED = {
         "/ament_index_cpp/visibility_control.h /message_filters/visibility_control.h /rclcpp_action/visibility_control.hpp "
         "/rclcpp_components/visibility_control.hpp /rcpputils/visibility_control.hpp /rcutils/visibility_control.h "
         "/rcl/visibility_control.h /rcl_yaml_param_parser/visibility_control.h /rmw/visibility_control.h "
-        "/tf2/visibility_control.h /tf2_ros/visibility_control.h /urdf/visibility_control.hpp"
+        "/kdl_parser/visibility_control.hpp /tf2/visibility_control.h /tf2_ros/visibility_control.h /urdf/visibility_control.hpp"
     ),
     "rclcpp_action/types.hpp": "qos",
     "image_transport/simple_publisher_plugin.hpp": "publisher_plugin",
@@ -54,6 +54,7 @@ FORWARDED = {
     "tf2/LinearMath/Quaternion.h": "LinearMath/QuadWord.h",
     "tf2/buffer_core_interface.h": "buffer_core_interface.hpp",
     "tf2/time_cache.h": "time_cache.hpp",
+    "tf2_kdl/tf2_kdl.hpp": "tf2_kdl.h",
     "tf2_ros/buffer.h": "async_buffer_interface.h create_timer_interface.h",
     "message_filters/connection.h": "signal1.h signal9.h parameter_adapter.h",
     "ament_index_cpp/get_package_prefix.hpp": "get_search_paths",

@@ -35,6 +35,7 @@ PACKAGES = (
     "ament_cmake_cpplint", "ament_cmake_flake8", "ament_cmake_lint_cmake", "ament_cmake_pep257",
     "ament_cmake_uncrustify", "ament_cmake_xmllint", "launch_testing_ament_cmake", "ros_testing",
     "camera_calibration_parsers", "camera_info_manager", "interactive_markers",
+    "kdl_parser", "orocos_kdl", "orocos_kdl_vendor", "tf2_kdl",
     "urdf", "urdf_parser_plugin", "urdfdom", "urdfdom_headers",
     "python_cmake_module", "eigen3_cmake_module", "rosidl_default_generators", "rosidl_default_runtime", "rosidl_cmake",
     "rosidl_generator_cpp", "rosidl_typesupport_c", "rosidl_typesupport_cpp", "rosidl_typesupport_interface",
@@ -49,7 +50,7 @@ PACKAGES = (
 )  # fmt: skip
 """The packages that are found here beside those that have a folder in the underlay's share."""
 NOT_COMPILED = {
-    "controller_interface", "gazebo_plugins", "gazebo_ros", "hardware_interface", "nav2_util", "tf2_kdl",
+    "controller_interface", "gazebo_plugins", "gazebo_ros", "hardware_interface", "nav2_util",
 }  # fmt: skip
 """Packages that come with coursekit, but without the C++ that others would include."""
 _MADE_OF = (".hpp", ".h", ".cpp", ".txt", ".msg", ".srv", ".action", ".py")

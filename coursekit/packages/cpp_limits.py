@@ -8,8 +8,8 @@ from collections.abc import Collection
 _PACKAGE = re.compile(r'(?:configuration file provided by|not providing) "(?:Find)?([\w.+-]+?)(?:\.cmake)?"')
 _HEADER = re.compile(r"fatal error: '?([\w./+-]+)'?(?::| file)")
 _NOT_YET = re.compile(
-    r"(tf2_(kdl|bullet)|image_transport|laser_geometry|rmw_\w+|diagnostic_updater|image_geometry|interactive_markers|urdf"
-    r"|kdl_parser|camera_info_manager|rosbag2_transport|message_filters|rclcpp_components"
+    r"(tf2_bullet|image_transport|laser_geometry|rmw_\w+|diagnostic_updater|image_geometry|interactive_markers|urdf"
+    r"|camera_info_manager|rosbag2_transport|message_filters|rclcpp_components"
     r"|opencv2|Eigen|rcl|rcl_\w+|rcpputils|rclcpp/(wait_set\w*|guard_condition"
     r"|parameter_client|parameter_event_\w+|serialization|loaned_message|node_interfaces|executors|strategies|experimental|topic_\w+"
     r"|contexts|graph_listener|message_info|parameter_events_filter|subscription_\w+|waitable|type_support_decl))(/|\.hpp|\.h)"
@@ -17,19 +17,24 @@ _NOT_YET = re.compile(
 """Headers of Humble's that coursekit does not have."""
 NO_EIGEN = "there is no Eigen for C++ here: `pip install cmeel-eigen` brings it"
 
+_KDL = "orocos_kdl is not here"
+NO_KDL = "there is no KDL for C++ here: `sudo apt install g++ liborocos-kdl-dev` brings it, on Debian and Ubuntu"
+
 
 def reason(text: str, depends: Collection[str], stood_for: bool) -> str:
     """Why the C++ of a package is skipped, from what CMake and the compiler said; '' where its author is to mend it.
 
     `depends` are the packages that its package.xml names; `stood_for` tells that coursekit has programs in its place.
 
-    >>> reason("a.cpp:1:10: fatal error: tf2_kdl/tf2_kdl.hpp: No such file or directory", [], False)
-    'tf2_kdl/tf2_kdl.hpp is not among what C++ has here'
+    >>> reason("a.cpp:1:10: fatal error: tf2_bullet/tf2_bullet.hpp: No such file or directory", [], False)
+    'tf2_bullet/tf2_bullet.hpp is not among what C++ has here'
     >>> reason("a.cpp:1:10: fatal error: rclcpp/rclcp.hpp: No such file or directory", ["rclcpp"], False)
     ''
     >>> reason('By not providing "FindEigen3.cmake" in CMAKE_MODULE_PATH', ["eigen"], False) == NO_EIGEN
     True
     """
+    if _KDL in text:
+        return NO_KDL
     for name in _PACKAGE.findall(text):
         if name == "Eigen3":
             return NO_EIGEN

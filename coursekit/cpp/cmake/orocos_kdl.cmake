@@ -1,0 +1,17 @@
+# KDL: the system's. Its compiled library speaks the language of the system's compilers, not of the wheel's.
+
+if(NOT TARGET orocos-kdl)
+  find_path(COURSEKIT_KDL_INCLUDE kdl/frames.hpp)
+  find_library(COURSEKIT_KDL_LIBRARY orocos-kdl)
+  if(CMAKE_CXX_COMPILER MATCHES "zig" OR NOT COURSEKIT_KDL_INCLUDE OR NOT COURSEKIT_KDL_LIBRARY)
+    message(FATAL_ERROR "orocos_kdl is not here: sudo apt install g++ liborocos-kdl-dev")
+  endif()
+  find_package(Eigen3 REQUIRED)
+  _add_library(orocos-kdl INTERFACE IMPORTED GLOBAL)
+  target_include_directories(orocos-kdl SYSTEM INTERFACE "${COURSEKIT_KDL_INCLUDE}")
+  target_link_libraries(orocos-kdl INTERFACE "${COURSEKIT_KDL_LIBRARY}" Eigen3::Eigen)
+  target_link_libraries(orocos_kdl::orocos_kdl INTERFACE orocos-kdl)
+endif()
+set(orocos_kdl_INCLUDE_DIRS "${COURSEKIT_KDL_INCLUDE}" ${EIGEN3_INCLUDE_DIR})
+set(orocos_kdl_LIBRARIES orocos-kdl)
+set(orocos_kdl_TARGETS orocos-kdl)

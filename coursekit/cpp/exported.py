@@ -30,11 +30,14 @@ EXPORTED = {
     "camera_info_manager": "camera_calibration_parsers rclcpp rclcpp_lifecycle sensor_msgs",
     "interactive_markers": "rclcpp tf2 tf2_geometry_msgs tf2_ros visualization_msgs",
     "diagnostic_updater": "diagnostic_msgs rclcpp std_msgs",
+    "realtime_tools": "rclcpp rclcpp_action",
+    "control_toolbox": "control_msgs rclcpp rcutils realtime_tools",
     "class_loader": "console_bridge rcpputils",
     "pluginlib": "ament_index_cpp class_loader rcpputils rcutils",
     "urdf": "pluginlib urdf_parser_plugin urdfdom urdfdom_headers",
     "rosbag2_cpp": "pluginlib rclcpp rcpputils rcutils rosbag2_storage",
-    "rosbag2_transport": "rclcpp rosbag2_cpp rosbag2_storage",
+    "rosbag2_compression": "rcpputils rcutils rosbag2_cpp rosbag2_storage",
+    "rosbag2_transport": "rclcpp rosbag2_compression rosbag2_cpp rosbag2_storage",
 }
 """By what upstream's packages export; a package of interfaces exports those that its own use: its package.xml says which."""
 HUMBLE = "16.0.11"

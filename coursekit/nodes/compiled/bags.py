@@ -5,7 +5,17 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any
 
-from rosbag2_py import ConverterOptions, SequentialReader, SequentialWriter, StorageFilter, StorageOptions, TopicMetadata
+from rosbag2_py import (
+    CompressionOptions,
+    ConverterOptions,
+    SequentialCompressionWriter,
+    SequentialReader,
+    SequentialWriter,
+    StorageFilter,
+    StorageOptions,
+    TopicMetadata,
+    compression_mode_from_string,
+)
 from rosbag2_py._reader import say_opened as say_read
 from rosbag2_py._writer import say_opened as say_written
 
@@ -16,9 +26,10 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host
 
 
-def do_bag_writer(host: Host, _channel: Channel, _frame: Unpacker) -> bytes:
-    """Make a writer."""
-    return packed(host.keep(SequentialWriter()))
+def do_bag_writer(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Make a writer, one that compresses where it is told a format."""
+    form, mode = frame.text(), compression_mode_from_string(frame.text())
+    return packed(host.keep(SequentialCompressionWriter(CompressionOptions(form, mode)) if form else SequentialWriter()))
 
 
 def do_bag_reader(host: Host, _channel: Channel, _frame: Unpacker) -> bytes:

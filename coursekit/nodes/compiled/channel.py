@@ -43,6 +43,7 @@ class Channel:
             pass
         finally:
             host.of_context.pop(host.session.execution_context(), None)
+            host.output.drain()  # what it has written last comes before what others write now
             self.close()
             self.ended.set()
 

@@ -82,6 +82,19 @@ int main(int argc, char ** argv)
   std::cout << "joined" << std::endl;
 }
 """
+LAST_WORDS = """
+#include <thread>
+#include "rclcpp/rclcpp.hpp"
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  std::thread([] {
+      rclcpp::sleep_for(std::chrono::seconds(1));
+      std::cout << "last words" << std::endl;
+    }).detach();
+  rclcpp::sleep_for(std::chrono::seconds(20));
+}
+"""
 
 
 def run(build, name, text, virtual=True):
@@ -115,3 +128,11 @@ def test_ctrl_c_ends_a_spin_in_a_thread_that_the_first_thread_waits_for(build, v
         process.interrupt()
         assert process.wait(10.0) == 0
         assert process.output.splitlines()[-1] == "joined"
+
+
+def test_what_a_thread_writes_before_its_end_is_heard_while_the_others_wait(build):
+    with (session := Session(virtual=True)).use():
+        process = session.launch(make_process(session, build("last_words", LAST_WORDS), name="last_words"))
+        session.clock.sleep(5.0)
+        assert process.output == "last words\n"
+        process.kill()

@@ -1,6 +1,7 @@
 // Images with the calibration of their camera, which has the same stamp.
 #pragma once
 #include "image_transport/publisher.hpp"
+#include "image_transport/subscriber.hpp"
 #include "sensor_msgs/msg/camera_info.hpp"
 
 namespace image_transport

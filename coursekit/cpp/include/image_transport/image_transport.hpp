@@ -1,4 +1,4 @@
-// Images on topics, as they are ("raw"), with or without the camera's calibration beside them.
+// Images on topics, as they are ("raw") or in other forms, with or without the camera's calibration beside them.
 #pragma once
 #include "image_transport/camera.hpp"
 
@@ -95,10 +95,35 @@ public:
     using std::placeholders::_2;
     return subscribeCamera(base_topic, queue_size, std::bind(callback, object, _1, _2), VoidPtr(), hints);
   }
-  std::vector<std::string> getDeclaredTransports() const {return {"image_transport/raw"};}
-  std::vector<std::string> getLoadableTransports() const {return {"image_transport/raw"};}
+  /// "raw", and what packages of the workspace describe; of these, what has a library.
+  std::vector<std::string> getDeclaredTransports() const
+  {
+    return transports([](const std::string &) {return true;});
+  }
+  std::vector<std::string> getLoadableTransports() const
+  {
+    return transports(
+      [](const std::string & name) {
+        try {
+          return detail::sub_loader().createSharedInstance(name) != nullptr;
+        } catch (const pluginlib::PluginlibException &) {
+          return false;
+        }
+      });
+  }
 
 private:
+  template<class Wanted>
+  static std::vector<std::string> transports(Wanted wanted)
+  {
+    std::vector<std::string> names = {"image_transport/raw"};
+    for (const std::string & name : detail::sub_loader().getDeclaredClasses()) {
+      if (wanted(name)) {
+        names.push_back(detail::transport_named(name));
+      }
+    }
+    return names;
+  }
   static rmw_qos_profile_t profile(uint32_t queue_size, bool latch = false)
   {
     rmw_qos_profile_t qos = rmw_qos_profile_default;

@@ -1,48 +1,9 @@
-// Publishers and subscribers of images.
+// Publishers of images: as they are, and in the form of each transport that somebody listens to.
 #pragma once
-#include "rclcpp/rclcpp.hpp"
-#include "sensor_msgs/msg/image.hpp"
+#include "image_transport/loader_fwds.hpp"
 
 namespace image_transport
 {
-class Exception : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-class TransportLoadException : public Exception
-{
-public:
-  TransportLoadException(const std::string & transport, const std::string & text)
-  : Exception("Unable to load plugin for transport '" + transport + "', error string:\n" + text), transport_(transport) {}
-  std::string getTransport() const {return transport_;}
-
-private:
-  std::string transport_;
-};
-
-/// The transport that a subscriber wants: its node's parameter, "raw" without it.
-class TransportHints
-{
-public:
-  explicit TransportHints(
-    const rclcpp::Node * node, const std::string & default_transport = "raw",
-    const std::string & parameter_name = "image_transport")
-  : transport_(node->get_parameter_or<std::string>(parameter_name, default_transport)) {}
-  const std::string & getTransport() const {return transport_;}
-
-private:
-  std::string transport_;
-};
-
-namespace detail
-{
-inline rclcpp::QoS qos_of(const rmw_qos_profile_t & profile)
-{
-  return rclcpp::QoS(rclcpp::QoSInitialization::from_rmw(profile), profile);
-}
-}  // namespace detail
-
 class Publisher
 {
 public:
@@ -51,55 +12,61 @@ public:
   Publisher(
     rclcpp::Node * node, const std::string & base_topic, rmw_qos_profile_t qos,
     rclcpp::PublisherOptions options = rclcpp::PublisherOptions())
-  : publisher_(node->create_publisher<Image>(base_topic, detail::qos_of(qos), options)) {}
-  size_t getNumSubscribers() const {return publisher_ ? publisher_->get_subscription_count() : 0;}
-  std::string getTopic() const {return publisher_ ? publisher_->get_topic_name() : "";}
-  void publish(const Image & message) const {valid().publish(message);}
-  void publish(const Image::ConstSharedPtr & message) const {valid().publish(*message);}
-  void shutdown() {publisher_.reset();}
-  operator void *() const {return publisher_.get();}
-  bool operator==(const Publisher & o) const {return publisher_ == o.publisher_;}
+  : ends_(std::make_shared<Ends>())
+  {
+    ends_->raw = node->create_publisher<Image>(base_topic, detail::qos_of(qos), options);
+    for (const std::string & name : detail::pub_loader().getDeclaredClasses()) {
+      try {
+        ends_->others.push_back(detail::pub_loader().createSharedInstance(name));
+        ends_->others.back()->advertise(node, ends_->raw->get_topic_name(), qos, options);
+      } catch (const std::runtime_error & error) {
+        RCLCPP_ERROR(node->get_logger(), "Failed to load plugin %s, error string: %s\n", name.c_str(), error.what());
+      }
+    }
+  }
+  size_t getNumSubscribers() const
+  {
+    size_t count = ends_ ? ends_->raw->get_subscription_count() : 0;
+    for (auto & other : others()) {
+      count += other->getNumSubscribers();
+    }
+    return count;
+  }
+  std::string getTopic() const {return ends_ ? ends_->raw->get_topic_name() : "";}
+  void publish(const Image & message) const
+  {
+    if (!ends_) {
+      throw Exception("Call to publish() on an invalid image_transport::Publisher");
+    }
+    ends_->raw->publish(message);
+    for (auto & other : others()) {
+      if (other->getNumSubscribers() > 0) {  // nobody waits for a form of it that takes time to make
+        other->publish(message);
+      }
+    }
+  }
+  void publish(const Image::ConstSharedPtr & message) const {publish(*message);}
+  void shutdown()
+  {
+    for (auto & other : others()) {
+      other->shutdown();
+    }
+    ends_.reset();
+  }
+  operator void *() const {return ends_.get();}
+  bool operator==(const Publisher & o) const {return ends_ == o.ends_;}
   bool operator!=(const Publisher & o) const {return !(*this == o);}
 
 private:
-  rclcpp::Publisher<Image> & valid() const
+  struct Ends
   {
-    if (!publisher_) {
-      throw Exception("Call to publish() on an invalid image_transport::Publisher");
-    }
-    return *publisher_;
-  }
-  rclcpp::Publisher<Image>::SharedPtr publisher_;
-};
-
-class Subscriber
-{
-public:
-  using Image = sensor_msgs::msg::Image;
-  using Callback = std::function<void (const Image::ConstSharedPtr &)>;
-  Subscriber() = default;
-  Subscriber(
-    rclcpp::Node * node, const std::string & base_topic, const Callback & callback, const std::string & transport,
-    rmw_qos_profile_t qos = rmw_qos_profile_default, rclcpp::SubscriptionOptions options = rclcpp::SubscriptionOptions())
-  : transport_(transport)
+    rclcpp::Publisher<Image>::SharedPtr raw;
+    std::vector<std::shared_ptr<PublisherPlugin>> others;
+  };
+  std::vector<std::shared_ptr<PublisherPlugin>> others() const
   {
-    if (transport != "raw") {
-      throw TransportLoadException(
-              transport, "here C++ has the transport raw; rqt_image_view and Python read compressed images");
-    }
-    auto heard = [callback](Image::ConstSharedPtr image) {callback(image);};
-    subscription_ = node->create_subscription<Image>(base_topic, detail::qos_of(qos), heard, options);
+    return ends_ ? ends_->others : std::vector<std::shared_ptr<PublisherPlugin>>();
   }
-  std::string getTopic() const {return subscription_ ? subscription_->get_topic_name() : "";}
-  size_t getNumPublishers() const {return subscription_ ? subscription_->get_publisher_count() : 0;}
-  std::string getTransport() const {return transport_;}
-  void shutdown() {subscription_.reset();}
-  operator void *() const {return subscription_.get();}
-  bool operator==(const Subscriber & o) const {return subscription_ == o.subscription_;}
-  bool operator!=(const Subscriber & o) const {return !(*this == o);}
-
-private:
-  rclcpp::Subscription<Image>::SharedPtr subscription_;
-  std::string transport_;
+  std::shared_ptr<Ends> ends_;
 };
 }  // namespace image_transport

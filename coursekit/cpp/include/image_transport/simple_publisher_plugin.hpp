@@ -1,6 +1,6 @@
-// What a package makes a transport of images from. Programs here use "raw" alone; a transport's own objects may be used directly.
+// What a package makes a transport of images from: its description names this class, and programs load it by that.
 #pragma once
-#include "image_transport/publisher.hpp"
+#include "image_transport/exception.hpp"
 
 namespace image_transport
 {

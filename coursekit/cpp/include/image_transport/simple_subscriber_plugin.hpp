@@ -1,6 +1,6 @@
 // The other end of a transport of images: see simple_publisher_plugin.hpp.
 #pragma once
-#include "image_transport/publisher.hpp"
+#include "image_transport/exception.hpp"
 
 namespace image_transport
 {

@@ -1,2 +1,2 @@
 #pragma once
-#include "image_transport/publisher.hpp"
+#include "image_transport/exception.hpp"

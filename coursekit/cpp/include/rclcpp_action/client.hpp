@@ -139,6 +139,7 @@ public:
       std::lock_guard<std::mutex> hold(lock_);
       handles_.erase(key);
     }
+    handle->ended_ = static_cast<int8_t>(wrapped.code);
     handle->promise_.set_value(wrapped);
     if (handle->done_) {
       handle->done_(wrapped);

@@ -35,7 +35,11 @@ public:
   : client_(client), goal_id_(goal_id), stamp_(stamp), heard_(std::move(heard)), done_(std::move(done)) {}
   const GoalUUID & get_goal_id() const {return goal_id_;}
   rclcpp::Time get_goal_stamp() const {return stamp_;}
-  int8_t get_status() {return static_cast<int8_t>(rclcpp::ask("client_goal_status", with()).i());}
+  int8_t get_status()
+  {
+    int8_t ended = ended_;  // a result's code is its status, and the session forgets a goal that has one
+    return ended ? ended : static_cast<int8_t>(rclcpp::ask("client_goal_status", with()).i());
+  }
   bool is_feedback_aware() const {return static_cast<bool>(heard_);}
   bool is_result_aware() const {return aware_;}
 
@@ -48,6 +52,7 @@ private:
   FeedbackCallback heard_;
   ResultCallback done_;
   bool aware_ = false;
+  std::atomic<int8_t> ended_{0};
   std::promise<WrappedResult> promise_;
   std::shared_future<WrappedResult> future_{promise_.get_future().share()};
 };

@@ -16,9 +16,9 @@ namespace rosbag2_cpp
 class CoursekitBag : private coursekit::Entity
 {
 protected:
-  explicit CoursekitBag(const char * make)
+  explicit CoursekitBag(const char * make, const coursekit::Packer & with = coursekit::Packer())
   {
-    id = coursekit::request(make).i();
+    id = coursekit::request(make, with).i();
   }
   coursekit::Packer bag() const {return coursekit::Packer{}.i(id);}
   static coursekit::Unpacker ask(const char * what, const coursekit::Packer & with)

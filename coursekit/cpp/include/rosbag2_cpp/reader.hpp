@@ -7,7 +7,7 @@ namespace rosbag2_cpp
 class Reader
 {
 public:
-  explicit Reader(std::unique_ptr<readers::SequentialReader> reader = std::make_unique<readers::SequentialReader>())
+  explicit Reader(std::unique_ptr<reader_interfaces::BaseReaderInterface> reader = std::make_unique<readers::SequentialReader>())
   : reader_(std::move(reader)) {}
   void open(const std::string & uri)
   {
@@ -35,9 +35,9 @@ public:
   void set_filter(const rosbag2_storage::StorageFilter & filter) {reader_->set_filter(filter);}
   void reset_filter() {reader_->reset_filter();}
   void seek(const rcutils_time_point_value_t & time) {reader_->seek(time);}
-  readers::SequentialReader & get_implementation_handle() const {return *reader_;}
+  reader_interfaces::BaseReaderInterface & get_implementation_handle() const {return *reader_;}
 
 private:
-  std::unique_ptr<readers::SequentialReader> reader_;
+  std::unique_ptr<reader_interfaces::BaseReaderInterface> reader_;
 };
 }  // namespace rosbag2_cpp

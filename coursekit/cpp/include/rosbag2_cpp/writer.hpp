@@ -7,7 +7,7 @@ namespace rosbag2_cpp
 class Writer
 {
 public:
-  explicit Writer(std::unique_ptr<writers::SequentialWriter> writer = std::make_unique<writers::SequentialWriter>())
+  explicit Writer(std::unique_ptr<writer_interfaces::BaseWriterInterface> writer = std::make_unique<writers::SequentialWriter>())
   : writer_(std::move(writer)) {}
   void open(const std::string & uri)
   {
@@ -55,9 +55,9 @@ public:
   {
     write(rclcpp::SerializedMessage(coursekit::to_cdr(message)), topic, M::coursekit_type, time);
   }
-  writers::SequentialWriter & get_implementation_handle() const {return *writer_;}
+  writer_interfaces::BaseWriterInterface & get_implementation_handle() const {return *writer_;}
 
 private:
-  std::unique_ptr<writers::SequentialWriter> writer_;
+  std::unique_ptr<writer_interfaces::BaseWriterInterface> writer_;
 };
 }  // namespace rosbag2_cpp

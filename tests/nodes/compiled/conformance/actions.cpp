@@ -89,6 +89,7 @@ int main(int argc, char ** argv)
   equal("one is cancelling", cancelling.get()->goals_canceling.size(), 1u);
   auto cancelled = client->async_get_result(long_goal.get());
   check("with this result", until(cancelled) && cancelled.get().code == Code::CANCELED);
+  equal("its status is then the result's", int{long_goal.get()->get_status()}, int{rclcpp_action::GoalStatus::STATUS_CANCELED});
   goal.order = 50;
   auto stubborn = client->async_send_goal(goal);
   until(stubborn);

@@ -1,19 +1,19 @@
 // Reads a bag, oldest message first.
 #pragma once
 #include "rosbag2_cpp/coursekit_bag.hpp"
-#include "rosbag2_storage/storage_filter.hpp"
+#include "rosbag2_cpp/reader_interfaces/base_reader_interface.hpp"
 
 namespace rosbag2_cpp
 {
 namespace readers
 {
-class SequentialReader : public CoursekitBag
+class SequentialReader : public reader_interfaces::BaseReaderInterface, public CoursekitBag
 {
 public:
   SequentialReader()
   : CoursekitBag("bag_reader") {}
   ~SequentialReader() override {let_go();}
-  void open(const rosbag2_storage::StorageOptions & storage, const ConverterOptions & converter = {})
+  void open(const rosbag2_storage::StorageOptions & storage, const ConverterOptions & converter = {}) override
   {
     open_bag(storage, converter);
     topics_.clear();
@@ -49,9 +49,9 @@ public:
       metadata_.topics_with_message_count.push_back(topic);
     }
   }
-  void close() {close_bag();}
-  bool has_next() {return ask("bag_has_next", bag()).i();}
-  std::shared_ptr<rosbag2_storage::SerializedBagMessage> read_next()
+  void close() override {close_bag();}
+  bool has_next() override {return ask("bag_has_next", bag()).i();}
+  std::shared_ptr<rosbag2_storage::SerializedBagMessage> read_next() override
   {
     auto answer = ask("bag_read_next", bag());
     auto message = std::make_shared<rosbag2_storage::SerializedBagMessage>();
@@ -63,9 +63,9 @@ public:
       new rcutils_uint8_array_t(view), [bytes](rcutils_uint8_array_t * data) {delete data;});
     return message;
   }
-  const rosbag2_storage::BagMetadata & get_metadata() const {return metadata_;}
-  std::vector<rosbag2_storage::TopicMetadata> get_all_topics_and_types() const {return topics_;}
-  void set_filter(const rosbag2_storage::StorageFilter & filter)
+  const rosbag2_storage::BagMetadata & get_metadata() const override {return metadata_;}
+  std::vector<rosbag2_storage::TopicMetadata> get_all_topics_and_types() const override {return topics_;}
+  void set_filter(const rosbag2_storage::StorageFilter & filter) override
   {
     auto with = bag().s(filter.topics_regex).s(filter.topics_regex_to_exclude).i(static_cast<int64_t>(filter.topics.size()));
     for (const auto & topic : filter.topics) {
@@ -73,8 +73,8 @@ public:
     }
     ask("bag_filter", with);
   }
-  void reset_filter() {set_filter({});}
-  void seek(const rcutils_time_point_value_t & time) {ask("bag_seek", bag().i(time));}
+  void reset_filter() override {set_filter({});}
+  void seek(const rcutils_time_point_value_t & time) override {ask("bag_seek", bag().i(time));}
 
 private:
   static std::chrono::time_point<std::chrono::high_resolution_clock> at(int64_t nanoseconds)

@@ -1,0 +1,128 @@
+// What drivers and controllers take beside rclcpp: buffers and publishers for real time, PID, writers of bags, who watches the graph.
+#include "check.hpp"
+#include "control_toolbox/pid.hpp"
+#include "example_interfaces/action/fibonacci.hpp"
+#include "image_transport/image_transport.hpp"
+#include "rclcpp/experimental/buffers/ring_buffer_implementation.hpp"
+#include "rclcpp/graph_listener.hpp"
+#include "rcpputils/filesystem_helper.hpp"
+#include "realtime_tools/realtime_box.h"
+#include "realtime_tools/realtime_buffer.h"
+#include "realtime_tools/realtime_clock.h"
+#include "realtime_tools/realtime_publisher.h"
+#include "realtime_tools/realtime_server_goal_handle.h"
+#include "rosbag2_compression/sequential_compression_reader.hpp"
+#include "rosbag2_transport/reader_writer_factory.hpp"
+#include "std_msgs/msg/int32.hpp"
+
+using std_msgs::msg::Int32;
+
+static void values()
+{
+  realtime_tools::RealtimeBuffer<int> buffer(1);
+  buffer.writeFromNonRT(2);
+  equal("what is not taken yet is seen by who wrote it", *buffer.readFromNonRT(), 2);
+  equal("a buffer gives its newest value", *buffer.readFromRT(), 2);
+  realtime_tools::RealtimeBuffer<int> copy(buffer);
+  equal("a copy of a buffer has its value", *copy.readFromRT(), 2);
+  realtime_tools::RealtimeBox<std::string> box("a");
+  box.set("b");
+  std::string got;
+  box.get(got);
+  equal("a box gives what was put in", got, "b");
+
+  rclcpp::experimental::buffers::RingBufferImplementation<int> ring(2);
+  for (int i = 1; i <= 3; ++i) {
+    ring.enqueue(i);
+  }
+  check("a ring is full with as many as it holds", ring.is_full() && ring.has_data());
+  equal("a full ring has lost its oldest", ring.dequeue(), 2);
+  throws<std::invalid_argument>("a ring holds something", [] {
+      rclcpp::experimental::buffers::RingBufferImplementation<int> none(0);
+    });
+}
+
+static void control()
+{
+  control_toolbox::Pid pid(1, 2, 3, 0.5, -0.5);
+  equal("a command of an error and its rate", pid.computeCommand(1.0, 100000000), 1 + 0.2 + 30);
+  equal("what is integrated stays within limits", pid.computeCommand(1.0, 0.0, 1000000000), 1.5);
+  equal("no time, no command", pid.computeCommand(1.0, 0), 0.0);
+  throws<std::invalid_argument>("limits have an order", [&] {pid.setGains(1, 1, 1, -1, 1);});
+}
+
+static void publishing(const rclcpp::Node::SharedPtr & node)
+{
+  int heard = 0, sent = 0;
+  auto subscription = node->create_subscription<Int32>("rt", 10, [&](Int32::ConstSharedPtr message) {heard += message->data;});
+  realtime_tools::RealtimePublisher<Int32> publisher(node->create_publisher<Int32>("rt", 10));
+  for (int i = 1; i <= 3; ++i) {
+    if (publisher.trylock()) {
+      publisher.msg_.data = i;
+      publisher.unlockAndPublish();
+      sent += i;
+      spin_until(node, [&] {return heard == sent;});
+    }
+  }
+  check("a thread publishes what another has filled in", sent > 0 && heard == sent);
+  realtime_tools::RealtimeClock clock(node->get_clock());
+  const rclcpp::Time first = clock.now(rclcpp::Time(0, 0, RCL_ROS_TIME));
+  check("a clock for real time is the node's", first <= node->now() && first.nanoseconds() > 0);
+}
+
+static void graph(const rclcpp::Node::SharedPtr & node)
+{
+  rclcpp::graph_listener::GraphListener listener(node->get_node_base_interface()->get_context());
+  listener.start_if_not_started();
+  auto * one = node->get_node_graph_interface().get();
+  listener.add_node(one);
+  check("a listener knows its nodes", listener.is_started() && listener.has_node(one));
+  throws<rclcpp::graph_listener::NodeAlreadyAddedError>("a node is added once", [&] {listener.add_node(one);});
+  listener.remove_node(one);
+  throws<rclcpp::graph_listener::NodeNotFoundError>("and removed once", [&] {listener.remove_node(one);});
+  listener.shutdown();
+  throws<rclcpp::graph_listener::GraphListenerShutdownError>("it does not begin again", [&] {listener.start_if_not_started();});
+}
+
+static void bags()
+{
+  rosbag2_transport::RecordOptions options;
+  options.compression_mode = "file";
+  options.compression_format = "zstd";
+  auto writer = rosbag2_transport::ReaderWriterFactory::make_writer(options);
+  writer->open("packed");
+  Int32 number;
+  number.data = 7;
+  writer->write(number, "/number", rclcpp::Time(5, 0));
+  writer->close();
+  check("a bag's file is compressed", rcpputils::fs::exists("packed/packed_0.db3.zstd"));
+  rosbag2_cpp::Reader reader(std::make_unique<rosbag2_compression::SequentialCompressionReader>());
+  reader.open("packed");
+  equal("its metadata say how", reader.get_metadata().compression_mode, "FILE");
+  equal("and it is read", reader.read_next<Int32>().data, 7);
+}
+
+static void images(const rclcpp::Node::SharedPtr & node)
+{
+  image_transport::ImageTransport transport(node);
+  equal("the transport that is always there", transport.getLoadableTransports().at(0), "image_transport/raw");
+  throws<image_transport::TransportLoadException>("a transport that nobody describes", [&] {
+      image_transport::create_subscription(
+        node.get(), "image", [](const sensor_msgs::msg::Image::ConstSharedPtr &) {}, "nowhere");
+    });
+}
+
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>("node");
+  values();
+  control();
+  publishing(node);
+  graph(node);
+  bags();
+  images(node);
+  realtime_tools::RealtimeServerGoalHandle<example_interfaces::action::Fibonacci> * goal = nullptr;
+  check("a goal's handle for real time has its type", goal == nullptr);
+  rclcpp::shutdown();
+}

@@ -23,7 +23,8 @@ from coursekit.systems import layout
 
 _MAKES = re.compile(
     r"^\s*((add_executable|add_library|ament_auto_add_(executable|library)|ament_add_g(test|mock)|pybind11_add_module)\s*\("
-    r"|ament_(auto_)?package\s*\([^)]*\bCONFIG_EXTRAS)",
+    r"|ament_(auto_)?package\s*\([^)]*\bCONFIG_EXTRAS|(set|list)\s*\([^)]*_CONFIG_EXTRAS"
+    r"|(ament_add_\w*test|add_launch_test|add_ros_test)\s*\([^)]*(\$<|_BINARY_DIR))",
     re.M | re.I,
 )
 _RUNTIME = re.compile(r"/cpp/([0-9a-f]{16})/share/")
@@ -32,7 +33,7 @@ _OF_CMAKE = re.compile(rb"\[\d+/\d+\] |ninja: |FAILED: |--|loading initial cache
 
 
 def needs_compiler(folder: Path) -> bool:
-    """Whether a package has C++ to compile, tests among it, or to give to others."""
+    """Whether a package has C++ to compile, tests among it, or to give to others, or tests whose files CMake writes."""
     return any(_MAKES.search(read_text(path, errors="replace")) for path in folder.rglob("CMakeLists.txt") if path.is_file())
 
 

@@ -28,6 +28,7 @@ from coursekit.packages.cmake_run import Reading, read_project
 from coursekit.packages.cmake_text import CMakeError
 from coursekit.packages.colcon_links import stands_for_links
 from coursekit.packages.folder_name import cpp_refusal
+from coursekit.packages.local_setup import local_setup_files
 from coursekit.packages.prepare_cpp import prepared_toolchain
 from coursekit.processes.executables import stand_ins
 from coursekit.systems import copies
@@ -188,6 +189,8 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         )
         own = [one for one in self._installed if Path(one).parent.as_posix() == f"share/{package}/environment"]
         create_environment_scripts(self.context.pkg, args, additional_hooks=[*hooks, *own])
+        for name, text in local_setup_files(Path(args.install_base), package).items():
+            create_file(args, name, content=text)
         if skipped:
             ours = [one.name for one in stand_ins(package)]
             instead = f"; coursekit's own {', '.join(sorted(ours))} answer in their place" if ours else ""

@@ -1,0 +1,32 @@
+"""The scripts `local_setup.*` of a package: they bring that package alone, as ament's do, by colcon's scripts beside them."""
+
+from __future__ import annotations
+
+import shlex
+from pathlib import Path
+
+_BY_PLACE = {
+    "bash": '. "$(builtin cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)/package.bash"\n',
+    "zsh": '. "${0:A:h}/package.zsh"\n',
+    "ps1": '. "$PSScriptRoot/package.ps1"\n',
+    "bat": '@call "%~dp0package.bat"\n',
+    "dsv": "source;share/{package}/package.dsv\n",
+}
+"""What each says: a shell that knows where its script lies finds the other there."""
+
+
+def local_setup_files(prefix: Path, package: str) -> dict[str, str]:
+    """The scripts for the shells for which colcon has made one, by their paths below the prefix, with their text.
+
+    >>> local_setup_files(Path("nowhere"), "k_map")
+    {}
+    """
+    folder = Path("share", package)
+    kinds = [path.suffix[1:] for path in sorted((prefix / folder).glob("package.*"))]
+    return {(folder / f"local_setup.{kind}").as_posix(): text for kind in kinds if (text := _text(kind, prefix, package))}
+
+
+def _text(kind: str, prefix: Path, package: str) -> str:
+    if kind == "sh":  # it cannot tell where it lies
+        return f". {shlex.quote(str(prefix / 'share' / package / 'package.sh'))}\n"
+    return _BY_PLACE.get(kind, "").replace("{package}", package)

@@ -32,7 +32,8 @@ FORWARDED = {
         "/ament_index_cpp/visibility_control.h /message_filters/visibility_control.h /rclcpp_action/visibility_control.hpp "
         "/rclcpp_components/visibility_control.hpp /rcpputils/visibility_control.hpp /rcutils/visibility_control.h "
         "/rcl/visibility_control.h /rcl_yaml_param_parser/visibility_control.h /rmw/visibility_control.h "
-        "/kdl_parser/visibility_control.hpp /tf2/visibility_control.h /tf2_ros/visibility_control.h /urdf/visibility_control.hpp"
+        "/kdl_parser/visibility_control.hpp /tf2/visibility_control.h /tf2_ros/visibility_control.h "
+        "/urdf/visibility_control.hpp"
     ),
     "rclcpp_action/types.hpp": "qos",
     "image_transport/simple_publisher_plugin.hpp": "publisher_plugin",

@@ -1,4 +1,4 @@
-"""Definitions in OMG IDL, as ROS 2 installs them beside .msg, .srv and .action files."""
+"""Definitions in OMG IDL: as ROS 2 installs them beside .msg, .srv and .action files, and as packages may write them."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from coursekit.interfaces.parser import parse_file
 
 _written: dict[Path, Path] = {}
 _folder: list[Path] = []
+_read: list[Path] = []
 
 
 def idl_file(package: str, definition: Path) -> Path:
@@ -24,14 +25,41 @@ def idl_file(package: str, definition: Path) -> Path:
         InterfaceError: when the definition cannot be read.
     """
     if definition not in _written:
-        if not _folder:
-            _folder.append(Path(tempfile.mkdtemp(prefix="idl_")))
-            atexit.register(shutil.rmtree, _folder[0], ignore_errors=True)
-        path = _folder[0] / package / definition.suffix[1:] / f"{definition.stem}.idl"
+        path = _own_folder() / package / definition.suffix[1:] / f"{definition.stem}.idl"
         path.parent.mkdir(parents=True, exist_ok=True)
         write_whole(path, idl_text(parse_file(package, definition)).encode())
         _written[definition] = path
     return _written[definition]
+
+
+def definition_file(path: Path) -> Path:
+    """Return a definition file; of one in IDL the same as .msg, .srv or .action, in a folder of this interpreter's.
+
+    Raises:
+        InterfaceError: when the IDL cannot be read.
+    """
+    if path.suffix != ".idl":
+        return path
+    from coursekit.interfaces.idl_reader import definition_of_idl  # few packages have any
+
+    kind, text = definition_of_idl(path)
+    made = Path(_own_folder(), str(len(_read)), kind, f"{path.stem}.{kind}")
+    made.parent.mkdir(parents=True)
+    write_whole(made, text.encode())
+    _read.append(made)
+    return made
+
+
+def is_translated(path: Path) -> bool:
+    """Whether a definition file was made from one in IDL."""
+    return path in _read
+
+
+def _own_folder() -> Path:
+    if not _folder:
+        _folder.append(Path(tempfile.mkdtemp(prefix="idl_")))
+        atexit.register(shutil.rmtree, _folder[0], ignore_errors=True)
+    return _folder[0]
 
 
 def idl_text(interface: Interface) -> str:

@@ -21,6 +21,7 @@ from coursekit.cpp.runtime import ROOM
 from coursekit.cpp.toolchain import NoToolchain, Toolchain, cache_folder
 from coursekit.files import read_text
 from coursekit.interfaces.errors import InterfaceError
+from coursekit.interfaces.idl import is_translated
 from coursekit.interfaces.stubs import package_stubs
 from coursekit.packages import cmake_build, cpp_hints, cpp_limits, install_rules, interface_rules
 from coursekit.packages.cmake_beyond import NeedsCMake
@@ -129,7 +130,11 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         site = self._site_packages()
         files = interface_rules.interface_files(reading)
         for path in files:
-            self._copy(path, f"share/{package}/{path.suffix[1:]}/{path.name}")
+            target = f"share/{package}/{path.suffix[1:]}/{path.name}"
+            if is_translated(path):  # it goes with this interpreter
+                self._create(target, read_text(path))
+            else:
+                self._copy(path, target)
         if files:
             self._create(f"{_INDEX}/rosidl_interfaces/{package}", "".join(f"{p.suffix[1:]}/{p.name}\n" for p in files))
             made = {**interface_rules.python_files(package, files), **package_stubs(package, files)}

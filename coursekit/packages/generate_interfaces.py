@@ -1,7 +1,8 @@
 """The program that rosidl_generate_interfaces() in a CMakeLists.txt runs.
 
 `python -m coursekit.packages.generate_interfaces PACKAGE FOLDER --dependencies ... --files ...` writes FOLDER/include (the
-C++ headers), FOLDER/python (the Python package) and FOLDER/index (the ament index); where ROS would refuse, it says why.
+C++ headers), FOLDER/python (the Python package), FOLDER/share (what was written in IDL, as .msg, .srv and .action) and
+FOLDER/index (the ament index); where ROS would refuse, it says why.
 """
 
 from __future__ import annotations
@@ -11,7 +12,9 @@ import os
 import sys
 from pathlib import Path
 
+from coursekit.files import read_text
 from coursekit.interfaces.errors import InterfaceError
+from coursekit.interfaces.idl import definition_file, is_translated
 from coursekit.interfaces.stubs import package_stubs
 from coursekit.packages import interface_rules
 
@@ -21,9 +24,10 @@ def main(words: list[str]) -> int:
     args = _parsed(words)
     prefixes = [Path(one) for one in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
     try:
-        problems = interface_rules.field_problems(args.package, args.files, args.dependencies, prefixes)
+        files = [definition_file(path) for path in args.files]
+        problems = interface_rules.field_problems(args.package, files, args.dependencies, prefixes)
         if not problems:
-            generate(args.package, args.folder, args.files)
+            generate(args.package, args.folder, files)
     except (InterfaceError, OSError) as error:
         problems = [error]
     for problem in problems:
@@ -47,6 +51,9 @@ def generate(package: str, folder: Path, files: list[Path]) -> None:
     made = {**interface_rules.python_files(package, files), **package_stubs(package, files)}
     for name, text in made.items():
         _write(folder / "python" / name, text)
+    (folder / "share").mkdir(parents=True, exist_ok=True)
+    for path in filter(is_translated, files):
+        _write(folder / "share" / path.suffix[1:] / path.name, read_text(path))
     listed = "".join(f"{path.suffix[1:]}/{path.name}\n" for path in files)
     _write(folder / "index" / "rosidl_interfaces" / package, listed)
 

@@ -11,6 +11,7 @@ from coursekit.files import read_text
 from coursekit.interfaces.cpp_source import header, header_name, inner_headers
 from coursekit.interfaces.errors import InterfaceError, suggestion
 from coursekit.interfaces.find import UNDERLAY
+from coursekit.interfaces.idl import definition_file
 from coursekit.interfaces.model import Interface, Message
 from coursekit.interfaces.parser import parse_file
 from coursekit.packages.cmake_run import Call, Reading
@@ -41,7 +42,7 @@ def interface_files(reading: Reading) -> list[Path]:
     for call in _calls(reading):
         if not _listed(call):
             raise _problem(call, "called without any interface files")
-        files += [_definition(call, name) for name in _listed(call)]
+        files += [definition_file(_definition(call, name)) for name in _listed(call)]
     return files
 
 

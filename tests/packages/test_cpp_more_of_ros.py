@@ -9,7 +9,7 @@ import pytest
 
 from coursekit.packages.cpp_limits import NO_KDL, reason
 from tests.needs import compiler_or_skip
-from tests.packages.test_cpp_workspace import colcon, sourced
+from tests.packages.test_cpp_workspace import colcon, scripted, sourced
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 MANIFEST = """<?xml version="1.0"?>
@@ -251,3 +251,38 @@ def test_a_package_is_sourced_by_itself(tmp_path):
     for line in ("source install/k_alone/share/k_alone/local_setup.bash", ". install/k_alone/share/k_alone/local_setup.sh"):
         said = sourced(tmp_path, f"unset AMENT_PREFIX_PATH; {line}; echo $AMENT_PREFIX_PATH").stdout
         assert said.strip() == str(tmp_path / "install/k_alone")
+
+
+IDL = """
+module k_idl { module msg {
+  module Spot_Constants { const short MOST = 3; };
+  struct Spot { @default (value=1.5) double x; sequence<geometry_msgs::msg::Point> path; };
+}; };
+"""
+IDL_CMAKE = """
+find_package(geometry_msgs REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
+rosidl_generate_interfaces(${PROJECT_NAME} "msg/Spot.idl" DEPENDENCIES geometry_msgs)
+add_executable(says src/says.cpp)
+rosidl_get_typesupport_target(support ${PROJECT_NAME} rosidl_typesupport_cpp)
+target_link_libraries(says ${support})
+install(TARGETS says DESTINATION lib/${PROJECT_NAME})
+ament_package()
+"""
+SAYS = """
+#include <iostream>
+#include "k_idl/msg/spot.hpp"
+int main() {std::cout << k_idl::msg::Spot().x << k_idl::msg::Spot::MOST << k_idl::msg::Spot().path.size() << std::endl;}
+"""
+
+
+def test_interfaces_may_be_written_in_idl(tmp_path):
+    files = {"msg/Spot.idl": IDL, "src/says.cpp": SAYS}
+    lay_out(tmp_path, "k_idl", IDL_CMAKE, files, ("geometry_msgs",))
+    manifest = tmp_path / "src/k_idl/package.xml"
+    member = "<member_of_group>rosidl_interface_packages</member_of_group><export>"
+    manifest.write_text(manifest.read_text(encoding="utf-8").replace("<export>", member), encoding="utf-8")
+    built(tmp_path)
+    assert sourced(tmp_path, "ros2 run k_idl says").stdout == "1.530\n"
+    assert scripted(tmp_path, "from k_idl.msg import Spot\nprint(Spot().x, Spot.MOST)\n").stdout == "1.5 3\n"
+    assert "float64 x 1.5" in sourced(tmp_path, "ros2 interface show k_idl/msg/Spot").stdout

@@ -1,0 +1,129 @@
+"""Reads OMG IDL, as far as ROS uses it, as the text of a .msg, .srv or .action file: what all else here begins with."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from lark import Lark, Token, Tree
+from lark.exceptions import UnexpectedInput
+
+from coursekit.files import read_text
+from coursekit.interfaces.errors import InterfaceError
+
+_GRAMMAR = r"""
+start: module+
+module: _note* "module" NAME "{" (module | struct | typedef | const)* "}" ";"
+typedef: _note* "typedef" type declared ";"
+const: _note* "const" type NAME "=" value ";"
+struct: _note* "struct" NAME "{" member* "}" ";"
+member: (default | other)* type declared ("," declared)* ";"
+declared: NAME ("[" INT "]")?
+_note: other
+default.2: "@default" "(" "value" "=" value ")"
+other: "@" NAME ["(" (NAME "=")? value ("," NAME "=" value)* ")"]
+type: "sequence" "<" type ["," INT] ">" -> sequence
+    | TEXT_KIND ["<" INT ">"] -> text
+    | BASIC -> basic
+    | NAME ("::" NAME)* -> named
+value: STRING+ | NUMBER | NAME
+TEXT_KIND.3: /w?string\b/
+BASIC.3: /((unsigned\s+)?(long\s+long|long|short)|float|double|boolean|octet|char|u?int(8|16|32|64))\b/
+NAME: /[A-Za-z_]\w*/
+INT: /\d+/
+NUMBER.2: /[-+]?(0x[0-9a-fA-F]+|\d+\.?\d*([eE][-+]?\d+)?|\.\d+)/
+STRING: /"(\\.|[^"\\])*"/s
+%ignore /\s+|\/\/[^\n]*|\/\*.*?\*\/|#[^\n]*/s
+"""
+_BASIC = {
+    "boolean": "bool", "octet": "byte", "float": "float32", "double": "float64", "short": "int16", "long": "int32",
+    "long long": "int64", "unsigned short": "uint16", "unsigned long": "uint32", "unsigned long long": "uint64",
+}  # fmt: skip
+_PARTS = {"msg": ("",), "srv": ("_Request", "_Response"), "action": ("_Goal", "_Result", "_Feedback")}
+_FILLER = "structure_needs_at_least_one_member"
+"""The member of structures that have none in ROS: IDL wants one."""
+
+
+def definition_of_idl(path: Path) -> tuple[str, str]:
+    """Return the kind of what an .idl file defines, and its text as a .msg, .srv or .action file has it.
+
+    Raises InterfaceError, with file and line, where ROS would not understand it.
+    """
+    try:
+        tree = Lark(_GRAMMAR, parser="lalr").parse(read_text(path))
+    except UnexpectedInput as error:
+        source = read_text(path).splitlines()[error.line - 1 : error.line] if error.line > 0 else []
+        why = "this is not IDL as ROS knows it"
+        raise InterfaceError(why, file=str(path), line=max(error.line, 1), source="".join(source)) from None
+    return _Definition(path, tree).text()
+
+
+class _Definition:
+    def __init__(self, path: Path, tree: Tree[Any]) -> None:
+        self.path = path
+        self.kinds = [str(one.children[0]) for one in tree.iter_subtrees_topdown() if one.data == "module"]
+        self.types = {str(one.children[-1].children[0]): one for one in tree.find_data("typedef")}
+        self.structs = {str(_name(one)): one for one in tree.find_data("struct")}
+        self.constants = {str(one.children[0]): one for one in tree.find_data("module")}
+
+    def text(self) -> tuple[str, str]:
+        kind = next((one for one in self.kinds if one in _PARTS), "")
+        if not kind:
+            raise self._error("its structures are to be in a module msg, srv or action")
+        return kind, "---\n".join(self._part(self.path.stem + end) for end in _PARTS[kind])
+
+    def _part(self, name: str) -> str:
+        if name not in self.structs:
+            raise self._error(f"there is no struct {name} in it, as its name says")
+        lines = []
+        if f"{name}_Constants" in self.constants:
+            for const in self.constants[f"{name}_Constants"].find_data("const"):
+                kind, label, value = const.children[-3:]
+                lines.append(f"{self._type(kind)} {label}={_value(value)}")
+        for member in self.structs[name].find_data("member"):
+            lines += self._fields(member)
+        return "".join(f"{line}\n" for line in lines)
+
+    def _fields(self, member: Tree[Any]) -> list[str]:
+        default = next((f" {_value(one.children[0])}" for one in member.find_data("default")), "")
+        kind = next(one for one in member.children if one.data not in ("default", "other", "declared"))
+        declared = [one.children for one in member.children if one.data == "declared"]
+        named = [(str(name), str(size[0]) if size else "") for name, *size in declared if name != _FILLER]
+        return [f"{self._type(kind, size)} {name}{default}" for name, size in named]
+
+    def _type(self, kind: Tree[Any], size: str = "") -> str:
+        ends = f"[{size}]" if size else ""
+        if kind.data == "sequence":
+            inner, bound = kind.children
+            element = self._type(inner)
+            if ends or element.endswith("]"):
+                raise self._error("ROS has no arrays of arrays")
+            return f"{element}[{f'<={bound}' if bound else ''}]"
+        if kind.data == "text":
+            base, bound = kind.children
+            return f"{base}{f'<={bound}' if bound else ''}{ends}"
+        if kind.data == "basic":
+            words = " ".join(str(kind.children[0]).split())
+            return _BASIC.get(words, words) + ends
+        names = [str(one) for one in kind.children]
+        alias = self.types.get(names[-1]) if len(names) == 1 else None
+        if alias is None:
+            return "/".join(name for name in names if name != "msg") + ends
+        inner, declared = alias.children[-2:]
+        return self._type(inner, str(declared.children[1]) if len(declared.children) > 1 else size)
+
+    def _error(self, why: str) -> InterfaceError:
+        return InterfaceError(why, file=str(self.path))
+
+
+def _name(struct: Tree[Any]) -> Token:
+    return next(one for one in struct.children if isinstance(one, Token))
+
+
+def _value(value: Tree[Any]) -> str:
+    """A constant or a default as .msg files have it; IDL writes lists as texts in round brackets."""
+    parts = [str(one) for one in value.children]
+    if not parts[0].startswith('"'):
+        return {"TRUE": "true", "FALSE": "false"}.get(parts[0], parts[0])
+    text = "".join(part[1:-1] for part in parts)
+    return f"[{text[1:-1]}]" if text.startswith("(") and text.endswith(")") else f'"{text}"'

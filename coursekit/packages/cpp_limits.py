@@ -17,8 +17,8 @@ _NOT_YET = re.compile(
 """Headers of Humble's that coursekit does not have."""
 NO_EIGEN = "there is no Eigen for C++ here: `pip install cmeel-eigen` brings it"
 
-_KDL = "orocos_kdl is not here"
-NO_KDL = "there is no KDL for C++ here: `sudo apt install g++ liborocos-kdl-dev` brings it, on Debian and Ubuntu"
+_OF_THE_SYSTEM = re.compile(r"([\w+-]+) is not\s+here:\s+(sudo\s+apt\s+install(?:[ \n]+[\w+-]+)+)")
+"""What CMake files of ours say of a library that only the system can bring; CMake breaks their lines."""
 
 
 def reason(text: str, depends: Collection[str], stood_for: bool) -> str:
@@ -30,11 +30,14 @@ def reason(text: str, depends: Collection[str], stood_for: bool) -> str:
     'tf2_bullet/tf2_bullet.hpp is not among what C++ has here'
     >>> reason("a.cpp:1:10: fatal error: rclcpp/rclcp.hpp: No such file or directory", ["rclcpp"], False)
     ''
+    >>> reason("kdl_parser: orocos_kdl is not here: sudo apt install\\n  liborocos-kdl-dev\\n\\nCall Stack", [], False)
+    'there is no orocos_kdl for C++ here: `sudo apt install liborocos-kdl-dev` brings it, on Debian and Ubuntu'
     >>> reason('By not providing "FindEigen3.cmake" in CMAKE_MODULE_PATH', ["eigen"], False) == NO_EIGEN
     True
     """
-    if _KDL in text:
-        return NO_KDL
+    if missing := _OF_THE_SYSTEM.search(text):
+        command = " ".join(missing[2].split("\n\n")[0].split())
+        return f"there is no {missing[1]} for C++ here: `{command}` brings it, on Debian and Ubuntu"
     for name in _PACKAGE.findall(text):
         if name == "Eigen3":
             return NO_EIGEN

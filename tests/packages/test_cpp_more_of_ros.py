@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-from coursekit.packages.cpp_limits import NO_KDL, reason
 from tests.needs import compiler_or_skip
 from tests.packages.test_cpp_workspace import colcon, scripted, sourced
 
@@ -113,9 +112,27 @@ def test_arms_are_counted_with_by_the_system_s_kdl(tmp_path):
     assert sourced(tmp_path, "ros2 run k_arm plain").stdout == "3.74166\n"
 
 
-def test_without_kdl_the_command_that_brings_it_is_named():
-    said = "CMake Error at cmake/orocos_kdl.cmake:7 (message):\n  orocos_kdl is not here: sudo apt install"
-    assert reason(said, ["kdl_parser"], False) == NO_KDL
+VENDORS_CMAKE = """
+find_package(yaml_cpp_vendor REQUIRED)
+find_package(yaml-cpp REQUIRED)
+find_package(tinyxml2_vendor REQUIRED)
+find_package(TinyXML2 REQUIRED)
+add_executable(reads src/reads.cpp)
+ament_target_dependencies(reads yaml_cpp_vendor TinyXML2)
+target_link_libraries(reads yaml-cpp)
+ament_package()
+"""
+
+
+def test_without_a_library_of_the_system_s_the_command_that_brings_it_is_named(tmp_path):
+    compiler_or_skip()
+    if os.path.isfile("/usr/include/yaml-cpp/yaml.h"):
+        pytest.skip("has libyaml-cpp-dev")
+    lay_out(tmp_path, "k_reader", VENDORS_CMAKE, {"src/reads.cpp": "int main() {}"}, ("yaml_cpp_vendor", "tinyxml2_vendor"))
+    done = colcon(tmp_path, "build")
+    assert done.returncode == 0
+    why = "there is no yaml-cpp for C++ here: `sudo apt install libyaml-cpp-dev` brings it, on Debian and Ubuntu"
+    assert f"Skipped C++ of k_reader: reads ({why}; the rest is installed)" in done.stdout
 
 
 TINY_CMAKE = """

@@ -1,6 +1,7 @@
 // Geometry messages to what tf2 counts with, back, and through transforms.
 #pragma once
 #include "geometry_msgs/msg/point_stamped.hpp"
+#include "geometry_msgs/msg/polygon_stamped.hpp"
 #include "geometry_msgs/msg/pose_stamped.hpp"
 #include "geometry_msgs/msg/pose_with_covariance_stamped.hpp"
 #include "geometry_msgs/msg/quaternion_stamped.hpp"
@@ -184,6 +185,35 @@ inline void doTransform(const gm::Wrench & in, gm::Wrench & out, const gm::Trans
   doTransform(in.force, out.force, transform);
   doTransform(in.torque, out.torque, transform);
 }
+inline void doTransform(const gm::Point32 & in, gm::Point32 & out, const gm::TransformStamped & transform)
+{
+  gm::Point point;
+  doTransform(gm::Point().set__x(in.x).set__y(in.y).set__z(in.z), point, transform);
+  out.x = static_cast<float>(point.x);
+  out.y = static_cast<float>(point.y);
+  out.z = static_cast<float>(point.z);
+}
+inline void doTransform(const gm::Polygon & in, gm::Polygon & out, const gm::TransformStamped & transform)
+{
+  gm::Polygon moved = in;
+  for (auto & point : moved.points) {
+    doTransform(gm::Point32(point), point, transform);
+  }
+  out = moved;
+}
+/// A covariance's rows.
+inline std::array<std::array<double, 6>, 6> covarianceRowMajorToNested(const std::array<double, 36> & flat)
+{
+  std::array<std::array<double, 6>, 6> rows{};
+  for (size_t at = 0; at < flat.size(); ++at) {
+    rows[at / 6][at % 6] = flat[at];
+  }
+  return rows;
+}
+inline std::array<std::array<double, 6>, 6> getCovarianceMatrix(const gm::PoseWithCovarianceStamped & message)
+{
+  return covarianceRowMajorToNested(message.pose.covariance);
+}
 #define COURSEKIT_STAMPED(Type, field) \
   inline void doTransform(const gm::Type & in, gm::Type & out, const gm::TransformStamped & transform) \
   { \
@@ -205,4 +235,5 @@ COURSEKIT_STAMPED(PoseStamped, pose)
 COURSEKIT_STAMPED(TransformStamped, transform)
 COURSEKIT_STAMPED(PoseWithCovarianceStamped, pose)
 COURSEKIT_STAMPED(WrenchStamped, wrench)
+COURSEKIT_STAMPED(PolygonStamped, polygon)
 }  // namespace tf2

@@ -2,7 +2,11 @@
 #include "check.hpp"
 #include "control_toolbox/pid.hpp"
 #include "example_interfaces/action/fibonacci.hpp"
+#include "geometry_msgs/msg/polygon_stamped.hpp"
+#include "image_geometry/stereo_camera_model.h"
 #include "image_transport/image_transport.hpp"
+#include "message_filters/pass_through.h"
+#include "message_filters/sync_policies/exact_time.h"
 #include "rclcpp/experimental/buffers/ring_buffer_implementation.hpp"
 #include "rclcpp/graph_listener.hpp"
 #include "rcpputils/filesystem_helper.hpp"
@@ -14,6 +18,7 @@
 #include "rosbag2_compression/sequential_compression_reader.hpp"
 #include "rosbag2_transport/reader_writer_factory.hpp"
 #include "std_msgs/msg/int32.hpp"
+#include "tf2_geometry_msgs/tf2_geometry_msgs.hpp"
 
 using std_msgs::msg::Int32;
 
@@ -112,6 +117,63 @@ static void images(const rclcpp::Node::SharedPtr & node)
     });
 }
 
+using geometry_msgs::msg::PolygonStamped;
+
+static PolygonStamped::SharedPtr polygon(int32_t second)
+{
+  auto made = std::make_shared<PolygonStamped>();
+  made->header.stamp.sec = second;
+  return made;
+}
+
+static void sets()
+{
+  using Policy = message_filters::sync_policies::ExactTime<PolygonStamped, PolygonStamped>;
+  message_filters::PassThrough<PolygonStamped> one, other;
+  message_filters::Synchronizer<Policy> both(Policy(5), one, other);
+  std::string said;
+  both.getPolicy()->registerDropCallback(
+    [&](const PolygonStamped::ConstSharedPtr & a, const PolygonStamped::ConstSharedPtr & b) {
+      said += a ? "a" : "-";
+      said += b ? "b" : "-";
+    });
+  one.add(polygon(1));
+  other.add(polygon(2));
+  one.add(polygon(3));
+  other.add(polygon(3));
+  equal("sets that are given up are told", said, "a--b");
+}
+
+static void geometry()
+{
+  PolygonStamped shape, moved;
+  shape.polygon.points.resize(2);
+  shape.polygon.points[1].x = 1;
+  geometry_msgs::msg::TransformStamped up;
+  up.header.frame_id = "map";
+  up.transform.rotation.w = 1;
+  up.transform.translation.z = 2;
+  tf2::doTransform(shape, moved, up);
+  check("a polygon is moved", moved.header.frame_id == "map" && moved.polygon.points[1].x == 1 && moved.polygon.points[0].z == 2);
+  geometry_msgs::msg::PoseWithCovarianceStamped pose;
+  pose.pose.covariance[35] = 3;
+  equal("a covariance's rows", tf2::getCovarianceMatrix(pose)[5][5], 3.0);
+
+  sensor_msgs::msg::CameraInfo left, right;
+  left.width = 640;
+  left.height = 480;
+  left.k = {500, 0, 320, 0, 500, 240, 0, 0, 1};
+  left.p = {500, 0, 320, 0, 0, 500, 240, 0, 0, 0, 1, 0};
+  right = left;
+  right.p[3] = -50;  // a tenth of a metre to the right
+  image_geometry::StereoCameraModel stereo;
+  stereo.fromCameraInfo(left, right);
+  cv::Point3d point;
+  stereo.projectDisparityTo3d({370, 240}, 25, point);
+  check("a disparity is a distance", stereo.baseline() == 0.1 && point.z == 2 && std::abs(point.x - 0.2) < 1e-9 && point.y == 0);
+  check("and a distance a disparity", stereo.getDisparity(2) == 25 && stereo.getZ(25) == 2);
+}
+
 int main(int argc, char ** argv)
 {
   rclcpp::init(argc, argv);
@@ -122,6 +184,8 @@ int main(int argc, char ** argv)
   graph(node);
   bags();
   images(node);
+  sets();
+  geometry();
   realtime_tools::RealtimeServerGoalHandle<example_interfaces::action::Fibonacci> * goal = nullptr;
   check("a goal's handle for real time has its type", goal == nullptr);
   rclcpp::shutdown();

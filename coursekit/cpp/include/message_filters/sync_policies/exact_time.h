@@ -11,12 +11,16 @@ public:
   ExactTime(uint32_t queue_size)  // NOLINT: as Humble's, a number is a policy
   : queue_size_(queue_size) {}
   ExactTime(const ExactTime & other)
-  : PolicyBase<M...>(other), queue_size_(other.queue_size_), sets_(other.sets_) {}
+  : PolicyBase<M...>(other), queue_size_(other.queue_size_), sets_(other.sets_), drop_(other.drop_) {}
+  /// Have a function called with each set that is given up; what of it has not come is null.
+  template<class C>
+  Connection registerDropCallback(const C & callback) {return drop_.add(callback);}
 
 protected:
   void take(size_t which, const Stamped & one)
   {
     std::vector<Stamped> whole;
+    std::vector<std::vector<Stamped>> given_up;
     {
       std::lock_guard<std::mutex> hold(lock_);
       auto & set = sets_[one.time];
@@ -25,20 +29,37 @@ protected:
       bool complete = std::all_of(set.begin(), set.end(), [](auto & part) {return part.message != nullptr;});
       if (complete) {
         whole = set;
-        sets_.erase(sets_.begin(), sets_.upper_bound(one.time));  // older ones will not be complete any more
+        sets_.erase(one.time);
+        while (!sets_.empty() && sets_.begin()->first < one.time) {  // older ones will not be complete any more
+          give_up_oldest(given_up);
+        }
       }
       while (queue_size_ && sets_.size() > queue_size_) {
-        sets_.erase(sets_.begin());
+        give_up_oldest(given_up);
       }
     }
     if (!whole.empty()) {
       this->signal(whole);
     }
+    for (auto & set : given_up) {
+      tell(set, std::index_sequence_for<M...>());
+    }
   }
 
 private:
+  void give_up_oldest(std::vector<std::vector<Stamped>> & given_up)
+  {
+    given_up.push_back(std::move(sets_.begin()->second));
+    sets_.erase(sets_.begin());
+  }
+  template<size_t ... I>
+  void tell(const std::vector<Stamped> & set, std::index_sequence<I...>)
+  {
+    drop_.call(std::static_pointer_cast<const M>(set[I].message) ...);
+  }
   uint32_t queue_size_;
   std::mutex lock_;
   std::map<int64_t, std::vector<Stamped>> sets_;
+  Signal<std::shared_ptr<const M>...> drop_;
 };
 }  // namespace message_filters::sync_policies

@@ -1,0 +1,3 @@
+# spdlog is the system's.
+include("${COURSEKIT_CMAKE}/vendor.cmake")
+_coursekit_vendor(spdlog libspdlog-dev)

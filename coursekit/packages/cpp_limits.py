@@ -17,7 +17,7 @@ _NOT_YET = re.compile(
 """Headers of Humble's that coursekit does not have."""
 NO_EIGEN = "there is no Eigen for C++ here: `pip install cmeel-eigen` brings it"
 
-_OF_THE_SYSTEM = re.compile(r"([\w+-]+) is not\s+here:\s+(sudo\s+apt\s+install(?:[ \n]+[\w+-]+)+)")
+_OF_THE_SYSTEM = re.compile(r"([\w+-]+) is not\s+here:\s+(sudo\s+apt\s+install(?:(?: |\n {2})[\w+-]+)+)")
 """What CMake files of ours say of a library that only the system can bring; CMake breaks their lines."""
 
 
@@ -30,13 +30,13 @@ def reason(text: str, depends: Collection[str], stood_for: bool) -> str:
     'tf2_bullet/tf2_bullet.hpp is not among what C++ has here'
     >>> reason("a.cpp:1:10: fatal error: rclcpp/rclcp.hpp: No such file or directory", ["rclcpp"], False)
     ''
-    >>> reason("kdl_parser: orocos_kdl is not here: sudo apt install\\n  liborocos-kdl-dev\\n\\nCall Stack", [], False)
+    >>> reason("kdl_parser: orocos_kdl is not here: sudo apt install\\n  liborocos-kdl-dev\\nCall Stack", [], False)
     'there is no orocos_kdl for C++ here: `sudo apt install liborocos-kdl-dev` brings it, on Debian and Ubuntu'
     >>> reason('By not providing "FindEigen3.cmake" in CMAKE_MODULE_PATH', ["eigen"], False) == NO_EIGEN
     True
     """
     if missing := _OF_THE_SYSTEM.search(text):
-        command = " ".join(missing[2].split("\n\n")[0].split())
+        command = " ".join(missing[2].split())
         return f"there is no {missing[1]} for C++ here: `{command}` brings it, on Debian and Ubuntu"
     for name in _PACKAGE.findall(text):
         if name == "Eigen3":

@@ -21,6 +21,7 @@ from coursekit.nodes.compiled import qos
 from coursekit.nodes.compiled.executing import Work
 from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.lifecycle import CompiledLifecycleNode
+from coursekit.nodes.compiled.living import living_node
 from coursekit.nodes.compiled.node import CompiledNode
 from coursekit.nodes.components.loading import LoadedComponent
 
@@ -184,7 +185,7 @@ def do_timer_call(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 def do_service(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make a service; its callback answers at once, or later by `send_response`."""
-    node, kind, name = host.things[frame.integer()], load(frame.text()), frame.text()
+    node, kind, name = living_node(host, frame, "service"), load(frame.text()), frame.text()
     handler, group = frame.integer(), host.things.get(frame.integer())
     service = node.create_service(kind, name, _unused, qos_profile=qos.profile(frame), callback_group=group)
     service.unanswered = {}
@@ -226,7 +227,7 @@ def do_take_request(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 def do_client(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make a client."""
-    node, kind, name = host.things[frame.integer()], load(frame.text()), frame.text()
+    node, kind, name = living_node(host, frame, "client"), load(frame.text()), frame.text()
     handler, group = frame.integer(), host.things.get(frame.integer())
     client = node.create_client(kind, name, qos_profile=qos.profile(frame), callback_group=group)
     client.handler = handler

@@ -15,6 +15,7 @@ from rclpy.executors import (
 )
 
 from coursekit.nodes.compiled.frames import Unpacker, packed
+from coursekit.nodes.compiled.living import living_context
 
 if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 
 def do_executor(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make an executor with so many threads."""
-    threads, context = frame.integer(), host.context_called(frame.integer())
+    threads, context = frame.integer(), living_context(host, frame)
     executor: Any
     executor = SingleThreadedExecutor(context=context) if threads == 1 else MultiThreadedExecutor(threads, context=context)
     executor.cancelled = False

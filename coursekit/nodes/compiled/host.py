@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 from rclpy.context import Context
-from rclpy.exceptions import ParameterException
+from rclpy.exceptions import NotInitializedException, ParameterException
 from rclpy.signals import shutdown_all
 from rclpy.utilities import get_default_context
 
@@ -75,6 +75,11 @@ _ERRORS = {
     "InvalidQosOverridesError": "InvalidQosOverridesException",
     "UnknownROSArgsError": "RCLInvalidROSArgsError",
 }
+_NOT_VALID = (
+    "failed to create guard condition: the given context is not valid, either rcl_init() was not called or rcl_shutdown() "
+    "was called., at ./src/rcl/guard_condition.c:67"
+)
+"""What rclcpp says of nodes and executors that are made before init() or after shutdown()."""
 _ROOMS = (
     program, entities, topics, graph, parameters, executing, waiting, waitables, lifecycle, listening, actions, transforms,
     vision, bags, plugins, robots, calibrations, components,
@@ -227,6 +232,8 @@ class Host:
     def refusal(self, error: Exception) -> tuple[str, str]:
         """The name of rclcpp's exception for one of rclpy's, and its text."""
         name = type(error).__name__
+        if isinstance(error, NotInitializedException):
+            return _ERRORS.get(name, name), _NOT_VALID
         text = parameters.told(error) if isinstance(error, ParameterException) else str(error)
         return _ERRORS.get(name, name), re.sub(r"^[Ff]ailed to create(?= (action )?\w+: )", "could not create", text)
 

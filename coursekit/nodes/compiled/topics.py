@@ -13,6 +13,7 @@ from coursekit.interfaces.registry import load
 from coursekit.nodes.compiled import qos
 from coursekit.nodes.compiled.content_filter import Test, compile_filter
 from coursekit.nodes.compiled.frames import Unpacker, packed
+from coursekit.nodes.compiled.living import living_node
 from coursekit.nodes.compiled.statistics import TopicStatistics
 
 if TYPE_CHECKING:
@@ -54,7 +55,7 @@ def packed_info(sent: int, received: int, gid: Any) -> bytes:
 
 def do_publisher(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make a publisher."""
-    node, kind, topic = host.things[frame.integer()], load(frame.text()), frame.text()
+    node, kind, topic = living_node(host, frame, "publisher"), load(frame.text()), frame.text()
     group = host.things.get(frame.integer())
     publisher = node.create_publisher(
         kind,
@@ -95,7 +96,7 @@ def do_type(_host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 def do_subscription(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make a subscription."""
-    node, kind, topic = host.things[frame.integer()], load(frame.text()), frame.text()
+    node, kind, topic = living_node(host, frame, "subscription"), load(frame.text()), frame.text()
     handler, group = frame.integer(), host.things.get(frame.integer())
     wanted = qos.profile(frame)
     events = qos.subscription_events(host, frame)

@@ -224,9 +224,23 @@ static void errors_of_c()
     "a parameter of a wrong type", std::string(errors::InvalidParameterTypeException("x", "none").what()),
     "parameter 'x' has invalid type: none");
 }
+static void too_early()
+{
+  try {
+    rclcpp::Node node("early");
+    check("no node before init", false);
+  } catch (const rclcpp::exceptions::RCLError & error) {
+    equal(
+      "no node before init", std::string(error.what()),
+      "failed to create guard condition: the given context is not valid, either rcl_init() was not called or rcl_shutdown() "
+      "was called., at ./src/rcl/guard_condition.c:67");
+  }
+}
+
 int main(int argc, char ** argv)
 {
   errors_of_c();
+  too_early();
   rclcpp::init(argc, argv);
   paths();
   texts();
@@ -235,5 +249,9 @@ int main(int argc, char ** argv)
   numbers();
   copies();
   log_lines();
+  auto node = std::make_shared<rclcpp::Node>("late");
   rclcpp::shutdown();
+  throws<rclcpp::exceptions::RCLError>("nothing spins after shutdown", [&] {rclcpp::spin(node);});
+  throws<rclcpp::exceptions::RCLError>(
+    "no client after shutdown", [&] {rclcpp::AsyncParametersClient client(node, "other");});
 }

@@ -8,6 +8,9 @@ CELLS = ("from coursekit.lab import *", "view = viewer()\ndesk(view, pad())", "'
 TABS = "() => document.querySelectorAll('.lm-DockPanel .lm-TabBar-tabLabel').length"
 NOTEBOOK = "() => [...jupyterapp.shell.widgets('main')].find((one) => one.sessionContext)"
 ON_DESK = "document.querySelectorAll('.jupyterlab-sidecar :is(.ck-graph, .ck-pad)')"
+OPENED = "document.dispatchEvent(new CustomEvent('coursekit-desk', { detail: { el: document.body, closed() {} } }))"
+ON_ONE_LINE = """() => [...document.querySelector('.jp-NotebookPanel-toolbar').children].every((item) =>
+    item.offsetTop + item.offsetHeight <= item.parentElement.clientHeight + 2)"""
 LIVE = ".jupyterlab-sidecar .ck-viewer[data-messages]"
 
 
@@ -38,6 +41,16 @@ def test_panels_stand_beside_the_notebook_and_fill_the_desk(opened, picture):
     assert sizes[".ck-viewer"]["height"] > 380, "it takes what the pad leaves"
     assert sizes[".ck-pad"]["y"] + sizes[".ck-pad"]["height"] <= 768
     picture(page, "desk")
+
+
+def test_the_notebooks_toolbar_stays_on_one_line(opened):
+    page = opened.page
+    page.evaluate(f"() => {{ ({NOTEBOOK})().toolbar._resizer.invoke = async () => {{}}; }}")  # as JupyterLab at times
+    page.set_viewport_size({"width": 800, "height": 768})
+    page.wait_for_function(f"() => !({ON_ONE_LINE})()")
+    page.evaluate(f"() => {{ delete ({NOTEBOOK})().toolbar._resizer.invoke; }}")
+    page.evaluate(OPENED)
+    page.wait_for_function(ON_ONE_LINE)
 
 
 def test_the_list_of_displays_folds_where_there_is_little_room(opened):

@@ -3,6 +3,7 @@
 (() => {
   const WIDGET = "application/vnd.jupyter.widget-view+json";
   const FAILED = /^Error displaying widget/;
+  const SETTLED_MS = 700;
   const NOTE = "Not running now: this is how it looked. Run the cell to have it live.";
 
   function outputOf(app, node) {
@@ -70,8 +71,21 @@
     }
   }
 
+  // A toolbar can miss a change of its width where two follow each other. What no longer fits then lies on the notebook.
+  function fitToolbars(app) {
+    for (const { toolbar } of app.shell.widgets("main")) {
+      if (toolbar?.isVisible) {
+        toolbar.hide();
+        toolbar.show();
+      }
+    }
+  }
+
   function activate(app) {
-    document.addEventListener("coursekit-desk", ({ detail }) => keepDesks(app, detail));
+    document.addEventListener("coursekit-desk", ({ detail }) => {
+      keepDesks(app, detail);
+      setTimeout(() => fitToolbars(app), SETTLED_MS);
+    });
     const look = (root) => root.querySelectorAll?.(".jp-OutputArea-output").forEach((node) => mend(app, node));
     new MutationObserver((changes) => {
       for (const { target } of changes) {

@@ -7,6 +7,8 @@ import sys
 from collections.abc import Iterator
 from typing import Any
 
+import yaml
+
 from coursekit.core.graph import Graph
 from coursekit.processes.process import current_process
 from coursekit.processes.session import current
@@ -44,6 +46,28 @@ def on_clock(args: Any) -> dict[str, Any]:
 
     simulated = getattr(args, "use_sim_time", False)
     return {"parameter_overrides": [Parameter("use_sim_time", value=True)]} if simulated else {}
+
+
+def yaml_values(text: str) -> dict[str, Any]:
+    """The fields that were typed as YAML.
+
+    >>> yaml_values("{a: 1}")
+    {'a': 1}
+
+    Raises:
+        Unhappy: when it is no YAML, or no fields with values.
+    """
+    fault = "The passed value needs to be a dictionary in YAML format"
+    try:
+        values = yaml.safe_load(text)
+    except yaml.MarkedYAMLError as error:
+        place = f" at character {error.problem_mark.index + 1}" if error.problem_mark else ""
+        raise Unhappy(f"{fault}\n'{text}': {error.problem}{place}. Check its braces, colons and quotes.") from None
+    except yaml.YAMLError as error:
+        raise Unhappy(f"{fault}: {error}") from None
+    if not isinstance(values, dict):
+        raise Unhappy(fault)
+    return values
 
 
 def graph() -> Graph:

@@ -7,12 +7,14 @@ import importlib
 import importlib.util
 import sys
 from collections.abc import Sequence
+from typing import Any
 
 from coursekit.processes.executables import ExecutableNotFound, PackageNotFound, python_folders
 from coursekit.processes.private_modules import use_private_modules
 from coursekit.processes.process import current_process
 from coursekit.rcl.arguments import RosArgumentsError
 
+from . import extensions
 from .ask import Unhappy
 from .settling import let_settle
 
@@ -43,8 +45,12 @@ _STRATEGY = {
     ("--no-daemon",): "Do not ask the daemon (here there is none)",
 }
 _MODULES = {"wtf": "doctor"}
-_HIDDEN = {"gz": "coursekit.cli.gz_commands"}
-"""Commands that are no `ros2` command of a robot's; other programs use them to reach the session."""
+_HIDDEN = {
+    "gz": "coursekit.cli.gz_commands",
+    "extension_points": "coursekit.cli.extension_lists",
+    "extensions": "coursekit.cli.extension_lists",
+}
+"""Commands that the help leaves out; through `gz` other programs reach the session."""
 
 
 def available() -> list[str]:
@@ -64,6 +70,9 @@ def make_parser(command: str | None = None) -> argparse.ArgumentParser:
         epilog="Call `ros2 <command> -h` for more detailed usage.",
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
+    parser.add_argument(
+        "--use-python-default-buffering", action="store_true", help="Here every line is shown at once: it changes nothing"
+    )
     subparsers = parser.add_subparsers(title="Commands", metavar="Call `ros2 <command> -h`", dest="_command")
     if command in _HIDDEN:
         importlib.import_module(_HIDDEN[command]).register(subparsers)
@@ -71,14 +80,27 @@ def make_parser(command: str | None = None) -> argparse.ArgumentParser:
     wanted = [command] if command in available() else available()
     for module in dict.fromkeys(_module(str(name)) for name in wanted):
         importlib.import_module(module).register(subparsers)
-    for name in _OF_THE_GRAPH & set(subparsers.choices):
-        _add_strategy(subparsers.choices[name])
+    for name, added in subparsers.choices.items():
+        verbs = next((action for action in added._actions if isinstance(action, argparse._SubParsersAction)), None)
+        if verbs is not None:
+            _let_stand_alone(added, verbs)
+            if name in _OF_THE_GRAPH:
+                _add_strategy(verbs)
+            extensions.add_verbs(name, verbs)
+    if command not in available():
+        extensions.add_commands(subparsers, available(), command)
     return parser
 
 
-def _add_strategy(command: argparse.ArgumentParser) -> None:
+def _let_stand_alone(command: argparse.ArgumentParser, verbs: Any) -> None:
+    """A command without a verb shows its help."""
+    if verbs.required:
+        verbs.required = False
+        command.set_defaults(main=lambda _args: command.print_help())
+
+
+def _add_strategy(verbs: Any) -> None:
     """Let every verb take the flags for how the graph is found. The session knows it: they change nothing."""
-    verbs = next(action for action in command._actions if isinstance(action, argparse._SubParsersAction))
     for verb in verbs.choices.values():
         for words, text in _STRATEGY.items():
             if words[-1] in verb._option_string_actions:
@@ -90,7 +112,7 @@ def _add_strategy(command: argparse.ArgumentParser) -> None:
 def run(argv: Sequence[str]) -> int:
     """Carry out one command line (without the word `ros2`); its exit code."""
     _see_workspace()
-    parser = make_parser(argv[0] if argv else None)
+    parser = make_parser(next((word for word in argv if not word.startswith("-")), None))
     args, rest = parser.parse_known_args(list(argv))
     args.unknown = rest
     main = getattr(args, "main", None)
@@ -100,7 +122,7 @@ def run(argv: Sequence[str]) -> int:
     if rest and not getattr(args, "takes_rest", False):
         parser.error(f"unrecognized arguments: {' '.join(rest)}")
     try:
-        if argv[0] in _OF_THE_GRAPH:
+        if args._command in _OF_THE_GRAPH or args._command not in COMMANDS:
             let_settle()
         return int(main(args) or 0)
     except KeyboardInterrupt:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+import argparse
 from typing import Any
 
 import rclpy
-import yaml
 from rclpy.duration import Duration
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from rosidl_runtime_py import set_message_fields
@@ -31,7 +31,7 @@ def register(verbs: Any) -> None:
     )
     values = parser.add_argument("values", nargs="?", default="{}", help="Values to fill the message with in YAML format")
     values.completer = ask.complete_values("message_type")  # type: ignore[attr-defined]
-    parser.add_argument("-r", "--rate", type=_positive, default=1.0, help="Publishing rate in Hz (default: 1)")
+    parser.add_argument("-r", "--rate", type=positive, default=1.0, help="Publishing rate in Hz (default: 1)")
     parser.add_argument("-p", "--print", type=int, default=1, help="Only print every N-th published message")
     many = parser.add_mutually_exclusive_group()
     many.add_argument("-1", "--once", action="store_true", help="Publish one message and exit")
@@ -43,10 +43,14 @@ def register(verbs: Any) -> None:
     parser.set_defaults(main=main)
 
 
-def _positive(text: str) -> float:
-    number = float(text)
-    if number <= 0:
-        raise ValueError(text)
+def positive(text: str) -> float:
+    """Read a number above zero."""
+    try:
+        number = float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError("Expects a floating point number") from None
+    if not number > 0:
+        raise argparse.ArgumentTypeError("The value must be greater than zero")
     return number
 
 
@@ -56,9 +60,7 @@ def main(args: Any) -> int:
         kind = get_message(args.message_type)
     except (AttributeError, ModuleNotFoundError, ValueError):
         raise ask.Unhappy("The passed message type is invalid") from None
-    values = yaml.safe_load(args.values)
-    if not isinstance(values, dict):
-        raise ask.Unhappy("The passed value needs to be a dictionary in YAML format")
+    values = ask.yaml_values(args.values)
     options = {"name": args.node_name} if args.node_name else {}
     with ask.command_node(**options, **ask.on_clock(args)) as node:
         return _publish(node, kind, values, args)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-import yaml
-
 from coursekit.cli import ask
 
 
@@ -98,9 +96,10 @@ def send_goal(args: Any) -> int:
         kind = get_action(args.action_type)
     except (AttributeError, ModuleNotFoundError, ValueError):
         raise ask.Unhappy("The passed action type is invalid") from None
+    values = ask.yaml_values(args.goal or "{}")
     goal = kind.Goal()
     try:
-        set_message_fields(goal, yaml.safe_load(args.goal) or {})
+        set_message_fields(goal, values)
     except Exception as error:
         raise ask.Unhappy(f"Failed to populate message fields: {error!r}") from None
     with ask.command_node() as node:

@@ -17,7 +17,10 @@ def register(subparsers: Any) -> None:
         ("start", "Start the daemon if it isn't running", start),
         ("stop", "Stop the daemon if it is running", stop),
     ):
-        verbs.add_parser(name, help=text).set_defaults(main=main)
+        verb = verbs.add_parser(name, help=text)
+        verb.set_defaults(main=main)
+        if name == "start":
+            verb.add_argument("--debug", action="store_true", help="Here the session answers: it changes nothing")
 
 
 def show_status(_args: Any) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from typing import Any
 
-from coursekit.cli import checks, graph_report
+from coursekit.cli import checks, doctor_hello, graph_report
 
 
 def register(subparsers: Any) -> None:
@@ -16,6 +16,7 @@ def register(subparsers: Any) -> None:
         parser.add_argument("-rf", "--report-failed", action="store_true", help="Print the reports when a check fails")
         parser.add_argument("-iw", "--include-warnings", action="store_true", help="Count warnings as failures")
         parser.set_defaults(main=main)
+        doctor_hello.register(parser.add_subparsers(title="Verbs", dest="_verb"))
 
 
 def main(args: Any) -> int:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-import yaml
-
 from coursekit.cli import ask
+from coursekit.cli.topic_pub import positive
 from coursekit.processes.session import current
 
 
@@ -33,7 +32,7 @@ def register(subparsers: Any) -> None:
     call.add_argument("service_type", help="Type of the ROS service").completer = ask.complete_interfaces("srv")
     values = call.add_argument("values", nargs="?", default="{}", help="Values to fill the request with in YAML format")
     values.completer = ask.complete_values("service_type")
-    call.add_argument("-r", "--rate", metavar="N", type=float, help="Repeat the call at a specific rate in Hz")
+    call.add_argument("-r", "--rate", metavar="N", type=positive, help="Repeat the call at a specific rate in Hz")
     call.set_defaults(main=call_service)
 
 
@@ -73,9 +72,7 @@ def find_services(args: Any) -> int:
 
 def call_service(args: Any) -> int:
     """Send a request and print the response."""
-    values = yaml.safe_load(args.values)
-    if not isinstance(values, dict):
-        raise ask.Unhappy("The passed value needs to be a dictionary in YAML format")
+    values = ask.yaml_values(args.values)
     kind = _service_type(args.service_type)
     with ask.command_node() as node:
         client = node.create_client(kind, args.service_name)

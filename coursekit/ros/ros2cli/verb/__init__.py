@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from ros2cli.command import named
+from ros2cli.plugin_system import PLUGIN_SYSTEM_VERSION, instantiate_extensions, satisfies_version
+
 
 class VerbExtension:
     """One verb of a command: `add_arguments(parser, cli_name)`, then `main(args=...)`, whose return is the exit code."""
@@ -11,9 +14,17 @@ class VerbExtension:
     NAME: str | None = None
     EXTENSION_POINT_VERSION = "0.1"
 
+    def __init__(self) -> None:
+        satisfies_version(PLUGIN_SYSTEM_VERSION, "^0.1")
+
     def add_arguments(self, parser: Any, cli_name: str) -> None:
         """Add the verb's arguments."""
 
     def main(self, *, args: Any) -> Any:
         """Carry it out."""
         raise NotImplementedError()
+
+
+def get_verb_extensions(name: str) -> dict[str, Any]:
+    """The verbs that packages add to a group, by name."""
+    return named(instantiate_extensions(name))

@@ -1,0 +1,43 @@
+"""Entry points of the packages that are on Python's path: how a package adds commands and verbs."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+from coursekit.processes.executables import python_folders
+from coursekit.processes.process import current_process
+
+EXTENSION_POINT_GROUP_NAME = "ros2cli.extension_point"
+
+
+def get_all_entry_points() -> dict[str, dict[str, tuple[Any, Any]]]:
+    """The distribution and the entry point of each name in each group that is an extension point."""
+    points = [*get_entry_points(EXTENSION_POINT_GROUP_NAME), EXTENSION_POINT_GROUP_NAME]
+    found = {group: {name: (one.dist, one) for name, one in get_entry_points(group).items()} for group in points}
+    return {group: entries for group, entries in found.items() if entries}
+
+
+def get_entry_points(group_name: str) -> dict[str, Any]:
+    """The entry points of a group by their names, of the workspaces that are sourced where the program runs."""
+    process = current_process()
+    folders = [] if process is None else python_folders(process.env)
+    distributions = importlib.metadata.distributions(path=folders)
+    found = [one for each in distributions for one in each.entry_points if one.group == group_name]
+    return {one.name: one for one in reversed(found)}  # the folder that is first on the path wins
+
+
+def load_entry_points(group_name: str, *, exclude_names: Sequence[str] | None = None) -> dict[str, Any]:
+    """What the entry points of a group stand for; those that fail are told and left out."""
+    loaded = {}
+    for name, entry_point in get_entry_points(group_name).items():
+        if name in (exclude_names or ()):
+            continue
+        try:
+            loaded[name] = entry_point.load()
+        except Exception as error:
+            where = f"Failed to load entry point '{name}' of group '{group_name}'"
+            print(f"{where}: {error!r}. Is its module in the package, and was it built?", file=sys.stderr)
+    return loaded

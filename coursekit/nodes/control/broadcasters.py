@@ -6,7 +6,7 @@ import math
 
 from control_msgs.msg import DynamicJointState, InterfaceValue
 from geometry_msgs.msg import WrenchStamped
-from sensor_msgs.msg import Imu, JointState
+from sensor_msgs.msg import Imu, JointState, Range
 
 from .controller import ControlError, Controller, stamp
 
@@ -119,4 +119,32 @@ class WrenchBroadcaster(Controller):
         self._out.publish(msg)
 
 
-__all__ = ["ImuBroadcaster", "JointStateBroadcaster", "WrenchBroadcaster"]
+class RangeBroadcaster(Controller):
+    """range_sensor_broadcaster/RangeSensorBroadcaster."""
+
+    def configure(self) -> None:
+        """Which sensor, in which frame, and what it can see."""
+        self._sensor, self._frame = self.parameter("sensor_name", ""), self.parameter("frame_id", "")
+        if not self._sensor:
+            raise ControlError("'sensor_name' parameter has to be specified.")
+        if not self._frame:
+            raise ControlError("'frame_id' parameter has to be provided.")
+        self._kind = int(self.parameter("radiation_type", 0))
+        sizes = (("field_of_view", 0.52), ("min_range", 0.52), ("max_range", 4.0))
+        self._sizes = {name: float(self.parameter(name, usual)) for name, usual in sizes}
+        self._out = self.node.create_publisher(Range, "~/range", 10)
+
+    def state_names(self) -> list[str]:
+        """Its number."""
+        return [f"{self._sensor}/range"]
+
+    def update(self, now_ns: int, dt: float) -> None:
+        """Tell."""
+        msg = Range(radiation_type=self._kind, range=self.interfaces.state(f"{self._sensor}/range"))
+        for name, size in self._sizes.items():
+            setattr(msg, name, size)
+        msg.header.stamp, msg.header.frame_id = stamp(now_ns), self._frame
+        self._out.publish(msg)
+
+
+__all__ = ["ImuBroadcaster", "JointStateBroadcaster", "RangeBroadcaster", "WrenchBroadcaster"]

@@ -9,10 +9,9 @@ from geometry_msgs.msg import Twist, TwistStamped
 from nav_msgs.msg import Odometry
 from tf2_msgs.msg import TFMessage
 
-from .controller import ControlError, Controller
+from .controller import ControlError, Controller, stamp
+from .limiter import SpeedLimiter
 from .reckoning import Reckoning
-
-LIMITS = (("linear.x.max_velocity", 0), ("angular.z.max_velocity", 1))
 
 
 class DiffDriveController(Controller):
@@ -22,36 +21,72 @@ class DiffDriveController(Controller):
         """Read parameters, open topics."""
         self.left, self.right = self.parameter("left_wheel_names", []), self.parameter("right_wheel_names", [])
         if not self.left or len(self.left) != len(self.right):
-            raise ControlError(
-                f"The number of left wheels [{len(self.left)}] and of right wheels [{len(self.right)}] are different"
-                if self.left else "Wheel names parameters are empty!"
-            )  # fmt: skip
-        names = ("wheel_separation", "wheel_radius", "wheel_separation_multiplier")
-        self._separation, self._radius, factor = (
-            float(self.parameter(name, usual)) for name, usual in zip(names, (0.0, 0.0, 1.0), strict=True)
+            counts = f"left wheels [{len(self.left)}] and the number of right wheels [{len(self.right)}]"
+            told = f"The number of {counts} are different"
+            raise ControlError(told if self.left or self.right else "Wheel names parameters are empty!")
+        self.parameter("wheels_per_side", 0)
+        self._separation = self._length("wheel_separation") * float(self.parameter("wheel_separation_multiplier", 1.0))
+        radius = self._length("wheel_radius")
+        self._radii = tuple(
+            radius * float(self.parameter(f"{side}_wheel_radius_multiplier", 1.0)) for side in ("left", "right")
         )
-        self._separation *= factor
-        if min(self._separation, self._radius) <= 0:
-            raise ControlError("wheel_separation and wheel_radius must be more than 0")
-        frames = self.parameter("odom_frame_id", "odom"), self.parameter("base_frame_id", "base_link")
         self._patience = float(self.parameter("cmd_vel_timeout", 0.5))
         self._feedback = "position" if self.parameter("position_feedback", True) else "velocity"
-        self._most = [float(self.parameter(name, math.inf)) for name, _ in LIMITS]
-        period_ns = round(1e9 / max(float(self.parameter("publish_rate", 50.0)), 1e-3))
+        self._open_loop = bool(self.parameter("open_loop", False))
+        self._limits = self._limiter("linear", "x"), self._limiter("angular", "z")
         stamped = self.parameter("use_stamped_vel", True)
         kind, topic = (TwistStamped, "~/cmd_vel") if stamped else (Twist, "~/cmd_vel_unstamped")
         self.node.create_subscription(kind, topic, self._hear, 10)
-        out = self.node.create_publisher(Odometry, "~/odom", 10)
-        tf = self.node.create_publisher(TFMessage, "/tf", 100) if self.parameter("enable_odom_tf", True) else None
-        self._reckoning = Reckoning(frames, out, tf, period_ns)
+        limited = self.parameter("publish_limited_velocity", False)
+        self._limited = self.node.create_publisher(TwistStamped, "~/cmd_vel_out", 10) if limited else None
+        self._reckoning = self._reckoner()
         self._heard_ns = 0
         self._wish = (0.0, 0.0)
-        self._last: tuple[float, float] | None = None
+        self._last: list[float] | None = None
+
+    def _limiter(self, kind: str, axis: str) -> SpeedLimiter:
+        """The limits of one speed; limits that cannot be told are told of, and are none, as on a robot."""
+        try:
+            return SpeedLimiter(self.parameter, f"{kind}.{axis}")
+        except ControlError as error:
+            self.log.error(f"Error configuring {kind} speed limiter: {error}")
+            return SpeedLimiter(lambda _name, usual: usual, kind)
+
+    def _length(self, name: str) -> float:
+        metres = float(self.parameter(name, 0.0))
+        if metres <= 0:
+            raise ControlError(f"{name} must be more than 0: give metres")
+        return metres
+
+    def _reckoner(self) -> Reckoning:
+        frames = self.parameter("odom_frame_id", "odom"), self.parameter("base_frame_id", "base_link")
+        period_ns = round(1e9 / max(float(self.parameter("publish_rate", 50.0)), 1e-3))
+        out = self.node.create_publisher(Odometry, "~/odom", 10)
+        tf = self.node.create_publisher(TFMessage, "/tf", 100) if self.parameter("enable_odom_tf", True) else None
+        spreads = tuple(self._diagonal(f"{kind}_covariance_diagonal") for kind in ("pose", "twist"))
+        window = int(self.parameter("velocity_rolling_window_size", 10))
+        return Reckoning(frames, out, tf, period_ns, spreads=spreads, window=1 if self._open_loop else window)
+
+    def _diagonal(self, name: str) -> list[float]:
+        values = [float(one) for one in self.parameter(name, [0.0] * 6)]
+        if len(values) not in (0, 6):
+            raise ControlError(f"{name} has {len(values)} numbers; give 6: x, y, z, and the turns about them")
+        return values
 
     def _hear(self, msg: Twist | TwistStamped) -> None:
         twist: Any = getattr(msg, "twist", msg)
         if math.isfinite(twist.linear.x) and math.isfinite(twist.angular.z):
-            self._wish, self._heard_ns = (twist.linear.x, twist.angular.z), self.now_ns
+            self._wish, self._heard_ns = (twist.linear.x, twist.angular.z), self._said_at(msg)
+
+    def _said_at(self, msg: Twist | TwistStamped) -> int:
+        """When a command was given: one that is old when it comes counts no more."""
+        if not isinstance(msg, TwistStamped):
+            return self.now_ns
+        said_ns = int(msg.header.stamp.sec) * 1_000_000_000 + int(msg.header.stamp.nanosec)
+        if not said_ns:
+            told = "Received TwistStamped with zero timestamp, setting it to current time"
+            self.log.warning(f"{told}, this message will only be shown once", once=True)
+        return said_ns or self.now_ns
 
     def command_names(self) -> list[str]:
         """Speeds."""
@@ -66,29 +101,40 @@ class DiffDriveController(Controller):
         self._wish = (0.0, 0.0)
         for name in self.command_names():
             self.interfaces.command(name, 0.0)
+        for one in self._limits:
+            one.restart()
 
     def update(self, now_ns: int, dt: float) -> None:
         """Command the wheels; tell the way."""
         if self._patience and (now_ns - self._heard_ns) * 1e-9 > self._patience:
             self._wish = (0.0, 0.0)
-        ahead, turn = (max(-most, min(most, wish)) for wish, most in zip(self._wish, self._most, strict=True))
+        way = (self._wish[0] * dt, self._wish[1] * dt) if self._open_loop else self._rolled(dt)
+        self._reckoning.go(now_ns, dt, *way)
+        ahead, turn = (limiter.limit(wish, dt) for limiter, wish in zip(self._limits, self._wish, strict=True))
         half = turn * self._separation / 2
-        for joints, speed in ((self.left, ahead - half), (self.right, ahead + half)):
+        for joints, speed, radius in zip((self.left, self.right), (ahead - half, ahead + half), self._radii, strict=True):
             for joint in joints:
-                self.interfaces.command(f"{joint}/velocity", speed / self._radius)
-        self._reckoning.go(now_ns, dt, *self._rolled(dt))
+                self.interfaces.command(f"{joint}/velocity", speed / radius)
+        self._tell_limited(now_ns, ahead, turn)
+
+    def _tell_limited(self, now_ns: int, ahead: float, turn: float) -> None:
+        if self._limited is not None:
+            msg = TwistStamped()
+            msg.header.stamp = stamp(now_ns)
+            msg.twist.linear.x, msg.twist.angular.z = ahead, turn
+            self._limited.publish(msg)
 
     def _rolled(self, dt: float) -> tuple[float, float]:
         """How far it went and turned in this step."""
         sides = [
-            sum(self.interfaces.state(f"{joint}/{self._feedback}") for joint in joints) / len(joints) * self._radius
-            for joints in (self.left, self.right)
+            sum(self.interfaces.state(f"{joint}/{self._feedback}") for joint in joints) / len(joints) * radius
+            for joints, radius in zip((self.left, self.right), self._radii, strict=True)
         ]
         if any(map(math.isnan, sides)):
             return 0.0, 0.0
         left, right = (one * dt for one in sides)
         if self._feedback == "position":
-            last, self._last = self._last or (sides[0], sides[1]), (sides[0], sides[1])
+            last, self._last = self._last or sides, sides
             left, right = sides[0] - last[0], sides[1] - last[1]
         return (left + right) / 2, (right - left) / self._separation
 

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections import deque
+from collections.abc import Sequence
 from typing import Any
 
+import numpy as np
 from geometry_msgs.msg import TransformStamped
 from nav_msgs.msg import Odometry
 from tf2_msgs.msg import TFMessage
@@ -13,21 +16,42 @@ from .controller import stamp
 
 
 class Reckoning:
-    """Adds up a way; `frames` are those of the odometry and of the robot."""
+    """Adds up a way; `frames` are those of the odometry and of the robot.
 
-    def __init__(self, frames: tuple[str, str], out: Any, tf: Any, period_ns: int = 0) -> None:
+    `spreads` are the diagonals of the covariances of pose and twist; speeds are means of the last `window` steps.
+    """
+
+    def __init__(
+        self,
+        frames: tuple[str, str],
+        out: Any,
+        tf: Any,
+        period_ns: int = 0,
+        *,
+        spreads: Sequence[Sequence[float]] = ((), ()),
+        window: int = 1,
+    ) -> None:
         self._frames, self._out, self._tf, self._period_ns = frames, out, tf, period_ns
         self._x = self._y = self._theta = 0.0
         self._told_ns = 0
+        self._covariances = [np.diag(one).ravel() if len(one) else np.zeros(36) for one in spreads]
+        self._speeds: deque[tuple[float, float]] = deque(maxlen=max(window, 1))
 
     def go(self, now_ns: int, dt: float, way: float, bend: float) -> None:
         """It went so far [m] and turned so much [rad] in a step; tell it when it is time."""
         self._theta += bend / 2
         self._x, self._y = self._x + way * math.cos(self._theta), self._y + way * math.sin(self._theta)
         self._theta += bend / 2
+        self._speeds.append((way / dt, bend / dt) if dt else (0.0, 0.0))
         if now_ns - self._told_ns >= self._period_ns:
             self._told_ns = now_ns
-            self._tell(now_ns, way / dt if dt else 0.0, bend / dt if dt else 0.0)
+            ahead, turn = (sum(each) / len(self._speeds) for each in zip(*self._speeds, strict=True))
+            self._tell(now_ns, ahead, turn)
+
+    def restart(self) -> None:
+        """The way begins anew, here."""
+        self._x = self._y = self._theta = 0.0
+        self._speeds.clear()
 
     def _tell(self, now_ns: int, ahead: float, turn: float) -> None:
         msg = Odometry(child_frame_id=self._frames[1])
@@ -36,6 +60,7 @@ class Reckoning:
         turned = msg.pose.pose.orientation
         turned.z, turned.w = math.sin(self._theta / 2), math.cos(self._theta / 2)
         msg.twist.twist.linear.x, msg.twist.twist.angular.z = ahead, turn
+        msg.pose.covariance, msg.twist.covariance = self._covariances
         self._out.publish(msg)
         if self._tf is not None:
             one = TransformStamped(header=msg.header, child_frame_id=self._frames[1])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .broadcasters import ImuBroadcaster, JointStateBroadcaster, WrenchBroadcaster
+from .broadcasters import ImuBroadcaster, JointStateBroadcaster, RangeBroadcaster, WrenchBroadcaster
 from .controller import Maker
 from .diff_drive import DiffDriveController
 from .forward import (
@@ -15,6 +15,7 @@ from .forward import (
 from .gripper import GripperActionController
 from .steering import AckermannSteeringController, BicycleSteeringController, TricycleSteeringController
 from .trajectory_controller import JointTrajectoryController
+from .tricycle import TricycleController
 
 DRIVE = "diff_drive_controller/DiffDriveController"
 TYPES: dict[str, Maker] = {
@@ -31,6 +32,8 @@ TYPES: dict[str, Maker] = {
     "joint_trajectory_controller/JointTrajectoryController": JointTrajectoryController,
     "position_controllers/GripperActionController": GripperActionController,
     "position_controllers/JointGroupPositionController": PositionGroup,
+    "range_sensor_broadcaster/RangeSensorBroadcaster": RangeBroadcaster,
+    "tricycle_controller/TricycleController": TricycleController,
     "tricycle_steering_controller/TricycleSteeringController": TricycleSteeringController,
     "velocity_controllers/JointGroupVelocityController": VelocityGroup,
 }

@@ -23,10 +23,11 @@ from .ros_names import names_of
 
 MANAGER = "controller_manager"
 LIMITS = (
-    ("linear.x.max_velocity", "max_speed"), ("angular.z.max_velocity", "max_turn"),
-    ("linear.x.max_acceleration", "acceleration"), ("angular.z.max_acceleration", "turn_acceleration"),
+    ("linear.x", "velocity", "max_speed"), ("angular.z", "velocity", "max_turn"),
+    ("linear.x", "acceleration", "acceleration"), ("angular.z", "acceleration", "turn_acceleration"),
 )  # fmt: skip
-"""Parameters of the controller, and what they limit."""
+"""Parameters of the controller (as `linear.x.max_velocity`, which `linear.x.has_velocity_limits` lets count), and what
+they limit."""
 
 
 def read_controllers(plugin: Element, model: Blueprint, namespace: str) -> tuple[Drive | None, list[Device]]:
@@ -121,9 +122,7 @@ def _rolling(hardware: Any, model: Blueprint) -> Drive | None:
                  left=left, right=right)  # fmt: skip
 
 
-def _drive(
-    plugin: Element, model: Blueprint, name: str, told: dict[str, Any], prefix: str
-) -> tuple[Drive, OdometryDevice]:
+def _drive(plugin: Element, model: Blueprint, name: str, told: dict[str, Any], prefix: str) -> tuple[Drive, OdometryDevice]:
     left, right = (tuple(map(str, told.get(f"{side}_wheel_names", ()))) for side in ("left", "right"))
     if not left or len(left) != len(right):
         raise plugin.error(f"controller '{name}' needs left_wheel_names and right_wheel_names", "Name as many on each side.")
@@ -132,23 +131,33 @@ def _drive(
             raise plugin.error(f"controller '{name}': joint [{joint}] not found", f"Joints are: {', '.join(model.joints)}.")
     try:
         separation, radius = float(told["wheel_separation"]), float(told["wheel_radius"])
-        limits: dict[str, Any] = {
-            ours: float(value) for theirs, ours in LIMITS if (value := _nested(told, theirs)) is not None
-        }
+        separation *= float(told.get("wheel_separation_multiplier", 1.0))
+        limits = _limits(told)
+        spreads = tuple(tuple(map(float, told.get(f"{kind}_covariance_diagonal", [0] * 6))) for kind in ("pose", "twist"))
         rate, patience = float(told.get("publish_rate", 50.0)), float(told.get("cmd_vel_timeout", 0.5))
-        if min(separation, radius, rate) <= 0:
+        if min(separation, radius, rate) <= 0 or any(len(one) not in (0, 6) for one in spreads):
             raise ValueError
     except (KeyError, TypeError, ValueError):
-        cure = "Give wheel_separation and wheel_radius in metres, more than 0."
+        cure = "Give wheel_separation and wheel_radius in metres, more than 0, and 6 numbers for each covariance diagonal."
         raise plugin.error(f"controller '{name}' has numbers that are none", cure) from None
     made = Drive("differential", separation=separation, radius=radius, left=left, right=right, watchdog=patience, **limits)
     stamped, node = bool(told.get("use_stamped_vel", True)), f"{prefix}/{name}"
     device = OdometryDevice(
         "~/odom", str(told.get("odom_frame_id", "odom")), rate, node, "~/cmd_vel" if stamped else "~/cmd_vel_unstamped",
         str(told.get("base_frame_id", "base_link")), True, bool(told.get("enable_odom_tf", True)), exact=False,
-        stamped=stamped,
+        stamped=stamped, spreads=spreads,
     )  # fmt: skip
     return made, device
+
+
+def _limits(told: dict[str, Any]) -> dict[str, Any]:
+    """The limits that the controller's parameters ask for."""
+    found = {}
+    for axis, kind, ours in LIMITS:
+        value = _nested(told, f"{axis}.max_{kind}")
+        if value is not None and _nested(told, f"{axis}.has_{kind}_limits") is True:
+            found[ours] = float(value)
+    return found
 
 
 def _nested(told: dict[str, Any], path: str) -> Any:

@@ -94,6 +94,8 @@ class OdometryDevice(Device):
     """Whether commands come as TwistStamped."""
     by_rate: bool = False
     """Whether a car is told how fast to turn, not how far its wheels shall."""
+    spreads: tuple[tuple[float, ...], ...] = ()
+    """The whole diagonals of the covariances of pose and twist, instead of `covariance`."""
 
 
 @dataclass(frozen=True)

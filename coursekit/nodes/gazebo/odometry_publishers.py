@@ -37,7 +37,11 @@ class OdometryPublisher(SensorPublisher):
             one.transform.rotation = heading(place.theta)
             self._tf.publish(TFMessage(transforms=[one]))
         if self._out is not None and self._out.get_subscription_count():
-            msg = odometry(place, (forward, left, turn), device.covariance)
+            msg = odometry(place, (forward, left, turn), (0, 0, 0) if device.spreads else device.covariance)
+            covariances = msg.pose.covariance, msg.twist.covariance
+            for covariance, spread in zip(covariances, device.spreads, strict=False):
+                if spread:
+                    covariance[:: len(spread) + 1] = spread  # the diagonal
             msg.header.stamp, msg.header.frame_id, msg.child_frame_id = stamp, device.frame, device.base_frame
             self._out.publish(msg)
 

@@ -6,7 +6,7 @@ import pytest
 from control_msgs.action import FollowJointTrajectory
 from geometry_msgs.msg import TwistStamped, WrenchStamped
 from nav_msgs.msg import Odometry
-from sensor_msgs.msg import Imu, JointState
+from sensor_msgs.msg import Imu, JointState, Range
 
 from coursekit.nodes.control.description import read_hardware
 from coursekit.sim.motors import Motors, Reach
@@ -26,18 +26,21 @@ CART = f"""<robot name='cart'><link name='base_link'/><link name='l'/><link name
 <joint name='right' type='continuous'><parent link='base_link'/><child link='r'/></joint>
 <ros2_control name='cart' type='system'><hardware><plugin>mock_components/GenericSystem</plugin>
 <param name='calculate_dynamics'>true</param></hardware>{WHEELS}<sensor name='wrist'>{AXES}</sensor>
-<sensor name='imu'>{FELT}</sensor></ros2_control></robot>"""
+<sensor name='imu'>{FELT}</sensor><sensor name='sonar'><state_interface name='range'><param name='initial_value'>1.5</param>
+</state_interface></sensor></ros2_control></robot>"""
 PARAMETERS = """controller_manager:
   ros__parameters:
     drive: {type: diff_drive_controller/DiffDriveController}
     states: {type: joint_state_broadcaster/JointStateBroadcaster}
     wrench: {type: force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster}
     imu: {type: imu_sensor_broadcaster/IMUSensorBroadcaster}
+    sonar: {type: range_sensor_broadcaster/RangeSensorBroadcaster}
     arm: {type: joint_trajectory_controller/JointTrajectoryController}
 drive: {ros__parameters: {left_wheel_names: [left], right_wheel_names: [right], wheel_separation: 0.4, wheel_radius: 0.1}}
 states: {ros__parameters: {joints: [right], interfaces: [position], use_local_topics: true, extra_joints: [ghost]}}
 wrench: {ros__parameters: {sensor_name: wrist, frame_id: tool0}}
 imu: {ros__parameters: {sensor_name: imu, frame_id: imu_link}}
+sonar: {ros__parameters: {sensor_name: sonar, frame_id: sonar_link, radiation_type: 1, max_range: 2.0}}
 arm:
   ros__parameters:
     joints: [left, right]
@@ -70,13 +73,57 @@ def test_a_cart_without_hardware_drives_in_its_odometry(cart, run, friend):
     assert odometry[-1].twist.twist.linear.x == 0.0, "without commands it stops"
 
 
+LIMITED = """wheel_radius: 0.1, pose_covariance_diagonal: [1.0, 2.0, 3.0, 4.0, 5.0, 6.0], publish_limited_velocity: true,
+    left_wheel_radius_multiplier: 2.0, {limits}}}"""
+ASKED = "linear.x.has_velocity_limits: true, linear.x.max_velocity: 0.2"
+
+
+@pytest.mark.parametrize(("limits", "speed"), [(ASKED, 0.2), ("linear.x.max_velocity: 0.2", 0.5)])
+def test_limits_count_where_they_are_asked_for(run, friend, tmp_path, limits, speed):
+    (tmp_path / "cart.urdf").write_text(CART)
+    (tmp_path / "cart.yaml").write_text(PARAMETERS.replace("wheel_radius: 0.1}", LIMITED.format(limits=limits)))
+    run("robot_state_publisher", "robot_state_publisher", str(tmp_path / "cart.urdf"))
+    run("controller_manager", "ros2_control_node", "--ros-args", "--params-file", str(tmp_path / "cart.yaml"))
+    assert run("controller_manager", "spawner", "drive").wait(20) == 0
+    odometry, limited = friend.hear(Odometry, "/drive/odom"), friend.hear(TwistStamped, "/drive/cmd_vel_out")
+    out, msg = friend.node.create_publisher(TwistStamped, "/drive/cmd_vel", 10), TwistStamped()
+    msg.twist.linear.x = 0.5
+    for _ in range(10):
+        msg.header.stamp = friend.node.get_clock().now().to_msg()
+        out.publish(msg)
+        friend.spin(0.1)
+    assert limited[-1].twist.linear.x == pytest.approx(speed)
+    assert odometry[-1].twist.twist.linear.x == pytest.approx(speed), "wheels of two sizes, and straight"
+    assert odometry[-1].pose.covariance[::7].tolist() == [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
+
+
+def test_a_command_that_is_old_when_it_comes_counts_no_more(cart, run, friend):
+    assert run("controller_manager", "spawner", "drive").wait(20) == 0
+    odometry = friend.hear(Odometry, "/drive/odom")
+    out, msg = friend.node.create_publisher(TwistStamped, "/drive/cmd_vel", 10), TwistStamped()
+    msg.twist.linear.x = 0.5
+    msg.header.stamp.sec = 1
+    for _ in range(5):
+        out.publish(msg)
+        friend.spin(0.1)
+    assert odometry[-1].twist.twist.linear.x == 0.0
+
+
 def test_broadcasters_tell_what_their_parameters_name(cart, run, friend):
-    assert run("controller_manager", "spawner", "states", "wrench", "imu").wait(20) == 0
-    kinds = (JointState, "/states/joint_states"), (WrenchStamped, "/wrench/wrench"), (Imu, "/imu/imu")
-    states, wrench, imu = (friend.hear(*one) for one in kinds)
+    assert run("controller_manager", "spawner", "states", "wrench", "imu", "sonar").wait(20) == 0
+    kinds = (
+        (JointState, "/states/joint_states"),
+        (WrenchStamped, "/wrench/wrench"),
+        (Imu, "/imu/imu"),
+        (Range, "/sonar/range"),
+    )
+    states, wrench, imu, sonar = (friend.hear(*one) for one in kinds)
     friend.spin(0.5)
     assert list(states[-1].name) == ["right", "ghost"] and list(states[-1].position) == [0.0, 0.0]
     assert (wrench[-1].header.frame_id, imu[-1].header.frame_id) == ("tool0", "imu_link")
+    heard = sonar[-1]
+    assert (heard.header.frame_id, heard.range, heard.radiation_type) == ("sonar_link", 1.5, Range.INFRARED)
+    assert (heard.max_range, heard.field_of_view) == (2.0, pytest.approx(0.52))
 
 
 def test_a_trajectory_is_followed_by_speeds_with_the_gains_of_the_parameters(cart, run, friend):

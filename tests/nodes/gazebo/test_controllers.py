@@ -38,7 +38,10 @@ diff_cont:
     wheel_separation: 0.22
     wheel_radius: 0.05
     use_stamped_vel: {stamped}
+    linear.x.has_velocity_limits: true
     linear.x.max_velocity: 0.4
+    angular.z.max_velocity: 0.1
+    pose_covariance_diagonal: [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
 """
 
 
@@ -74,6 +77,7 @@ def test_a_robot_drives_by_its_controller_s_topic(run, spawn, friend, cart, stam
         publisher.publish(message)
         friend.spin(0.2)
     assert odometry[-1].pose.pose.position.x == pytest.approx(0.4 * 2.0, rel=0.15), "its greatest speed"
+    assert odometry[-1].pose.covariance[::7].tolist() == [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
     assert (odometry[-1].header.frame_id, odometry[-1].child_frame_id) == ("odom", "base_link")
     assert set(joints[-1].name) == {"left_joint", "right_joint"} and joints[-1].position[0] > 10
     assert tf[-1].transforms[0].child_frame_id == "base_link"

@@ -1,0 +1,71 @@
+"""Limits of a speed, its acceleration and its jerk, by the parameters of diff_drive_controller."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from .controller import ControlError
+
+NOTHING = (-math.inf, math.inf)
+
+
+class SpeedLimiter:
+    """Keeps one speed within limits; `ask(name, default)` gives the values of parameters below `prefix`.
+
+    >>> told = {"linear.x.has_velocity_limits": True, "linear.x.max_velocity": 0.5}
+    >>> SpeedLimiter(told.get, "linear.x").limit(2.0, 0.02)
+    0.5
+
+    Raises:
+        ControlError: when a limit is wanted but its `max_` is not given.
+    """
+
+    def __init__(self, ask: Callable[[str, Any], Any], prefix: str) -> None:
+        self._velocity = _limits(ask, prefix, "velocity")
+        self._acceleration = _limits(ask, prefix, "acceleration")
+        self._jerk = _limits(ask, prefix, "jerk")
+        self._last = self._before = 0.0
+
+    def limit(self, wish: float, dt: float) -> float:
+        """The speed that may follow the last two after `dt` seconds."""
+        speed, change = wish, self._last - self._before
+        if self._jerk != NOTHING:
+            least, most = (2 * one * dt * dt for one in self._jerk)
+            speed = self._last + change + _within(speed - self._last - change, least, most)
+        if self._acceleration != NOTHING:
+            least, most = (one * dt for one in self._acceleration)
+            speed = self._last + _within(speed - self._last, least, most)
+        speed = _within(speed, *self._velocity)
+        self._before, self._last = self._last, speed
+        return speed
+
+    def restart(self) -> None:
+        """It stands."""
+        self._last = self._before = 0.0
+
+
+def _limits(ask: Callable[[str, Any], Any], prefix: str, kind: str) -> tuple[float, float]:
+    """The least and the most; all that is not asked for is allowed."""
+    wanted = ask(f"{prefix}.has_{kind}_limits", False)
+    most, least = (float(_or_nan(ask(f"{prefix}.{end}_{kind}", math.nan))) for end in ("max", "min"))
+    if not wanted:
+        return NOTHING
+    if math.isnan(most):
+        raise ControlError(
+            f"Cannot apply {kind} limits if max_{kind} is not specified: give {prefix}.max_{kind}, "
+            f"or set {prefix}.has_{kind}_limits to false"
+        )
+    return (-most if math.isnan(least) else least), most
+
+
+def _or_nan(value: Any) -> Any:
+    return math.nan if value is None else value
+
+
+def _within(value: float, least: float, most: float) -> float:
+    return max(least, min(most, value))
+
+
+__all__ = ["SpeedLimiter"]

@@ -26,6 +26,19 @@ def test_a_line_has_severity_stamp_name_and_text(logger, capfd):
     assert (severity, name, text) == ("INFO", logger.name, "hello")
 
 
+@pytest.mark.parametrize("message", [5, True, ValueError("e"), String(), ["a"]])
+def test_what_is_no_text_is_refused_when_it_would_be_shown(logger, message):
+    with pytest.raises(TypeError, match=r"rclpy_logging_rcutils_log\(\): incompatible function arguments"):
+        logger.info(message)
+    assert not logger.debug(message)
+
+
+@pytest.mark.parametrize(("message", "text"), [(b"ab", "ab"), (None, "(null)")])
+def test_bytes_and_nothing_are_shown(logger, message, text, capfd):
+    assert logger.info(message)
+    assert LINE.search(capfd.readouterr().err)[3] == text
+
+
 @pytest.mark.parametrize("severity", ["info", "warning", "error", "fatal"])
 def test_severities_are_shown_by_default(logger, severity, capfd):
     assert getattr(logger, severity)("text")

@@ -21,6 +21,10 @@ def remove_rosout(name: str) -> None:
     logging_state().listeners.pop(name, None)
 
 
+_SHOWN = 60
+"""Characters of a wrong message that its error repeats."""
+
+
 class _CallSite:
     """The options that a line of code gave the logger the first time: later calls must agree with them."""
 
@@ -125,7 +129,7 @@ class RcutilsLogger:
         code = frame.f_code
         caller = (code.co_filename, code.co_name, frame.f_lineno)
         stamp = session.current().clock.now()
-        text = str(message)
+        text = _as_text(message)
         state.write(severity, name, text, caller, stamp)
         listener = state.listeners.get(self._rosout_name)
         if listener is not None:
@@ -141,6 +145,22 @@ class RcutilsLogger:
         else:
             site.check(severity, name, options)
         return site.lets_through() if site.states else True
+
+
+def _as_text(message: Any) -> str:
+    """What is logged; rclpy's C code takes text only, so a number that worked here would fail on a robot."""
+    if isinstance(message, str):
+        return str(message)
+    if message is None:
+        return "(null)"
+    if isinstance(message, bytes):
+        return message.decode(errors="replace")
+    shown, kind = repr(message), type(message).__name__
+    shown = shown if len(shown) <= _SHOWN else f"{shown[:_SHOWN]}..."
+    raise TypeError(
+        "rclpy_logging_rcutils_log(): incompatible function arguments. "
+        f"A logger takes text, and {shown} is of type {kind}. Write f'{{...}}' or str(...) around it."
+    )
 
 
 def _caller() -> FrameType:

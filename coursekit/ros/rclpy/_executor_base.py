@@ -26,6 +26,7 @@ class Executor(Work):
 
     def add_node(self, node: Any) -> bool:
         """Serve this node; False if it did already. A node is served by one executor, the last that took it."""
+        _check_is_node(node)
         with self._lock:
             if node in self._nodes:
                 return False
@@ -122,6 +123,14 @@ class Executor(Work):
 
     def __exit__(self, *_error: object) -> None:
         self.shutdown()
+
+
+def _check_is_node(node: Any) -> None:
+    """Before it is taken: an executor that has taken something else cannot let go of it."""
+    if isinstance(node, type):
+        name = node.__name__
+        raise TypeError(f"{name} is a class, and an executor serves nodes: make one of it, as in rclpy.spin({name}())")
+    node.executor  # noqa: B018  AttributeError for what has none
 
 
 class _Handler(Task):

@@ -14,30 +14,60 @@ from .limiter import SpeedLimiter
 from .reckoning import Reckoning
 
 
+DEFAULTS: dict[str, Any] = {
+    "left_wheel_names": [],
+    "right_wheel_names": [],
+    "wheels_per_side": 0,
+    "wheel_separation": 0.0,
+    "wheel_radius": 0.0,
+    "wheel_separation_multiplier": 1.0,
+    "left_wheel_radius_multiplier": 1.0,
+    "right_wheel_radius_multiplier": 1.0,
+    "odom_frame_id": "odom",
+    "base_frame_id": "base_link",
+    "pose_covariance_diagonal": [0.0] * 6,
+    "twist_covariance_diagonal": [0.0] * 6,
+    "open_loop": False,
+    "position_feedback": True,
+    "enable_odom_tf": True,
+    "cmd_vel_timeout": 0.5,
+    "publish_limited_velocity": False,
+    "velocity_rolling_window_size": 10,
+    "use_stamped_vel": True,
+    "publish_rate": 50.0,
+} | {
+    f"{axis}.{name}": usual
+    for axis in ("linear.x", "angular.z")
+    for kind in ("velocity", "acceleration", "jerk")
+    for name, usual in ((f"has_{kind}_limits", False), (f"max_{kind}", math.nan), (f"min_{kind}", math.nan))
+}
+"""All parameters of the controller, and what they are where nobody gives them."""
+
+
 class DiffDriveController(Controller):
     """Two sides of wheels; hardware that is simulated has its own, which drives the robot itself."""
 
     def configure(self) -> None:
         """Read parameters, open topics."""
-        self.left, self.right = self.parameter("left_wheel_names", []), self.parameter("right_wheel_names", [])
+        self._told = {name: self.parameter(name, usual) for name, usual in DEFAULTS.items()}
+        self.left, self.right = self._told["left_wheel_names"], self._told["right_wheel_names"]
         if not self.left or len(self.left) != len(self.right):
             counts = f"left wheels [{len(self.left)}] and the number of right wheels [{len(self.right)}]"
             told = f"The number of {counts} are different"
             raise ControlError(told if self.left or self.right else "Wheel names parameters are empty!")
-        self.parameter("wheels_per_side", 0)
-        self._separation = self._length("wheel_separation") * float(self.parameter("wheel_separation_multiplier", 1.0))
+        self._separation = self._length("wheel_separation") * float(self._told["wheel_separation_multiplier"])
         radius = self._length("wheel_radius")
         self._radii = tuple(
-            radius * float(self.parameter(f"{side}_wheel_radius_multiplier", 1.0)) for side in ("left", "right")
+            radius * float(self._told[f"{side}_wheel_radius_multiplier"]) for side in ("left", "right")
         )
-        self._patience = float(self.parameter("cmd_vel_timeout", 0.5))
-        self._feedback = "position" if self.parameter("position_feedback", True) else "velocity"
-        self._open_loop = bool(self.parameter("open_loop", False))
+        self._patience = float(self._told["cmd_vel_timeout"])
+        self._feedback = "position" if self._told["position_feedback"] else "velocity"
+        self._open_loop = bool(self._told["open_loop"])
         self._limits = self._limiter("linear", "x"), self._limiter("angular", "z")
-        stamped = self.parameter("use_stamped_vel", True)
+        stamped = self._told["use_stamped_vel"]
         kind, topic = (TwistStamped, "~/cmd_vel") if stamped else (Twist, "~/cmd_vel_unstamped")
         self.node.create_subscription(kind, topic, self._hear, 10)
-        limited = self.parameter("publish_limited_velocity", False)
+        limited = self._told["publish_limited_velocity"]
         self._limited = self.node.create_publisher(TwistStamped, "~/cmd_vel_out", 10) if limited else None
         self._reckoning = self._reckoner()
         self._heard_ns = 0
@@ -47,28 +77,28 @@ class DiffDriveController(Controller):
     def _limiter(self, kind: str, axis: str) -> SpeedLimiter:
         """The limits of one speed; limits that cannot be told are told of, and are none, as on a robot."""
         try:
-            return SpeedLimiter(self.parameter, f"{kind}.{axis}")
+            return SpeedLimiter(self._told.get, f"{kind}.{axis}")
         except ControlError as error:
             self.log.error(f"Error configuring {kind} speed limiter: {error}")
             return SpeedLimiter(lambda _name, usual: usual, kind)
 
     def _length(self, name: str) -> float:
-        metres = float(self.parameter(name, 0.0))
+        metres = float(self._told[name])
         if metres <= 0:
             raise ControlError(f"{name} must be more than 0: give metres")
         return metres
 
     def _reckoner(self) -> Reckoning:
-        frames = self.parameter("odom_frame_id", "odom"), self.parameter("base_frame_id", "base_link")
-        period_ns = round(1e9 / max(float(self.parameter("publish_rate", 50.0)), 1e-3))
+        frames = self._told["odom_frame_id"], self._told["base_frame_id"]
+        period_ns = round(1e9 / max(float(self._told["publish_rate"]), 1e-3))
         out = self.node.create_publisher(Odometry, "~/odom", 10)
-        tf = self.node.create_publisher(TFMessage, "/tf", 100) if self.parameter("enable_odom_tf", True) else None
+        tf = self.node.create_publisher(TFMessage, "/tf", 100) if self._told["enable_odom_tf"] else None
         spreads = tuple(self._diagonal(f"{kind}_covariance_diagonal") for kind in ("pose", "twist"))
-        window = int(self.parameter("velocity_rolling_window_size", 10))
+        window = int(self._told["velocity_rolling_window_size"])
         return Reckoning(frames, out, tf, period_ns, spreads=spreads, window=1 if self._open_loop else window)
 
     def _diagonal(self, name: str) -> list[float]:
-        values = [float(one) for one in self.parameter(name, [0.0] * 6)]
+        values = [float(one) for one in self._told[name]]
         if len(values) not in (0, 6):
             raise ControlError(f"{name} has {len(values)} numbers; give 6: x, y, z, and the turns about them")
         return values
@@ -139,4 +169,4 @@ class DiffDriveController(Controller):
         return (left + right) / 2, (right - left) / self._separation
 
 
-__all__ = ["DiffDriveController"]
+__all__ = ["DEFAULTS", "DiffDriveController"]

@@ -10,6 +10,7 @@ from rclpy.node import Node
 
 from coursekit.nodes.control.controller import Controller, Interfaces
 from coursekit.nodes.control.description import HardwareInfo
+from coursekit.nodes.control.diff_drive import DEFAULTS
 from coursekit.nodes.control.hardware import Hardware
 from coursekit.nodes.control.manager import Manager
 from coursekit.nodes.control.manager_services import ManagerServices
@@ -120,7 +121,9 @@ class SimulatedDrive(Controller):
         self._active = False
 
     def configure(self) -> None:
-        """Hear commands."""
+        """Hear commands; the parameters, which the robot's drive was made by, are there to be read."""
+        for name, usual in DEFAULTS.items():
+            self.parameter(name, usual)
         kind = TwistStamped if self._device.stamped else Twist
         self.node.create_subscription(kind, self._device.command_topic, self._hear, 10)
 

@@ -3,6 +3,8 @@
 import pytest
 from geometry_msgs.msg import Twist, TwistStamped
 from nav_msgs.msg import Odometry
+from rcl_interfaces.msg import ParameterType
+from rcl_interfaces.srv import GetParameters
 from sensor_msgs.msg import JointState
 from tf2_msgs.msg import TFMessage
 
@@ -84,6 +86,8 @@ def test_a_robot_drives_by_its_controller_s_topic(run, spawn, friend, cart, stam
     assert 78 <= len(odometry) <= 82 and 58 <= len(joints) <= 62
     friend.spin(2.0)
     assert odometry[-1].twist.twist.linear.x == 0.0, "without commands it stops"
+    told = friend.ask(GetParameters, "/diff_cont/get_parameters", names=["wheel_radius", "open_loop"]).values
+    assert (told[0].double_value, told[1].type) == (0.05, ParameterType.PARAMETER_BOOL)
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,6 @@ from .controller import ControlError, Controller, stamp
 from .limiter import SpeedLimiter
 from .reckoning import Reckoning
 
-
 DEFAULTS: dict[str, Any] = {
     "left_wheel_names": [],
     "right_wheel_names": [],
@@ -57,9 +56,7 @@ class DiffDriveController(Controller):
             raise ControlError(told if self.left or self.right else "Wheel names parameters are empty!")
         self._separation = self._length("wheel_separation") * float(self._told["wheel_separation_multiplier"])
         radius = self._length("wheel_radius")
-        self._radii = tuple(
-            radius * float(self._told[f"{side}_wheel_radius_multiplier"]) for side in ("left", "right")
-        )
+        self._radii = tuple(radius * float(self._told[f"{side}_wheel_radius_multiplier"]) for side in ("left", "right"))
         self._patience = float(self._told["cmd_vel_timeout"])
         self._feedback = "position" if self._told["position_feedback"] else "velocity"
         self._open_loop = bool(self._told["open_loop"])

@@ -13,6 +13,7 @@ from coursekit.core.graph import Graph
 from coursekit.processes.process import current_process
 from coursekit.processes.session import current
 from coursekit.rcl.names import is_hidden
+from coursekit.suggestions import did_you_mean
 
 
 class Unhappy(Exception):
@@ -68,6 +69,18 @@ def yaml_values(text: str) -> dict[str, Any]:
     if not isinstance(values, dict):
         raise Unhappy(fault)
     return values
+
+
+WAIT_SECONDS = 5.0
+"""So long a command waits as on a robot; then it says what it waits for, and what there is instead."""
+ENDS_WAITING = "Ctrl-C ends the waiting, in a notebook the stop button."
+
+
+def say_missing(name: str, known: list[str], what: str) -> None:
+    """Say that nobody offers a service or an action, and which name was probably meant."""
+    there = f"There are: {', '.join(known)}." if known else f"No node offers any {what}."
+    meant = did_you_mean(name, known, there)
+    say_error(f"Still waiting: no node offers the {what} {name}. {meant} {ENDS_WAITING}")
 
 
 def graph() -> Graph:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
@@ -47,7 +48,7 @@ class Cells:
     def _note_nodes(self) -> None:
         nodes = [node for graph in self.session.graphs.values() for node in graph.nodes if node.process is None]
         seen = [node for node in nodes if not node.name.startswith("_")]  # hidden ones belong to panels
-        for one in [*seen, *(panel for panel in open_panels() if panel.of_cell)]:
+        for one in [*seen, *(panel for panel in open_panels() if panel.of_cell), *_contexts()]:
             if not any(one is known for made in self.made.values() for known in made):
                 self.made.setdefault(self.cell, []).append(one)
 
@@ -67,6 +68,12 @@ class Cells:
         if self.cell:
             self._note_nodes()
         self.session.in_cell = False
+
+
+def _contexts() -> list[Any]:
+    """What `rclpy.init()` has begun in cells and is not shut down."""
+    module = sys.modules.get("rclpy.context")  # not imported: nobody has called it
+    return list(module._contexts_here()) if module is not None else []
 
 
 def last_runs() -> dict[str, str]:
@@ -110,17 +117,23 @@ def _describe(one: Any) -> str:
     """A node by its name, a process as it was typed; one that the course started by a path has a name of its own."""
     if hasattr(one, "full_name"):
         return gettext(f"node {one.full_name}")
+    if hasattr(one, "try_shutdown"):
+        return "rclpy.init()"
     return gettext(f"process {one.name if Path(one.argv[0]).is_absolute() else ' '.join(one.argv)}")
 
 
 def _end_one(one: Any) -> bool:
-    """End a process, node or panel of an earlier run; whether it is worth a word that it was still there."""
+    """End a process, node, context or panel of an earlier run; whether it is worth a word that it was still there."""
     if isinstance(one, Panel):
         one.close()
         return False
     if hasattr(one, "full_name"):
         there = one in one.graph.nodes
         one.close()
+        return there
+    if hasattr(one, "try_shutdown"):
+        there = bool(one.ok())
+        one.try_shutdown()
         return there
     if one.exit_code is not None:
         return False

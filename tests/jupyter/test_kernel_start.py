@@ -54,6 +54,25 @@ def test_what_a_cell_starts_is_the_cell_s(kernel):
     assert kernel(line).startswith("Run again: replaced process ros2 run demo_nodes_py talker")
 
 
+INIT = "import rclpy\nrclpy.init()\nnode = rclpy.create_node('n')\nprint(node.get_name())"
+
+
+def test_a_cell_that_initialises_rclpy_may_be_run_again(kernel):
+    kernel.client.session.metadata = {"cellId": "one"}
+    assert kernel(INIT) == "n\n"
+    assert kernel(INIT) == "Run again: replaced node /n, rclpy.init().\nn\n"
+
+
+def test_a_cell_that_initialises_rclpy_after_another_says_what_to_do(kernel):
+    kernel.client.session.metadata = {"cellId": "one"}
+    assert kernel(INIT) == "n\n"
+    kernel.client.session.metadata = {"cellId": "two"}
+    said = kernel(INIT)
+    assert "Context.init() must only be called once" in said
+    assert "Another cell has called rclpy.init() already. Leave it out here, or end all before it: reset()\n" in said
+    assert kernel(INIT.replace("rclpy.init()", "reset()\nrclpy.init()")).endswith("n\n")
+
+
 def test_a_lab_that_cannot_start_says_so_in_the_first_cell_and_python_still_runs(kernel, monkeypatch):
     monkeypatch.setenv("COURSEKIT_TIME", "no such clock")
     restarted(kernel)

@@ -106,17 +106,28 @@ def send_goal(args: Any) -> int:
         install_signal_handlers(SignalHandlerOptions.NO)  # Ctrl-C leaves the node alive, to cancel the goal
         client = ActionClient(node, kind, args.action_name)
         try:
-            return _Sending(node, client, args.feedback).run(goal)
+            return _Sending(node, client, ask.full_name(args.action_name), args.feedback).run(goal)
         finally:
             client.destroy()
+
+
+def _offered(node: Any) -> list[str]:
+    """The names of the actions that have a server."""
+    from rclpy.action import get_action_server_names_and_types_by_node
+
+    nodes = list(ask.graph().nodes)
+    return sorted(
+        {name for one in nodes for name, _ in get_action_server_names_and_types_by_node(node, one.name, one.namespace)}
+    )
 
 
 class _Sending:
     """One goal on its way."""
 
-    def __init__(self, node: Any, client: Any, feedback: bool) -> None:
+    def __init__(self, node: Any, client: Any, name: str, feedback: bool) -> None:
         self._node = node
         self._client = client
+        self._name = name
         self._feedback = self._show_feedback if feedback else None
         self._handle: Any = None
 
@@ -136,7 +147,9 @@ class _Sending:
         from rosidl_runtime_py import message_to_yaml
 
         print("Waiting for an action server to become available...")
-        self._client.wait_for_server()
+        if not self._client.wait_for_server(ask.WAIT_SECONDS):
+            ask.say_missing(self._name, _offered(self._node), "action")
+            self._client.wait_for_server()
         print(f"Sending goal:\n     {message_to_yaml(goal)}")
         self._handle = self._finish(self._client.send_goal_async(goal, self._feedback))
         if not self._handle.accepted:

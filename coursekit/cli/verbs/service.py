@@ -6,7 +6,9 @@ from typing import Any
 
 from coursekit.cli import ask
 from coursekit.cli.topic_pub import positive
+from coursekit.core.graph import names_and_types
 from coursekit.processes.session import current
+from coursekit.rcl.names import is_hidden
 
 
 def register(subparsers: Any) -> None:
@@ -79,7 +81,7 @@ def call_service(args: Any) -> int:
         request = _filled(kind.Request(), values)
         if not client.service_is_ready():
             print("waiting for service to become available...")
-            client.wait_for_service()
+            _wait(client, ask.full_name(args.service_name), args.service_type)
         while True:
             _call_once(node, client, request)
             if not args.rate:
@@ -94,6 +96,19 @@ def _service_type(name: str) -> Any:
         return get_service(name)
     except (AttributeError, ModuleNotFoundError, ValueError):
         raise ask.Unhappy("The passed service type is invalid") from None
+
+
+def _wait(client: Any, name: str, kind: str) -> None:
+    """Wait, as on a robot without an end; after a while say what for."""
+    if client.wait_for_service(ask.WAIT_SECONDS):
+        return
+    offered = dict(names_and_types([server for node in ask.graph().nodes for server in node.servers]))
+    if name in offered:
+        ask.say_error(f"Still waiting: {name} has the type {', '.join(offered[name])}, not {kind}. {ask.ENDS_WAITING}")
+    else:
+        own = [one for one, types in offered.items() if not is_hidden(one) and not types[0].startswith("rcl_interfaces/")]
+        ask.say_missing(name, own, "service")
+    client.wait_for_service()
 
 
 def _filled(request: Any, values: dict[str, Any]) -> Any:

@@ -78,7 +78,7 @@ ENDS_WAITING = "Ctrl-C ends the waiting, in a notebook the stop button."
 
 def say_missing(name: str, known: list[str], what: str) -> None:
     """Say that nobody offers a service or an action, and which name was probably meant."""
-    there = f"There are: {', '.join(known)}." if known else f"No node offers any {what}."
+    there = f"There are: {', '.join(known)}." if known else "There is none: does the program run that offers it?"
     meant = did_you_mean(name, known, there)
     say_error(f"Still waiting: no node offers the {what} {name}. {meant} {ENDS_WAITING}")
 

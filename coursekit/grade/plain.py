@@ -203,11 +203,22 @@ def called(function: Callable[..., Any], *given: Any, told: str) -> Any:
     except TimeOver as late:
         cause = "Is there a loop that never ends?"
         raise Wrong(f"an answer from {told}", f"{late}", cause, timed_out=True) from None
-    except NameError as error:
-        cause = "Is it spelled so? After a restart, the cells above that make it have to be run again."
-        raise Wrong(f"an answer from {told}", error_of(error), cause) from None
     except Exception as error:
-        raise Wrong(f"an answer from {told}", error_of(error), "Your function stopped there.") from None
+        raise Wrong(f"an answer from {told}", error_of(error), _why_it_stopped(error)) from None
+
+
+def _why_it_stopped(error: Exception) -> str:
+    """The likely cause of an exception of a student's function."""
+    if isinstance(error, UnboundLocalError):
+        return (
+            "A function that assigns a name has a name of its own: it needs a value before this line in every case. "
+            "To change one outside, change what is in it, or say `global`."
+        )
+    if isinstance(error, NameError):
+        return "Is it spelled so? After a restart, the cells above that make it have to be run again."
+    if isinstance(error, AttributeError) and "_Response'" in error_of(error):
+        return "The request comes first, then the response: does the function take them in this order?"
+    return "Your function stopped there."
 
 
 def error_of(error: BaseException) -> str:

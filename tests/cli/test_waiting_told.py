@@ -20,6 +20,7 @@ def serve() -> None:
     rclpy.init()
     node = rclpy.create_node("server")
     node.create_service(Empty, "clear", lambda request, response: response)
+    node.create_service(Empty, "broken", lambda request, response: None)
     ActionServer(node, Fibonacci, "fibonacci", lambda handle: Fibonacci.Result())
     try:
         rclpy.spin(node)
@@ -51,7 +52,7 @@ CALL, GOAL = ("service", "call"), ("action", "send_goal")
     ("words", "says"),
     [
         ((*CALL, "/cler", "std_srvs/srv/Empty"), "no node offers the service /cler. Did you mean /clear?"),
-        ((*CALL, "xyz", "std_srvs/srv/Empty"), "no node offers the service /xyz. There are: /clear."),
+        ((*CALL, "xyz", "std_srvs/srv/Empty"), "no node offers the service /xyz. There are: /broken, /clear."),
         ((*CALL, "/clear", "std_srvs/srv/Trigger"), "/clear has the type std_srvs/srv/Empty, not std_srvs/srv/Trigger."),
         (
             (*GOAL, "/fibonaci", "example_interfaces/action/Fibonacci", "{}"),
@@ -61,3 +62,15 @@ CALL, GOAL = ("service", "call"), ("action", "send_goal")
 )
 def test_who_is_waited_for_is_told(said: Command, words: tuple[str, ...], says: str) -> None:
     assert f"Still waiting: {says} Ctrl-C ends the waiting" in said(*words)
+
+
+def test_a_response_that_does_not_come_is_told_of(said: Command) -> None:
+    says = said(*CALL, "/broken", "std_srvs/srv/Empty")
+    assert "Still waiting for the response. Nobody offers the service any more: the server's program has ended" in says
+
+
+def test_where_nothing_is_offered_the_program_is_asked_for() -> None:
+    with Session(virtual=True).use() as session:
+        process = session.start(lambda: run((*CALL, "/a", "std_srvs/srv/Empty")), name="ros2")
+        assert process.wait(10) is None
+        assert "no node offers the service /a. There is none: does the program run that offers it?" in process.output

@@ -126,7 +126,17 @@ def _call_once(node: Any, client: Any, request: Any) -> None:
 
     print(f"requester: making request: {request!r}\n")
     future = client.call_async(request)
-    rclpy.spin_until_future_complete(node, future)
+    rclpy.spin_until_future_complete(node, future, timeout_sec=ask.WAIT_SECONDS)
+    if not future.done():
+        ask.say_error(f"Still waiting for the response. {_silence(client)} {ask.ENDS_WAITING}")
+        rclpy.spin_until_future_complete(node, future)
     if future.result() is None:
         raise ask.Unhappy(f"Exception while calling service: {future.exception()!r}")
     print(f"response:\n{future.result()!r}\n")
+
+
+def _silence(client: Any) -> str:
+    """Why a server may not answer."""
+    if client.service_is_ready():
+        return "A node offers the service, but does not answer: is it busy, or does nothing spin it?"
+    return "Nobody offers the service any more: the server's program has ended, and its terminal says why."

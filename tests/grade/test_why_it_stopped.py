@@ -1,0 +1,37 @@
+"""What a verdict says of an exception of a student's function."""
+
+import pytest
+from std_srvs.srv import SetBool
+
+from coursekit.grade.plain import called
+from coursekit.grade.verdict import Wrong
+
+state = {"holding": False}
+
+
+def own_name(request, response):
+    if state["holding"]:
+        state = {"holding": request.data}  # noqa: F841  the mistake
+
+
+def swapped(response, request):
+    return request.data
+
+
+def misspelt(request, response):
+    return stat  # noqa: F821
+
+
+@pytest.mark.parametrize(
+    ("function", "cause"),
+    [
+        (own_name, "To change one outside, change what is in it, or say `global`."),
+        (swapped, "The request comes first, then the response"),
+        (misspelt, "Is it spelled so?"),
+        (lambda request, response: request.nothing, "Your function stopped there."),
+    ],
+)
+def test_the_likely_cause_is_that_of_the_exception(function, cause):
+    with pytest.raises(Wrong) as wrong:
+        called(function, SetBool.Request(), SetBool.Response(), told="lift")
+    assert cause in wrong.value.cause

@@ -11,7 +11,13 @@ NO_RESPONSE = "rclpy ends so where a service's callback gives back no response: 
 NO_RESULT = "Does the callback that judges parameters give back a SetParametersResult in every case?"
 STUB = "The stub is still there: write your code where that line stands."
 UNPACKED = "Another number of values is taken there than came: what should your function return?"
+NO_RESULT_YET = "A future's result() is None until it is done: spin until the future is complete before you read it."
+OTHER_TYPE = "A message's field takes exactly its type, and sys.argv holds texts: int(...) or float(...) makes numbers."
+NO_BASE = "Nothing of the node is there yet: begin __init__ with super().__init__(...) and the node's name."
 _CAUSES = (
+    (r"AttributeError: 'NoneType' object has no attribute .*\.result\(\)", NO_RESULT_YET),
+    (r"AssertionError: The '\w+' field must be of type '(?:int|float|str|bool)'", OTHER_TYPE),
+    (r"AttributeError: '\w+' object has no attribute '_(?:default_callback_group|parameter_overrides|logger)'", NO_BASE),
     (r"NotImplementedError", STUB),
     (r".*has no attribute 'successful'", NO_RESULT),
     (r"TypeError \(line", NO_RESPONSE),

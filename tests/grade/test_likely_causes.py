@@ -23,6 +23,12 @@ def trace(error, line):
         ("NotImplementedError", "raise NotImplementedError()", "write your code where that line stands"),
         ("TypeError: cannot unpack non-iterable float object", "x, y = step()", "what should your function return?"),
         ("ValueError: not enough values to unpack (expected 4, got 3)", "a, b, c, d = step()", "your function return?"),
+        (
+            "AttributeError: 'NoneType' object has no attribute 'sum'", "print(future.result().sum)",
+            "spin until the future is complete",
+        ),
+        ("AssertionError: The 'a' field must be of type 'int'", "ask(sys.argv[1])", "takes exactly its type"),
+        ("AttributeError: 'Vera' object has no attribute '_logger'", "self.get_logger()", "super().__init__"),
         ("KeyError: 3", "poses[3]", "mend the line that it names"),
     ],
 )

@@ -10,8 +10,8 @@ state = {"holding": False}
 
 
 def own_name(request, response):
-    if state["holding"]:
-        state = {"holding": request.data}  # noqa: F841  the mistake
+    if state["holding"]:  # noqa: F823  the mistake
+        state = {"holding": request.data}  # noqa: F841
 
 
 def swapped(response, request):

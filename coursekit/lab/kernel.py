@@ -20,7 +20,7 @@ from coursekit.processes.session import NETWORK_VARIABLE, Session, current
 from coursekit.view.shell import running_shell
 from coursekit.words.gettext import gettext
 
-from . import init_twice, missing_names, shell_lines
+from . import error_advice, missing_names, shell_lines
 from .cells import Cells
 from .command_table import CommandMagics
 from .magics import CourseMagics
@@ -56,7 +56,7 @@ def start() -> Session:
         shell.register_magics(CourseMagics, CommandMagics, NetworkMagics)
         shell_lines.install(shell)
         missing_names.install(shell)
-        init_twice.install(shell)
+        error_advice.install(shell)
         if cells.in_cell:
             _have_a_subshell(session, shell.kernel)
     if not session.clock.virtual:

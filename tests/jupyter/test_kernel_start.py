@@ -73,6 +73,22 @@ def test_a_cell_that_initialises_rclpy_after_another_says_what_to_do(kernel):
     assert kernel(INIT.replace("rclpy.init()", "reset()\nrclpy.init()")).endswith("n\n")
 
 
+@pytest.mark.parametrize(
+    ("code", "says"),
+    [
+        ("node.declare_parameter('a', 1)\nnode.declare_parameter('a', 1)", "The node has this parameter since"),
+        ("rclpy.shutdown()\nrclpy.shutdown()", "this cell has nothing left to do"),
+        ("rclpy.shutdown()\nrclpy.spin_once(node)", "from the one with rclpy.init() on"),
+        ("rclpy.shutdown()\nrclpy.create_node('n')", "from the one with rclpy.init() on"),
+        ("from std_msgs.msg import String\np = node.create_publisher(String, 'a', 1)\nrclpy.shutdown()\np.publish(String())",
+         "from the one with rclpy.init() on"),
+    ],
+)  # fmt: skip
+def test_an_error_of_cells_in_another_order_says_what_to_do(kernel, code, says):
+    kernel(INIT)
+    assert says in kernel(code)
+
+
 def test_a_lab_that_cannot_start_says_so_in_the_first_cell_and_python_still_runs(kernel, monkeypatch):
     monkeypatch.setenv("COURSEKIT_TIME", "no such clock")
     restarted(kernel)

@@ -13,8 +13,12 @@ from typing import Any
 
 from IPython.utils.text import DollarFormatter
 
+from coursekit.words.gettext import gettext
+
 _PLACE = re.compile("\ue000([0-9]+)\ue001")
 """Stands for a path until the line is divided; of letters that nobody types."""
+_NAME = re.compile(r"(?<!\{)\{([A-Za-z_]\w*)\}(?!\})")
+"""A name in braces; IPython leaves the whole line as it is when one has no value."""
 _NOWHERE = 100_000
 """Further than any caller is: only names of the notebook are known."""
 
@@ -48,7 +52,10 @@ class Values(DollarFormatter):
         depth = _frames_to_caller()
         if shell is None or (depth is None and "{" in line):  # called by a program, whose braces are YAML's
             return line
-        return str(shell.var_expand(line, depth=_NOWHERE if depth is None else depth, formatter=self))
+        expanded = str(shell.var_expand(line, depth=_NOWHERE if depth is None else depth, formatter=self))
+        for name in _NAME.findall(expanded) if expanded == line else ():
+            print(gettext(f"`{name}` has no value yet, and stays as it was typed: run the cell that makes it."))
+        return expanded
 
 
 def _is_path(value: Any) -> bool:

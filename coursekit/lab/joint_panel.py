@@ -9,7 +9,7 @@ from typing import Any
 from coursekit.nodes.robots.boards import Board, boards
 from coursekit.processes.session import current
 
-from .errors import NotThere
+from .errors import BadArgument, NotThere
 from .hidden import appears
 from .panel import Panel, static
 
@@ -62,8 +62,13 @@ class JointPanel(Panel):
         return {name: joint.position or 0.0 for name, joint in self.board.model.free.items()}
 
     def move(self, name: str, position: float) -> None:
-        """Move a slider, as a hand would (rad or m); LookupError if there is none of that name."""
-        self.board.move(name, position)
+        """Move a slider, as a hand would (rad or m); LookupError if there is none of that name, ValueError for no number."""
+        try:
+            self.board.move(name, position)
+        except LookupError as error:
+            raise NotThere(error.args[0]) from None
+        except (TypeError, ValueError):
+            raise BadArgument(f"The joint '{name}' cannot be put to {position!r}: give a number, rad or m") from None
 
     def center(self) -> None:
         """Press the button Center."""

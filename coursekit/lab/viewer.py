@@ -15,6 +15,7 @@ from coursekit.view.looking import FOLLOWER, ORBIT
 from coursekit.view.scene_stage import Stage
 from coursekit.view.scene_text import described
 
+from .errors import BadArgument
 from .hidden import HiddenNode
 from .panel import static
 from .viewer_page import ViewerPage
@@ -165,6 +166,15 @@ def _newest() -> Config | None:
     return running[-1].config if running else None
 
 
+def _chosen(file: Any, fixed_frame: str, displays: Any, view: Any) -> Config | None:
+    """The configuration that `viewer`'s arguments ask for; ValueError for one that cannot be."""
+    if file is not None:
+        return read(file)
+    if displays is not None:
+        return make_config(fixed_frame, displays, view)
+    return _newest() if not fixed_frame and not view else None
+
+
 def viewer(
     file: str | Path | None = None,
     *,
@@ -182,12 +192,10 @@ def viewer(
 
     In ROS 2: `rviz2 -d FILE`.
     """
-    if file is not None:
-        config: Config | None = read(file)
-    elif displays is not None:
-        config = make_config(fixed_frame, displays, view)
-    else:
-        config = _newest() if not fixed_frame and not view else None
+    try:
+        config = _chosen(file, fixed_frame, displays, view)
+    except ValueError as error:
+        raise BadArgument(str(error)) from None
     made = Viewer(config, height)
     if file is not None or displays is None:
         if fixed_frame:

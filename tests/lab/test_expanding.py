@@ -47,3 +47,11 @@ def test_braces_of_yaml_stay_as_they_are(words):
 def test_names_of_a_loop_and_of_a_function_are_known(words):
     program = "def f(inner):\n    get_ipython().run_line_magic('ros2', 'run {inner}')\nf('talk')"
     assert words(program) == ["run", "talk"]
+
+
+def test_a_name_without_a_value_is_told(words, capsys):
+    assert words("%ros2 launch p f model:={robots}/a.urdf")[-1] == "model:={robots}/a.urdf"
+    told = "`robots` has no value yet, and stays as it was typed: run the cell that makes it."
+    assert told in capsys.readouterr().out
+    words("%ros2 topic pub /t T \"{{data: {more}}}\"")
+    assert not capsys.readouterr().out

@@ -3,6 +3,7 @@
 import pytest
 
 from coursekit.lab import joint_panel, joint_windows
+from coursekit.lab.errors import BadArgument, NotThere
 from coursekit.lab.joint_panel import joint_sliders
 from coursekit.lab.panel import open_panels
 from coursekit.nodes.robots.boards import boards
@@ -53,8 +54,10 @@ def test_a_slider_moves_its_joint_within_the_limits(session, gui):
     panel._hear(panel, {"type": "move", "name": "head_swivel", "value": "far"}, [])
     assert panel.positions["periscope_extension"] == 0.15
     assert panel.positions["head_swivel"] == 0.5
-    with pytest.raises(LookupError, match="Did you mean 'head_swivel'"):
+    with pytest.raises(NotThere, match="Did you mean 'head_swivel'"):
         panel.move("head_swivl", 1.0)
+    with pytest.raises(BadArgument, match="The joint 'head_swivel' cannot be put to 'left': give a number, rad or m"):
+        panel.move("head_swivel", "left")
 
 
 def test_the_buttons_center_and_randomize(session, gui):

@@ -24,6 +24,7 @@ from sensor_msgs.msg import ChannelFloat32, LaserScan, PointCloud, Range, Temper
 from tf2_msgs.msg import TFMessage
 from tf2_ros import TransformBroadcaster
 
+from coursekit.lab.errors import BadArgument
 from coursekit.lab.viewer import viewer
 from coursekit.view.scene_shapes import Lines, Points, Triangles
 from tests.lab.viewer_stage import scan_of, show
@@ -180,6 +181,8 @@ def test_the_qos_of_the_options_is_asked_for(session, talker):
     assert quality.depth == 1
     with pytest.raises(ValueError, match="it is one of Reliable, Best Effort"):
         viewer(displays=[{"type": "Polygon", "reliability": "reliable"}])
+    with pytest.raises(BadArgument, match="Grd"):
+        viewer(displays=["Grd"])
 
 
 def test_what_changes_in_a_map_is_painted(session, talker):

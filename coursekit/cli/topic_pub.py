@@ -12,10 +12,14 @@ from rosidl_runtime_py import set_message_fields
 from rosidl_runtime_py.utilities import get_message
 
 from coursekit.processes.session import current
+from coursekit.rcl.names import is_hidden
+from coursekit.suggestions import did_you_mean
 
 from . import ask, topic_qos
 
 _LOOK_SECONDS = 0.1
+_ROUNDS = 5
+"""After so many seconds of waiting the command says what it waits for."""
 NOTHING_SENT = 1
 """Exit code of a command that was ended while it waited for somebody who listens."""
 
@@ -103,8 +107,12 @@ def _wait_for_listeners(publisher: Any, args: Any, times: int) -> bool:
     """Wait for those who listen; False when the command was told to end before they were there."""
     wanted = args.wait_matching_subscriptions
     wanted = (1 if times else 0) if wanted is None else wanted
+    rounds = 0
     while publisher.get_subscription_count() < wanted:
         print(f"Waiting for at least {wanted} matching subscription(s)...")
+        rounds += 1
+        if rounds == _ROUNDS:
+            _say_who_listens(publisher.topic_name)
         for _ in range(10):
             current().clock.sleep(0.1)
             if not rclpy.ok():
@@ -112,6 +120,14 @@ def _wait_for_listeners(publisher: Any, args: Any, times: int) -> bool:
             if publisher.get_subscription_count() >= wanted:
                 break
     return True
+
+
+def _say_who_listens(topic: str) -> None:
+    """Say that nobody subscribes to a topic, and which one was probably meant."""
+    listening = {one.name for node in ask.graph().nodes for one in node.subscriptions if not is_hidden(one.name)}
+    meant = did_you_mean(topic, sorted(listening - {topic}))
+    if topic not in listening and meant:
+        ask.say_error(f"Still waiting: no node subscribes to {topic}. {meant} {ask.ENDS_WAITING}")
 
 
 def _fill(msg: Any, values: dict[str, Any]) -> list[Any]:

@@ -33,4 +33,8 @@ class NotNow(Plain, RuntimeError):
     """It cannot be done in this moment."""
 
 
-__all__ = ["BadArgument", "NotNow", "NotThere", "Plain"]
+class TooLate(Plain, TimeoutError):
+    """It did not happen in its time."""
+
+
+__all__ = ["BadArgument", "NotNow", "NotThere", "Plain", "TooLate"]

@@ -10,7 +10,7 @@ from coursekit.processes.session import Session, current
 from coursekit.view.working import Working
 from coursekit.words.gettext import gettext
 
-from .errors import NotNow
+from .errors import NotNow, TooLate
 from .hidden import HiddenNode
 from .known_terminals import failed
 from .messages import listen
@@ -38,7 +38,7 @@ def wait(seconds: float = 0.0, until: str = "", timeout_sec: float = PATIENCE_SE
                 f"No message came on {until} within {timeout_sec:g} s. {_failed()}`graph()` shows its publishers; "
                 "the terminals show what the programs printed."
             )
-            raise TimeoutError(said)
+            raise TooLate(said)
 
 
 def _nobody_runs(session: Session) -> bool:

@@ -8,6 +8,7 @@ import pytest
 import rclpy
 from example_interfaces.action import Fibonacci
 from rclpy.action import ActionServer
+from std_msgs.msg import String
 from std_srvs.srv import Empty
 
 from coursekit.cli.parser import run
@@ -19,6 +20,7 @@ Command = Callable[..., str]
 def serve() -> None:
     rclpy.init()
     node = rclpy.create_node("server")
+    node.create_subscription(String, "chatter", lambda msg: None, 1)
     node.create_service(Empty, "clear", lambda request, response: response)
     node.create_service(Empty, "broken", lambda request, response: None)
     ActionServer(node, Fibonacci, "fibonacci", lambda handle: Fibonacci.Result())
@@ -62,6 +64,11 @@ CALL, GOAL = ("service", "call"), ("action", "send_goal")
 )
 def test_who_is_waited_for_is_told(said: Command, words: tuple[str, ...], says: str) -> None:
     assert f"Still waiting: {says} Ctrl-C ends the waiting" in said(*words)
+
+
+def test_who_would_listen_is_told(said: Command) -> None:
+    told = "Still waiting: no node subscribes to /chater. Did you mean /chatter? Ctrl-C ends the waiting"
+    assert told in said("topic", "pub", "-1", "/chater", "std_msgs/msg/String")
 
 
 def test_a_response_that_does_not_come_is_told_of(said: Command) -> None:

@@ -3,7 +3,7 @@
 import pytest
 from IPython.core.interactiveshell import InteractiveShell
 
-from coursekit.lab.errors import NotNow
+from coursekit.lab.errors import NotNow, TooLate
 from coursekit.lab.known_terminals import KNOWN
 from coursekit.lab.magics import CourseMagics, show_as
 from coursekit.lab.terminal import Terminal
@@ -61,7 +61,7 @@ def test_where_no_program_runs_nothing_is_waited_for(session):
 
 def test_what_never_comes_is_said(session):
     silent(session)
-    with pytest.raises(TimeoutError, match=r"No message came on /map within 5 s.*graph\(\)"):
+    with pytest.raises(TooLate, match=r"No message came on /map within 5 s.*graph\(\)"):
         wait(1.0, until="/map", timeout_sec=5.0)
 
 

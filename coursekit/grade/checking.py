@@ -167,7 +167,8 @@ def _fault_before() -> str:
     if not isinstance(error, Exception) or isinstance(error, CheckFailed):
         return ""
     line = f" in its line {error.lineno}" if isinstance(error, SyntaxError) and error.lineno else ""
-    return f"{type(error).__name__}: {error.msg if isinstance(error, SyntaxError) else error}"[:200] + line
+    said = f"{type(error).__name__}: {error.msg if isinstance(error, SyntaxError) else error}"
+    return said[:200].removesuffix(": ") + line  # a stub's error has no text
 
 
 def _variables() -> Mapping[str, Any]:

@@ -266,7 +266,11 @@ def checked_after(folder, *cells):
 
 @pytest.mark.parametrize(
     ("cell", "told"),
-    [("me = 'Vera Course", "SyntaxError"), ("me = Vera + 'Course'", "NameError: name 'Vera' is not defined")],
+    [
+        ("me = 'Vera Course", "SyntaxError"),
+        ("me = Vera + 'Course'", "NameError: name 'Vera' is not defined"),
+        ("raise NotImplementedError()", "NotImplementedError. What was judged is older"),
+    ],
 )
 def test_an_answer_that_is_older_than_a_failed_cell_is_told_as_such(tmp_path, cell, told):
     said = checked_after(tmp_path, cell)

@@ -12,17 +12,20 @@ import itertools
 import socket
 import struct
 import threading
+import time
 from collections.abc import Callable, Collection, Iterable
 from pathlib import Path
 
 from coursekit.systems.runtime_folder import folder
-from coursekit.systems.user_socket import NobodyListens, accept, call, listen_at
+from coursekit.systems.user_socket import NobodyListens, accept, call, connect_at, listen_at
 
 from .opening import BUSY_SECONDS
 from .wire.attachment import SIZE, Attachment, read_attachment
 
 LONGEST = 3072
 """Bytes of a message; longer ones Zenoh hands over in shared memory."""
+NEW_SECONDS = 60.0
+"""How long a socket at which nobody listens is left alone [s]."""
 _LENGTHS = struct.Struct("<HHH")
 Take = Callable[[str, str, bytes, Attachment], None]
 """Takes a message: its topic, the topic's type, its CDR bytes and what came with it."""
@@ -64,6 +67,7 @@ class DirectLines:
         self._paused = threading.Event()
         self._callers: list[socket.socket] = []
         self._path = self._path_of(session)
+        _remove_dead_sockets()
         self._server = listen_at(self._path)
         threading.Thread(target=self._accept, name="coursekit-direct", daemon=True).start()
 
@@ -119,6 +123,18 @@ class DirectLines:
                 body = stream.read(SIZE + sum(lengths))
                 self._take(*read_frame(body, lengths))
         self._callers.remove(peer)
+
+
+def _remove_dead_sockets() -> None:
+    """Remove what killed sessions have left; a new socket may belong to a session that is about to listen."""
+    for path in folder().glob("net-*"):
+        with contextlib.suppress(FileNotFoundError):
+            if time.time() - path.stat().st_mtime < NEW_SECONDS:
+                continue
+            try:
+                connect_at(path).close()
+            except NobodyListens:
+                path.unlink()
 
 
 def frame(name: str, type_name: str, data: bytes, attachment: bytes) -> bytes:

@@ -14,6 +14,7 @@ from coursekit.core.qos import KEEP_ALL, TRANSIENT_LOCAL, Qos
 from coursekit.net.direct import LONGEST, DirectLines, Line, frame, read_frame
 from coursekit.net.wire.attachment import Attachment
 from coursekit.systems.runtime_folder import folder
+from coursekit.systems.user_socket import listen_at
 from tests.needs import posix
 
 from .sides import LIMIT, Inbox
@@ -110,6 +111,20 @@ def test_only_this_user_can_call_and_nothing_is_left_behind(side):
         end.link.close()
     assert not any(path.exists() for path in paths)
     assert not [one.name for one in threading.enumerate() if one.name == "coursekit-direct" and not _ends(one)]
+
+
+def test_what_a_killed_session_left_is_removed_and_who_listens_is_left_alone(tmp_path, monkeypatch):
+    monkeypatch.setenv("COURSEKIT_RUNTIME_DIR", str(tmp_path))
+    dead, new = folder() / "net-dead", folder() / "net-new"
+    for path in (dead, new):
+        listen_at(path).close()
+    alive = DirectLines("tcp/a:1", "1a", print)
+    for path in (dead, alive._path):
+        os.utime(path, (0, 0))
+    other = DirectLines("tcp/a:1", "1b", print)
+    assert not dead.exists() and new.exists() and len(other.to(["1a"])) == 1
+    for lines in (alive, other):
+        lines.close()
 
 
 def _ends(thread):

@@ -61,4 +61,4 @@ web: $(VENV)/.test
 	$(BIN)/python -m coursekit.building.web build/web
 
 clean:
-	rm -rf $(VENV) .venv-ros build dist
+	rm -rf $(VENV) .venv-ros .venv-sdk build dist

@@ -1,1 +1,1 @@
-"""Bags: folders of recorded messages, as rosbag2 of ROS 2 Humble writes and reads them. Files only: no graph, no clock."""
+"""Bags: folders of recorded messages, written and read as by rosbag2 of ROS 2 Humble. Files only: no graph, no clock."""

@@ -1,4 +1,4 @@
-"""zstd, for single messages or whole files. What comes out is limited: a few bytes can stand for gigabytes."""
+"""zstd, for single messages or whole files. The output size is limited: a few bytes can expand to gigabytes."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ FORMAT = "zstd"
 SUFFIX = ".zstd"
 MODES = ("", "FILE", "MESSAGE")
 LARGEST_MESSAGE = 1_000_000_000
-"""Bytes that one message may have: what sqlite3 can keep."""
+"""Maximum size of a message in bytes: sqlite3's limit."""
 LARGEST_FILE = 64 * 2**30
-"""Bytes that one file of a bag may have."""
+"""Maximum size of a bag file in bytes."""
 _PIECE = 1 << 20
 _KEPT_FREE = 100 * 2**20
 
 
 def check(mode: str, kind: str) -> None:
-    """BagError for a mode or a format that does not exist."""
+    """Raise BagError for an unknown mode or format."""
     if mode.upper() not in (*MODES, "NONE"):
         raise BagError(f"there is no compression mode '{mode.lower()}'; there are none, file and message")
     if mode.upper() in MODES[1:] and kind != FORMAT:
@@ -27,7 +27,7 @@ def check(mode: str, kind: str) -> None:
 
 
 def compress(data: bytes) -> bytes:
-    """Return a message's bytes, smaller.
+    """Return a message's bytes, compressed.
 
     >>> scan = bytes(1000)
     >>> len(compress(scan)) < 50, decompress(compress(scan)) == scan
@@ -39,7 +39,7 @@ def compress(data: bytes) -> bytes:
 
 
 def decompress(data: bytes, limit: int = LARGEST_MESSAGE) -> bytes:
-    """Return a message's bytes; BagError when they are none, or more than `limit`."""
+    """Return a message's bytes, decompressed; BagError when they are invalid or more than `limit`."""
     import zstandard
 
     out = bytearray()
@@ -55,7 +55,7 @@ def decompress(data: bytes, limit: int = LARGEST_MESSAGE) -> bytes:
 
 
 def compress_file(path: Path) -> Path:
-    """Replace a file by its compressed form, NAME.zstd, and return that one's path."""
+    """Replace a file by its compressed form, NAME.zstd, and return the new path."""
     import zstandard
 
     packed = path.with_name(path.name + SUFFIX)
@@ -66,7 +66,7 @@ def compress_file(path: Path) -> Path:
 
 
 def decompress_file(path: Path, folder: Path) -> Path:
-    """Unpack NAME.zstd into a folder and return the file; BagError when it is broken or does not fit on the disk."""
+    """Decompress NAME.zstd into a folder and return the file; BagError when it is broken or does not fit on the disk."""
     import zstandard
 
     target = folder / path.name.removesuffix(SUFFIX)

@@ -1,4 +1,4 @@
-"""The whole definition of a message type in one text, as mcap files keep it: its own, then those of its parts."""
+"""The complete definition of a message type as one text, as in mcap files: its own definition, then those of its parts."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _LINE = "=" * 80
 
 
 def full_definition(type_name: str) -> str:
-    """Return the text; an empty one for a type that is not installed here.
+    """Return the text; empty for a type that is not installed here.
 
     >>> print(full_definition("geometry_msgs/msg/PolygonStamped").count("MSG: "))
     4

@@ -4,4 +4,4 @@ from __future__ import annotations
 
 
 class BagError(RuntimeError):
-    """A bag that cannot be read or written; the text says what, why, and what to do."""
+    """A bag that cannot be read or written; the message gives the reason and the remedy."""

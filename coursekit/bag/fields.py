@@ -1,4 +1,4 @@
-"""Reads the keys of a YAML mapping whose writer is not trusted: every value is checked, every error names its key."""
+"""Reads the keys of an untrusted YAML mapping: every value is checked, every error names its key."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _MISSING = object()
 
 
 class Fields:
-    """One mapping, at a place that errors name.
+    """One mapping, at a location named in errors.
 
     >>> Fields({"version": 5}, "top", "metadata.yaml").integer("version")
     5
@@ -37,14 +37,14 @@ class Fields:
         return self._error(f"'{key}' in '{self._place}' is {_kind(value)}, and should be {wish}")
 
     def integer(self, key: str) -> int:
-        """A whole number of 64 bits."""
+        """Return a 64-bit integer."""
         value = self._get(key)
         if not isinstance(value, int) or isinstance(value, bool) or not -(2**63) <= value < 2**63:
             raise self._wrong(key, value, "a whole number of 64 bits")
         return value
 
     def text(self, key: str, default: Any = _MISSING) -> str:
-        """A text; nothing (null) is an empty one where it may be left out."""
+        """Return a string; for an optional key, null means the default."""
         value = self._get(key, default)
         if value is None and default is not _MISSING:
             return str(default)
@@ -53,21 +53,21 @@ class Fields:
         return value
 
     def texts(self, key: str) -> list[str]:
-        """A list of texts."""
+        """Return a list of strings."""
         value = self._get(key)
         if not isinstance(value, list) or not all(isinstance(one, str) for one in value):
             raise self._wrong(key, value, "a list of texts")
         return value
 
     def text_or_yaml(self, key: str) -> str:
-        """A text, or, since version 9, the list that the text stood for; given back as text."""
+        """Return a string; since version 9 also a list, which is converted to a YAML string."""
         value = self._get(key, "")
         if isinstance(value, list):
             return dump(value) if value else ""
         return self.text(key, "")
 
     def mapping_of_texts(self, key: str) -> dict[str, str]:
-        """Texts by name; none when it is left out."""
+        """Return strings by name; none when the key is missing."""
         value = self._get(key, None)
         if value is None:
             return {}
@@ -76,11 +76,11 @@ class Fields:
         return {str(name): str(one) for name, one in value.items()}
 
     def inside(self, key: str) -> Fields:
-        """The mapping under a key."""
+        """Return the mapping under a key."""
         return Fields(self._get(key), key, self._where)
 
     def each(self, key: str, optional: bool = False) -> Iterator[Fields]:
-        """The mappings of a list."""
+        """Yield the mappings of a list."""
         value = self._get(key, [] if optional else _MISSING)
         if value is None and optional:
             return

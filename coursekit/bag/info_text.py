@@ -12,7 +12,7 @@ _UNITS = ("B", "KiB", "MiB", "GiB", "TiB")
 
 
 def info_text(facts: BagFacts) -> str:
-    """Return the text, an empty line first, a line break last."""
+    """Return the text, with an empty first line and a final line break."""
     end = facts.starting_time_ns + facts.duration_ns
     lines = [
         "",
@@ -42,7 +42,7 @@ def _topic_line(one: TopicInformation) -> str:
 
 
 def seconds_text(nanoseconds: int) -> str:
-    """Seconds with nine digits.
+    """Format seconds with nine decimals.
 
     >>> seconds_text(1_500_000_000)
     '1.500000000'
@@ -52,7 +52,7 @@ def seconds_text(nanoseconds: int) -> str:
 
 
 def time_text(nanoseconds: int) -> str:
-    """Date and local time, and the seconds since 1970."""
+    """Format date and local time, and the seconds since 1970."""
     try:
         there = time.localtime(nanoseconds // 10**9)
     except (OverflowError, OSError, ValueError):
@@ -62,7 +62,7 @@ def time_text(nanoseconds: int) -> str:
 
 
 def size_text(size: int) -> str:
-    """Bytes in the largest unit that leaves something before the point.
+    """Format bytes in the largest unit in which the number is at least 1.
 
     >>> size_text(25600), size_text(12)
     ('25.0 KiB', '12 B')

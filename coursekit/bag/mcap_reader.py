@@ -1,4 +1,4 @@
-"""Messages of an mcap file. The format's own library takes records apart; how much is unpacked is limited here."""
+"""Messages of an mcap file. The mcap library parses the records; the decompressed size is limited here."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ from coursekit.bag.metadata import BagFacts, FileFacts, TopicInformation, TopicM
 from coursekit.bag.storage import Message
 
 LARGEST_CHUNK = 1 << 30
-"""Bytes that one chunk may have, packed or unpacked."""
+"""Maximum size of a chunk, compressed or decompressed [bytes]."""
 _TROUBLES = (McapError, struct.error, ValueError, LookupError, TypeError, OverflowError, MemoryError, OSError, EOFError)
 
 
 class McapReader:
-    """A file that is there; BagError when it is no mcap file, or broken."""
+    """An existing file; BagError when it is not an mcap file, or broken."""
 
     def __init__(self, path: Path) -> None:
         self._path = path
@@ -46,7 +46,7 @@ class McapReader:
         return BagError(f"'{self._path}' cannot be read as an mcap file: {text}")
 
     def _read_summary(self) -> Summary:
-        """The index at the file's end; where it is missing, what a look at the whole file gives."""
+        """Read the index at the file's end; if it is missing, scan the whole file."""
         try:
             summary = make_reader(self._file).get_summary()
             if summary is not None and summary.channels:
@@ -67,7 +67,7 @@ class McapReader:
         return self._file.read(8) != b"\x89MCAP0\r\n"
 
     def _scan(self) -> Iterator[Any]:
-        """All records in the file's order, as far as it goes: the end of a recording that broke off may be missing."""
+        """Yield all records in file order, as far as the file is readable: an interrupted recording may lack its end."""
         self._file.seek(0)
         try:
             for record in StreamReader(self._file, emit_chunks=True, record_size_limit=LARGEST_CHUNK).records:
@@ -83,11 +83,11 @@ class McapReader:
             raise BagError(f"'{self._path}': a chunk has {size} bytes, more than {LARGEST_CHUNK}: it is not unpacked")
         try:
             return breakup_chunk(chunk, validate_crc=True)
-        except Exception as error:  # the decompressors have errors of their own
+        except Exception as error:  # the decompressors raise their own exception types
             raise self._broken(error) from None
 
     def topics(self) -> list[TopicMetadata]:
-        """The topics, in the order in which they were entered."""
+        """Return the topics, in the order of their creation."""
         return [self._topic(channel) for _, channel in sorted(self._channels.items())]
 
     def _topic(self, channel: Channel) -> TopicMetadata:
@@ -96,7 +96,7 @@ class McapReader:
         return TopicMetadata(channel.topic, schema.name if schema else "", channel.message_encoding, qos)
 
     def facts(self) -> BagFacts:
-        """The facts of a bag that consists of this file."""
+        """Return the facts of a bag that consists of this file."""
         name = self._path.name
         whole, counts = FileFacts(name), dict.fromkeys(self._channels, 0)
         for record in self._records(0):
@@ -110,7 +110,7 @@ class McapReader:
         return facts
 
     def messages(self, topics: list[str] | None, start_ns: int) -> Iterator[Message]:
-        """The messages of these topics (None: of all) from a time on, oldest first."""
+        """Yield the messages of these topics (None: of all) from a time on, oldest first."""
         for record in self._records(start_ns):
             channel = self._channels.get(record.channel_id)
             if channel is not None and (topics is None or channel.topic in topics):
@@ -123,7 +123,7 @@ class McapReader:
             return
         waiting = sorted(self._summary.chunk_indexes, key=lambda one: (one.message_start_time, one.chunk_start_offset))
         ready: list[tuple[int, int, int, Record]] = []
-        for index in waiting:  # a chunk is opened when all that is older has been given out
+        for index in waiting:  # a chunk is read once all older messages have been yielded
             while ready and ready[0][0] < index.message_start_time:
                 yield heapq.heappop(ready)[3]
             if index.message_end_time >= start_ns:
@@ -145,12 +145,12 @@ class McapReader:
         return self._unpack(chunk)
 
     def close(self) -> None:
-        """Let go of the file."""
+        """Close the file."""
         self._file.close()
 
 
 def _announced(chunk: Chunk) -> int:
-    """How many bytes the packed data says it has."""
+    """Return the decompressed size declared in the compressed data."""
     if chunk.compression == "zstd":
         import zstandard
 
@@ -160,5 +160,5 @@ def _announced(chunk: Chunk) -> int:
             return 0
         return size
     if chunk.compression == "lz4":
-        return len(chunk.data) * 255  # the most that lz4 can pack
+        return len(chunk.data) * 255  # lz4's highest compression ratio
     return 0

@@ -1,4 +1,4 @@
-"""Messages in an mcap file, written with the format's own library."""
+"""Messages in an mcap file, written with the mcap library."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class McapWriter:
         self._sequence: dict[str, int] = {}
 
     def create_topic(self, topic: TopicMetadata) -> None:
-        """Enter a topic."""
+        """Register a topic."""
         if topic.type not in self._schemas:
             text = full_definition(topic.type)
             encoding = "ros2msg" if text else ""
@@ -57,22 +57,22 @@ class McapWriter:
         self._sequence[topic.name] = 0
 
     def remove_topic(self, topic: TopicMetadata) -> None:
-        """Forget a topic; what is in the file already stays in it."""
+        """Forget a topic; its messages already in the file remain."""
         del self._channels[topic.name]
 
     def write(self, message: Message) -> None:
-        """Add a message of a topic that was entered."""
+        """Add a message of a registered topic."""
         number = self._sequence[message.topic] = self._sequence[message.topic] + 1
         channel = self._channels[message.topic]
         with self._telling():
             self._writer.add_message(channel, message.stamp, message.data, message.stamp, number & 0xFFFFFFFF)
 
     def size(self) -> int:
-        """Bytes that are in the file now; the last chunk is not."""
+        """Return the bytes written so far; the current chunk is not included."""
         return self._file.tell()
 
     def close(self, facts: BagFacts) -> None:
-        """End the file; it keeps a copy of the bag's metadata."""
+        """Finish the file; it contains a copy of the bag's metadata."""
         text = metadata_file.dump(metadata_file.as_dict(facts))
         with self._telling():
             self._writer.add_metadata("rosbag2", {"serialized_metadata": text})
@@ -80,7 +80,7 @@ class McapWriter:
             self._file.close()
 
     def abandon(self) -> None:
-        """Close the file with what is in it."""
+        """Close the file as it is."""
         with contextlib.suppress(OSError):
             self._file.close()
 
@@ -93,7 +93,7 @@ class McapWriter:
 
 
 def _configured(config: str) -> dict[str, Any]:
-    """The settings of a configuration file: compression, chunkSize, noChunking, noChunkCRC."""
+    """Read the settings of a configuration file: compression, chunkSize, noChunking, noChunkCRC."""
     if not config:
         return {}
     loaded = metadata_file.load_settings(Path(config)) or {}

@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 NEVER = 2**63 - 1
 """The starting time of a bag without messages."""
 METADATA_VERSION = 5
-"""The layout of metadata.yaml that Humble writes; 1 to 9 are read."""
+"""The metadata.yaml version that Humble writes; versions 1 to 9 can be read."""
 
 
 @dataclass
 class TopicMetadata:
-    """A recorded topic: its name, its type, and the QoS of those who published on it, as YAML text."""
+    """A recorded topic: its name, its type, and the QoS of its publishers as YAML text."""
 
     name: str
     type: str
@@ -22,13 +22,13 @@ class TopicMetadata:
     type_description_hash: str = field(default="", compare=False)
 
     def equals(self, other: TopicMetadata) -> bool:
-        """Whether both say the same."""
+        """Whether both have the same values."""
         return self == other
 
 
 @dataclass
 class TopicInformation:
-    """A topic, and how many of its messages are in the bag."""
+    """A topic, with its number of messages in the bag."""
 
     topic_metadata: TopicMetadata
     message_count: int
@@ -70,7 +70,7 @@ class BagFacts:
     ros_distro: str = ""
 
     def sum_up(self) -> None:
-        """Take count, start and duration from the files."""
+        """Compute count, start and duration from the files."""
         filled = [one for one in self.files if one.message_count]
         self.message_count = sum(one.message_count for one in filled)
         self.starting_time_ns = min((one.starting_time_ns for one in filled), default=NEVER)

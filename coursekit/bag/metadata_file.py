@@ -1,4 +1,4 @@
-"""metadata.yaml: written as Humble writes it, read whichever ROS 2 wrote it, trusted in nothing."""
+"""metadata.yaml: written in Humble's format, read from any ROS 2 release, never trusted."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ FILE_NAME = "metadata.yaml"
 ROOT = "rosbag2_bagfile_information"
 NEWEST = 9
 LARGEST = 64 * 1024 * 1024
-"""Bytes of a metadata.yaml that are still read."""
+"""Maximum size of a metadata.yaml [bytes]."""
 
 
 class _Loader(yaml.SafeLoader):
-    """Safe, and without aliases: bags have none, and a few lines of them can stand for gigabytes.
+    """A safe loader without aliases: bags have none, and a few lines of them can expand to gigabytes.
 
-    Not the loader in C: brackets nested deeply enough crash the interpreter there.
+    It is not the loader in C: deeply nested brackets crash the interpreter there.
     """
 
     def compose_node(self, parent: Any, index: Any) -> Any:
@@ -33,12 +33,12 @@ class _Loader(yaml.SafeLoader):
 
 
 def load_yaml(text: str, what: str) -> Any:
-    """Return what YAML text of a bag holds; BagError when it holds none."""
+    """Parse YAML text of a bag; BagError when it is invalid."""
     return _loaded(text, what, _Loader)
 
 
 def load_settings(path: Path) -> Any:
-    """Return what a YAML file holds that its user wrote; BagError when it cannot be read."""
+    """Parse a YAML file written by the user; BagError when it cannot be read."""
     try:
         return _loaded(read_text(path), str(path), yaml.SafeLoader)
     except (OSError, UnicodeDecodeError) as error:
@@ -53,7 +53,7 @@ def _loaded(text: str, what: str, loader: Any) -> Any:
 
 
 def read(folder: Path) -> BagFacts:
-    """Return what the metadata.yaml of a bag says; BagError names the file and the key that is wrong."""
+    """Read the metadata.yaml of a bag; BagError names the file and the invalid key."""
     path = folder / FILE_NAME
     try:
         if path.stat().st_size > LARGEST:
@@ -70,7 +70,7 @@ def read(folder: Path) -> BagFacts:
 
 
 def parse(text: str, where: str) -> BagFacts:
-    """Return the facts that the text of a metadata.yaml states; `where` names it in errors."""
+    """Parse the text of a metadata.yaml; `where` names it in errors."""
     document = load_yaml(text, where)
     if not isinstance(document, dict) or ROOT not in document:
         raise BagError(f"{where} is no metadata of a bag: it has no '{ROOT}' at the top")
@@ -120,14 +120,14 @@ def _file(entry: Fields) -> FileFacts:
 
 
 def _inside(name: str, version: int, where: str) -> str:
-    """A file of the bag, relative to its folder; up to version 3 the folder's own name came first."""
-    path = PurePosixPath(name.replace("\\", "/"))  # whichever system it came from
+    """Return a file of the bag relative to its folder; up to version 3 the name started with the folder's own."""
+    path = PurePosixPath(name.replace("\\", "/"))  # from any operating system
     if version < 4:
         return PurePosixPath(name).name if "/" in name else path.name
     drive = ":" in name.split("/")[0]
     if path.is_absolute() or drive or ".." in path.parts or "\0" in name or not path.name:
         raise BagError(f"{where} names the file {name!r}, which is outside of the bag's folder: it is not opened")
-    return str(PurePosixPath(name))  # on Linux a backslash is a sign like others
+    return str(PurePosixPath(name))  # on Linux a backslash is an ordinary character
 
 
 def as_dict(facts: BagFacts) -> dict[str, Any]:
@@ -162,12 +162,12 @@ def _file_dict(one: FileFacts) -> dict[str, Any]:
 
 
 def write(folder: Path, facts: BagFacts) -> None:
-    """Write the metadata.yaml of a bag, at once or not at all."""
+    """Write the metadata.yaml of a bag, atomically."""
     write_whole(folder / FILE_NAME, dump({ROOT: as_dict(facts)}) + "\n")
 
 
 def size_of(bag: Path) -> int:
-    """Return the bytes of a bag's folder, its metadata included, as Humble counts them; or of a single file."""
+    """Return the size of a bag's folder in bytes, including metadata, as Humble counts it; or the size of a single file."""
     return sum(one.stat().st_size for one in (bag.iterdir() if bag.is_dir() else (bag,)) if one.is_file())
 
 

@@ -1,4 +1,4 @@
-"""Opens a file of a bag by its kind, and imports what that kind needs only then."""
+"""Opens a bag file by its storage id, and imports the storage's libraries only then."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from coursekit.bag.storage import FileReader, FileWriter, check_storage_id
 
 
 def open_reader(path: Path, storage_id: str) -> FileReader:
-    """Open a file for reading; BagError when that is not possible."""
+    """Open a file for reading. Raises BagError."""
     if not path.is_file():
         raise BagError(f"the file '{path}' of the bag is not there")
     if check_storage_id(storage_id) == "mcap":

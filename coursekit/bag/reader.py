@@ -1,4 +1,4 @@
-"""Reads a bag: a folder with metadata.yaml, or a single file of one."""
+"""Reads a bag: a folder with metadata.yaml, or a single file."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from coursekit.bag.storage import FileReader, Message, check_storage_id, storage
 
 
 class BagReader:
-    """A bag's messages, oldest first, file after file. BagError when it cannot be read.
+    """A bag's messages, oldest first, file after file. Raises BagError when it cannot be read.
 
     `on_open(path)` is called for each file that is opened.
     """
@@ -70,7 +70,7 @@ class BagReader:
         return compression.decompress_file(path, Path(self._unpacked.name))
 
     def check_files(self) -> None:
-        """Open the first file, so that what is wrong with it is said now."""
+        """Open the first file, so that errors in it are reported now."""
         for name in self.facts.relative_file_paths[:1]:
             self._file(name)
 
@@ -83,14 +83,14 @@ class BagReader:
         return list(found.values())
 
     def rewind(self, start_ns: int = -(2**63), topics: list[str] | None = None) -> None:
-        """Begin again at a time, with the messages of some topics (None: of all)."""
+        """Restart at a time, with the messages of these topics (None: of all)."""
         self._next: Message | None = None
         self._start_ns = start_ns
-        self._taken: list[Message] = []  # those of the newest stamp
+        self._taken: list[Message] = []  # messages with the newest stamp
         self._messages = self._from(start_ns, topics)
 
     def choose(self, topics: list[str] | None) -> None:
-        """Go on from here with the messages of some topics (None: of all)."""
+        """Continue from here with the messages of these topics (None: of all)."""
         taken = self._taken
         self.rewind(taken[0].stamp if taken else self._start_ns, topics)
         self._messages = _without(list(taken), self._messages)
@@ -103,7 +103,7 @@ class BagReader:
                 yield message._replace(data=compression.decompress(message.data)) if packed else message
 
     def peek(self) -> Message | None:
-        """The message that comes next, without taking it; None at the end. A broken bag is let go of."""
+        """Return the next message without taking it; None at the end. A broken bag is closed."""
         try:
             if self._next is None:
                 self._next = next(self._messages, None)
@@ -113,7 +113,7 @@ class BagReader:
         return self._next
 
     def take(self) -> Message | None:
-        """The message that comes next; None at the end."""
+        """Take the next message; None at the end."""
         message = self.peek()
         self._next = None
         if message is not None:
@@ -123,7 +123,7 @@ class BagReader:
         return message
 
     def close(self) -> None:
-        """Let go of the files."""
+        """Close the files."""
         self._messages = iter(())
         for file in self._open_files.values():
             file.close()
@@ -134,7 +134,7 @@ class BagReader:
 
 
 def _without(taken: list[Message], messages: Iterator[Message]) -> Iterator[Message]:
-    """The messages, without the first of each that was taken."""
+    """Yield the messages without those already taken, each once."""
     for message in messages:
         if message in taken:
             taken.remove(message)

@@ -1,4 +1,4 @@
-"""Makes the metadata.yaml of a bag anew, from its files."""
+"""Regenerates the metadata.yaml of a bag from its files."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _NUMBER = re.compile(r"_(\d+)\.(db3|mcap)(\.zstd)?$")
 
 
 def reindex(folder: Path, storage_id: str = "") -> BagFacts:
-    """Read the bag's files, write metadata.yaml and return what is in it; BagError when there are no files."""
+    """Read the bag's files, write metadata.yaml and return its facts; BagError when there are no files."""
     names = _files(folder, storage_id)
     facts = BagFacts()
     topics: dict[str, TopicInformation] = {}
@@ -55,6 +55,6 @@ def _add(facts: BagFacts, topics: dict[str, TopicInformation], more: BagFacts) -
 
 
 def _is_packed(reader: BagReader) -> bool:
-    """Whether the file's messages are compressed one by one: CDR begins with 0, zstd with a number of its own."""
+    """Whether the file's messages are compressed individually: CDR begins with 0, zstd with its magic number."""
     first = reader.peek()
     return first is not None and first.data[:4] == b"\x28\xb5\x2f\xfd"

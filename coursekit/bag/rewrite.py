@@ -1,4 +1,4 @@
-"""`ros2 bag convert`: bags in, bags with other settings out, messages in the order of time."""
+"""`ros2 bag convert`: rewrites bags as bags with other settings, with messages in order of time."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from coursekit.bag.writer import BagWriter, WriteSettings
 
 @dataclass
 class Output:
-    """One bag to write: how, and which topics."""
+    """One bag to write: its settings and its topics."""
 
     settings: WriteSettings
     wants: Callable[[TopicMetadata], bool] = field(default=lambda topic: True)
 
 
 def rewrite(inputs: Sequence[BagReader], outputs: Sequence[Output]) -> None:
-    """Copy the messages of all inputs to every output that wants their topic."""
+    """Copy the messages of all inputs to every output that includes their topic."""
     writers = [BagWriter(output.settings) for output in outputs]
     targets: dict[str, list[BagWriter]] = {}
     try:

@@ -1,4 +1,4 @@
-"""Messages in a sqlite3 file (.db3), with the tables that Humble writes (schema 3); schemas 1 to 4 are read."""
+"""Messages in a sqlite3 file (.db3), with Humble's tables (schema 3); schemas 1 to 4 can be read."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _FAST = ("journal_mode=MEMORY", "synchronous=OFF")
 _RESILIENT = ("journal_mode=WAL", "synchronous=NORMAL")
 _PRAGMA = re.compile(r"\s*(\w+)\s*=\s*([\w-]+)\s*")
 COMMIT_EVERY, COMMIT_BYTES = 500, 1 << 18
-"""Messages, and bytes of them, after which what was written is safe from a crash of the program and from a full disk."""
+"""Commit after this many messages or bytes: committed messages survive a crash of the program and a full disk."""
 
 
 class SqliteWriter:
@@ -35,7 +35,7 @@ class SqliteWriter:
         if preset not in ("", "none", "resilient"):
             raise BagError(f"sqlite3 has no preset '{preset}'; it has none and resilient")
         self._path = path
-        # Written by the process's main execution context, but closed by whoever ends the process.
+        # Written by the process's main execution context, but closed by any context that ends the process.
         self._db = sqlite3.connect(path, check_same_thread=False, isolation_level=None)
         for pragma in (*(_RESILIENT if preset == "resilient" else _FAST), *_pragmas(config)):
             self._run(f"PRAGMA {pragma}")
@@ -54,17 +54,17 @@ class SqliteWriter:
             raise BagError(f"'{self._path}' cannot be written: {error}") from None
 
     def create_topic(self, topic: TopicMetadata) -> None:
-        """Enter a topic."""
+        """Register a topic."""
         insert = "INSERT INTO topics (name, type, serialization_format, offered_qos_profiles) VALUES (?, ?, ?, ?)"
         entered = self._run(insert, topic.name, topic.type, topic.serialization_format, topic.offered_qos_profiles)
         self._ids[topic.name] = entered.lastrowid or 0
 
     def remove_topic(self, topic: TopicMetadata) -> None:
-        """Take a topic out that was entered."""
+        """Remove a registered topic."""
         self._run("DELETE FROM topics WHERE id = ?", self._ids.pop(topic.name))
 
     def write(self, message: Message) -> None:
-        """Add a message of a topic that was entered."""
+        """Add a message of a registered topic."""
         insert = "INSERT INTO messages (timestamp, topic_id, data) VALUES (?, ?, ?)"
         self._run(insert, message.stamp, self._ids[message.topic], message.data)
         self._pending += 1
@@ -75,23 +75,23 @@ class SqliteWriter:
             self._pending = self._pending_bytes = 0
 
     def size(self) -> int:
-        """Bytes that the file has now."""
+        """Return the current size of the file in bytes."""
         return int(self._run("PRAGMA page_count").fetchone()[0]) * int(self._page_size)
 
     def close(self, facts: BagFacts) -> None:
-        """End the file; it keeps a copy of the bag's metadata."""
+        """Finish the file; it contains a copy of the bag's metadata."""
         text = metadata_file.dump(metadata_file.as_dict(facts))
         self._run("INSERT INTO metadata (metadata_version, metadata) VALUES (?, ?)", facts.version, text)
         self._run("COMMIT")
         self._db.close()
 
     def abandon(self) -> None:
-        """Close the file with what is in it."""
+        """Close the file as it is."""
         self._db.close()
 
 
 def _pragmas(config: str) -> list[str]:
-    """The settings under write: pragmas: of a configuration file."""
+    """Read the settings `write: pragmas:` of a configuration file."""
     if not config:
         return []
     loaded = metadata_file.load_settings(Path(config)) or {}
@@ -104,7 +104,7 @@ def _pragmas(config: str) -> list[str]:
 
 
 class SqliteReader:
-    """A file that is there; BagError when it is none of a bag, or broken."""
+    """An existing file; BagError when it is not a bag file, or broken."""
 
     def __init__(self, path: Path) -> None:
         self._path = path
@@ -124,7 +124,7 @@ class SqliteReader:
         except sqlite3.Error as error:
             raise self._broken(error) from None
         db.text_factory = lambda raw: raw.decode("utf-8", "replace")
-        db.execute("PRAGMA trusted_schema=OFF")  # no functions hidden in the definitions of a stranger's file
+        db.execute("PRAGMA trusted_schema=OFF")  # no functions hidden in the definitions of an untrusted file
         return db
 
     def _broken(self, error: Exception) -> BagError:
@@ -137,14 +137,14 @@ class SqliteReader:
             raise self._broken(error) from None
 
     def topics(self) -> list[TopicMetadata]:
-        """The topics, in the order in which they were entered."""
+        """Return the topics, in the order of their creation."""
         wanted = ["name", "type", "serialization_format", "offered_qos_profiles", "type_description_hash"]
         chosen = ", ".join(f"coalesce({one}, '')" if one in self._columns else "''" for one in wanted)
         rows = self._rows(f"SELECT {chosen} FROM topics ORDER BY id")
         return [TopicMetadata(**dict[str, Any](zip(wanted, map(str, row), strict=True))) for row in rows]
 
     def facts(self) -> BagFacts:
-        """The facts of a bag that consists of this file."""
+        """Return the facts of a bag that consists of this file."""
         counted = "SELECT topics.name, count(messages.id) FROM topics LEFT JOIN messages ON topics.id = messages.topic_id"
         counts = dict(self._rows(f"{counted} GROUP BY topics.id"))
         ((first, last, count),) = self._rows("SELECT min(timestamp), max(timestamp), count(*) FROM messages")
@@ -161,7 +161,7 @@ class SqliteReader:
         return facts
 
     def messages(self, topics: list[str] | None, start_ns: int) -> Iterator[Message]:
-        """The messages of these topics (None: of all) from a time on, oldest first."""
+        """Yield the messages of these topics (None: of all) from a time on, oldest first."""
         some = "" if topics is None else f"AND topics.name IN ({', '.join('?' * len(topics))}) "
         query = (
             "SELECT topics.name, data, timestamp FROM messages JOIN topics ON messages.topic_id = topics.id "
@@ -178,5 +178,5 @@ class SqliteReader:
         return stamp
 
     def close(self) -> None:
-        """Let go of the file."""
+        """Close the file."""
         self._db.close()

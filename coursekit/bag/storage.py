@@ -1,4 +1,4 @@
-"""The common parts of the kinds of files that messages are kept in."""
+"""The common parts of the storage kinds of bag files."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from coursekit.bag.errors import BagError
 from coursekit.bag.metadata import BagFacts, TopicMetadata
 
 SUFFIXES = {"sqlite3": ".db3", "mcap": ".mcap"}
-"""The kinds, by storage id."""
+"""File suffixes by storage id."""
 DEFAULT_STORAGE_ID = "sqlite3"
 
 
 class Message(NamedTuple):
-    """A recorded message: its topic, its bytes, and when it was received (ns since 1970)."""
+    """A recorded message: its topic, its bytes, and its receive time (ns since 1970)."""
 
     topic: str
     data: bytes
@@ -43,7 +43,7 @@ class FileWriter(Protocol):
 
 
 def storage_id_of(path: Path) -> str:
-    """Return the kind of a file by its name; BagError for another name.
+    """Return the storage id for a file name; BagError for an unknown suffix.
 
     >>> storage_id_of(Path("run_0.db3")), storage_id_of(Path("run_0.mcap"))
     ('sqlite3', 'mcap')

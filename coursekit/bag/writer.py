@@ -1,4 +1,4 @@
-"""Writes a bag: a folder with files of messages, which may be split, and metadata.yaml."""
+"""Writes a bag: a folder with message files, possibly split, and metadata.yaml."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from coursekit.bag.opening import open_writer
 from coursekit.bag.storage import DEFAULT_STORAGE_ID, SUFFIXES, FileWriter, Message, check_storage_id
 
 SMALLEST_SPLIT = {"sqlite3": 86016, "mcap": 1024}
-"""Bytes that a file must be allowed to have, for each storage."""
+"""Minimum for the maximum file size, by storage id [bytes]."""
 
 
 @dataclass
 class WriteSettings:
-    """How a bag is written; sizes in bytes, 0 for 'no limit'."""
+    """The settings of a new bag; sizes in bytes, 0 for 'no limit'."""
 
     uri: str
     storage_id: str = ""
@@ -37,7 +37,7 @@ class WriteSettings:
 
 
 class BagWriter:
-    """A bag that is being written. BagError when its folder is there already, or a setting is wrong."""
+    """A bag being written. Raises BagError when its folder exists already, or a setting is invalid."""
 
     def __init__(self, settings: WriteSettings) -> None:
         self.settings = settings
@@ -62,7 +62,7 @@ class BagWriter:
         try:
             self._open_file()
         except BaseException:
-            shutil.rmtree(self.folder, ignore_errors=True)  # made above, and good for nothing
+            shutil.rmtree(self.folder, ignore_errors=True)  # created above, and useless now
             raise
 
     def _check(self) -> None:
@@ -94,20 +94,20 @@ class BagWriter:
     # -- topics
 
     def create_topic(self, topic: TopicMetadata) -> None:
-        """Enter a topic; harmless when it is there."""
+        """Register a topic; harmless when it is registered already."""
         if topic.name not in self._topics:
             self._topics[topic.name] = TopicInformation(topic, 0)
             self._opened().create_topic(topic)
 
     def remove_topic(self, topic: TopicMetadata) -> None:
-        """Take a topic out that was entered."""
+        """Remove a registered topic."""
         if self._topics.pop(topic.name, None) is not None:
             self._opened().remove_topic(topic)
 
     # -- messages
 
     def write(self, message: Message) -> None:
-        """Add a message; BagError when its topic was not entered, the bag is closed, or the disk is full."""
+        """Add a message; BagError when its topic is not registered, the bag is closed, or the disk is full."""
         if message.topic not in self._topics:
             raise BagError(f"Failed to write on topic '{message.topic}'. Call create_topic() before first write.")
         self._opened()
@@ -123,7 +123,7 @@ class BagWriter:
             self._snapshot_size -= len(self._snapshot.popleft().data)
 
     def take_snapshot(self) -> bool:
-        """In snapshot mode: write what is remembered, and begin to remember anew."""
+        """In snapshot mode, write the buffered messages and clear the buffer; return whether this is snapshot mode."""
         if not self.settings.snapshot_mode:
             return False
         for message in self._snapshot:
@@ -149,7 +149,7 @@ class BagWriter:
         return bool(settings.max_file_seconds) and stamp - file.starting_time_ns > settings.max_file_seconds * 1e9
 
     def split(self) -> None:
-        """End the present file and go on in a new one."""
+        """Finish the current file and continue in a new one."""
         closed = self._close_file()
         self._open_file()
         self.settings.on_split(str(closed), str(self._path))
@@ -175,13 +175,13 @@ class BagWriter:
         self._facts.sum_up()
 
     def close(self) -> None:
-        """End the bag and write its metadata.yaml; harmless when it is closed."""
+        """Finish the bag and write its metadata.yaml; harmless when it is closed."""
         if self._file is not None:
             self._close_file()
             metadata_file.write(self.folder, self._facts)
 
     def abandon(self) -> None:
-        """Let go of the bag when it cannot be written any more: what is in its files can be indexed anew."""
+        """Close a bag that can no longer be written: its files can still be reindexed."""
         if self._file is not None:
             self._file.abandon()
             self._file = None

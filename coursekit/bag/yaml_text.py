@@ -1,4 +1,4 @@
-"""YAML as rosbag2 writes it."""
+"""YAML in rosbag2's layout."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import yaml
 
 
 class _Dumper(yaml.SafeDumper):
-    """Lists are indented, and texts quoted, as rosbag2 does it."""
+    """Indents lists and quotes strings as rosbag2 does."""
 
     def increase_indent(self, flow: bool = False, indentless: bool = False) -> Any:
         return super().increase_indent(flow, False)
@@ -23,7 +23,7 @@ _Dumper.add_representer(str, _text)
 
 
 def dump(value: Any) -> str:
-    """Return YAML text in rosbag2's layout, without the last line break.
+    """Return YAML text in rosbag2's layout, without the final line break.
 
     >>> print(dump({"topics": ["/scan", "/odom"], "note": ""}))
     topics:

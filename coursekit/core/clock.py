@@ -1,7 +1,7 @@
-"""The session's clock: everything in coursekit that waits, waits here.
+"""The session's clock: every wait in coursekit goes through it.
 
-Two kinds exist: `WallClock`, live, with threads; `coursekit.core.virtual_clock.VirtualClock`, as fast as the machine can,
-the same way every time.
+There are two kinds: `WallClock` runs live, with threads; `coursekit.core.virtual_clock.VirtualClock` runs as fast as the
+machine can, and deterministically.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ _allocate_lock = threading.Lock
 
 
 def start_outside(thread: threading.Thread) -> None:
-    """Start a real thread, also where the threads of programs are execution contexts of the virtual clock."""
+    """Start a real thread, even where the threads of programs are execution contexts of the virtual clock."""
     _Thread_start(thread)
 
 
 def waited_ns(seconds: float) -> int:
-    """How long a wait for so many seconds takes [ns]: none for 0 or less, else at least one.
+    """Return the duration [ns] of a wait of so many seconds: 0 for 0 or less, else at least 1.
 
-    Seconds are floats: the rest of a wait may be 1e-17 s, and a loop that waits for the rest must end.
+    Seconds are floats: the remainder of a wait may be 1e-17 s, and a loop that waits for the remainder must end.
 
     >>> waited_ns(0.25), waited_ns(1e-17), waited_ns(-1.0)
     (250000000, 1, 0)
@@ -64,7 +64,7 @@ class Clock(Protocol):
 
 
 class TimerHandle:
-    """A call planned for a time; `cancel()` takes it back."""
+    """A scheduled call; `cancel()` withdraws it."""
 
     __slots__ = ("deadline", "function")
 
@@ -73,7 +73,7 @@ class TimerHandle:
         self.function: Callable[[], None] | None = function
 
     def cancel(self) -> None:
-        """Take the call back; harmless afterwards."""
+        """Cancel the call; harmless if it was made already."""
         self.function = None
 
     def ring(self) -> None:
@@ -84,7 +84,7 @@ class TimerHandle:
 
 
 class Event:
-    """Like `threading.Event`, on the session's clock; a Ctrl-C of the waiting process ends the wait.
+    """Like `threading.Event`, on the session's clock; Ctrl-C in the waiting process ends the wait.
 
     >>> from coursekit.core.clock import WallClock
     >>> event = WallClock().new_event()
@@ -106,13 +106,13 @@ class Event:
         return self._flag
 
     def set(self) -> None:
-        """Wake everyone who waits, now and until `clear`."""
+        """Wake all waiting contexts, now and until `clear`."""
         self._flag = True
         for waiter in list(self._waiters):
             waiter.notify()
 
     def clear(self) -> None:
-        """Make the next `wait` wait again."""
+        """Make the next `wait` block again."""
         self._flag = False
 
     def wait(self, timeout_sec: float | None = None) -> bool:
@@ -143,7 +143,7 @@ class WallWaiter:
         """Let the present or the next `wait` return."""
         try:
             self._lock.release()
-        except RuntimeError:  # it was open already
+        except RuntimeError:  # it was released already
             pass
 
     poke = notify
@@ -176,10 +176,10 @@ class WallClock:
     new_waiter = staticmethod(WallWaiter)
 
     def poll(self, weight: int = 1) -> None:
-        """Nothing to do: on the wall clock time passes by itself."""
+        """Do nothing: on the wall clock time passes by itself."""
 
     def sleep(self, seconds: float) -> None:
-        """Sleep; a Ctrl-C of the process that sleeps ends it."""
+        """Sleep; Ctrl-C in the sleeping process ends the sleep."""
         deadline = _monotonic_ns() + round(seconds * 1e9)
         waiter = WallWaiter()
         while waiter.wait(deadline):
@@ -197,16 +197,16 @@ class WallClock:
         return thread
 
     def call_at(self, deadline: int, function: Callable[[], None]) -> TimerHandle:
-        """Call `function`, which must not block, at `deadline` (steady nanoseconds), from a thread of the clock's."""
+        """Call `function`, which must not block, at `deadline` (steady nanoseconds), from the clock's timer thread."""
         return self._timers.add(TimerHandle(deadline, function))
 
     def close(self) -> None:
-        """Forget the planned calls and end their thread."""
+        """Cancel the scheduled calls and end their thread."""
         self._timers.close()
 
 
 class _TimerThread:
-    """One thread that makes planned calls; it lives only while some are planned."""
+    """One thread that makes scheduled calls; it lives only while there are any."""
 
     def __init__(self) -> None:
         self._heap: list[tuple[int, int, TimerHandle]] = []

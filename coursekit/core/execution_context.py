@@ -19,8 +19,8 @@ class ProcessKilled(BaseException):
 class ExecutionContext:
     """A thread of a program: it can be blocked, woken and interrupted.
 
-    `pending` holds callables that the execution context runs itself, the next time it is about to wait or has waited:
-    that is how a Ctrl-C reaches code that sleeps, spins or waits.
+    `pending` holds callables that the execution context runs itself, just before or after its next wait.
+    This is how a Ctrl-C reaches code that sleeps, spins or waits.
     """
 
     def __init__(self) -> None:
@@ -38,11 +38,11 @@ class ExecutionContext:
             waiter.poke()
 
     def run_pending(self) -> None:
-        """Run what was posted; an exception of the first action ends the call and keeps the rest."""
+        """Run the posted actions; an exception in one ends the call and keeps the rest."""
         while self.pending:
             try:
                 action = self.pending.popleft()
-            except IndexError:  # taken by another thread in between
+            except IndexError:  # another thread was faster
                 return
             action()
 
@@ -55,7 +55,7 @@ _of_thread = _ThreadContexts()
 
 
 def thread_context() -> ExecutionContext:
-    """The execution context of the thread that asks, made on first use."""
+    """Return the calling thread's execution context, created on first use."""
     context = _of_thread.context
     if context is None:
         context = _of_thread.context = ExecutionContext()

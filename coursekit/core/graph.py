@@ -16,7 +16,7 @@ E = TypeVar("E", bound=Endpoint)
 
 
 class GraphNode:
-    """A node as the graph sees it."""
+    """A node in the graph."""
 
     def __init__(
         self, graph: Graph, name: str, namespace: str, process: Any = None, participant: object = None
@@ -26,11 +26,11 @@ class GraphNode:
         self.namespace = namespace
         self.process = process
         self.deaf_to_itself = False
-        """Whether it does not hear what it publishes itself: a bridge in both directions would go in circles."""
+        """Whether it ignores its own messages: a bridge in both directions would otherwise send them in circles."""
         self.participant = participant
-        """What it shares with others as a DDS participant is shared: each topic has one type among them. None: nothing."""
+        """The DDS participant that it shares with other nodes: each topic has one type per participant. None: not shared."""
         self.remote = ""
-        """Where it runs, if that is another computer or notebook: the address of the network."""
+        """The network address if the node runs on another computer or in another notebook."""
         self.publishers: list[Publisher] = []
         self.subscriptions: list[Subscription] = []
         self.servers: list[Server] = []
@@ -42,23 +42,23 @@ class GraphNode:
         return f"{self.namespace.rstrip('/')}/{self.name}"
 
     def publisher(self, name: str, msg_type: Any, qos: Qos) -> Publisher:
-        """Make a publisher and match it with the subscriptions there are."""
+        """Create a publisher and match it with the existing subscriptions."""
         return self.graph.add_publisher(Publisher(self.graph, self, name, msg_type, qos))
 
     def subscription(self, name: str, msg_type: Any, qos: Qos) -> Subscription:
-        """Make a subscription and match it with the publishers there are."""
+        """Create a subscription and match it with the existing publishers."""
         return self.graph.add_subscription(Subscription(self.graph, self, name, msg_type, qos))
 
     def server(self, name: str, srv_type: Any, qos: Qos) -> Server:
-        """Make a service server."""
+        """Create a service server."""
         return self.graph.add_server(Server(self.graph, self, name, srv_type, qos))
 
     def client(self, name: str, srv_type: Any, qos: Qos) -> Client:
-        """Make a service client."""
+        """Create a service client."""
         return self.graph.add_client(Client(self.graph, self, name, srv_type, qos))
 
     def close(self) -> None:
-        """Leave the graph with all that belongs to the node."""
+        """Leave the graph, with all endpoints of the node."""
         for endpoint in [*self.publishers, *self.subscriptions, *self.servers, *self.clients]:
             endpoint.close()  # type: ignore[attr-defined]
         self.graph.remove_node(self)
@@ -82,7 +82,7 @@ class Graph:
         self.servers: dict[str, list[Server]] = {}
         self.clients: dict[str, list[Client]] = {}
         self.gone: dict[str, str] = {}
-        """By topic that is still listened to: the node that was its last publisher, and left."""
+        """By topic that still has subscriptions: the node of its last publisher, which has left."""
         self.version = 0
         self._lock = threading.RLock()
         self._watchers: list[Callable[[], None]] = []
@@ -90,29 +90,29 @@ class Graph:
     # -- change
 
     def new_number(self) -> int:
-        """A number for an endpoint; the graphs of a session share them."""
+        """Return a number for an endpoint; the graphs of a session share the numbering."""
         return next(self._numbers)
 
     def add_node(self, name: str, namespace: str, process: Any = None, participant: object = None) -> GraphNode:
-        """A new node; two may have the same name, as in ROS."""
+        """Add a new node; two may have the same name, as in ROS."""
         return self.enter(GraphNode(self, name, namespace, process, participant))
 
     def enter(self, node: GraphNode) -> GraphNode:
-        """Take a node in."""
+        """Add an existing node."""
         with self._lock:
             self.nodes.append(node)
         self.changed()
         return node
 
     def remove_node(self, node: GraphNode) -> None:
-        """Take a node out; harmless when it is out already."""
+        """Remove a node; harmless when it is already removed."""
         with self._lock:
             if node in self.nodes:
                 self.nodes.remove(node)
         self.changed()
 
     def add_publisher(self, publisher: Publisher) -> Publisher:
-        """Enter and match a publisher."""
+        """Add and match a publisher."""
         with self._lock:
             _enter(self.publishers, publisher.node.publishers, publisher)
             self.gone.pop(publisher.name, None)
@@ -122,7 +122,7 @@ class Graph:
         return publisher
 
     def remove_publisher(self, publisher: Publisher) -> None:
-        """Take a publisher out; messages on their way still arrive."""
+        """Remove a publisher; messages in transit still arrive."""
         with self._lock:
             _leave(self.publishers, publisher.node.publishers, publisher)
             for target in publisher.targets:
@@ -137,7 +137,7 @@ class Graph:
         self.changed()
 
     def add_subscription(self, subscription: Subscription) -> Subscription:
-        """Enter and match a subscription."""
+        """Add and match a subscription."""
         with self._lock:
             _enter(self.subscriptions, subscription.node.subscriptions, subscription)
             for publisher in self.publishers.get(subscription.name, ()):
@@ -146,7 +146,7 @@ class Graph:
         return subscription
 
     def remove_subscription(self, subscription: Subscription) -> None:
-        """Take a subscription out."""
+        """Remove a subscription."""
         with self._lock:
             _leave(self.subscriptions, subscription.node.subscriptions, subscription)
             for publisher in self.publishers.get(subscription.name, ()):
@@ -158,27 +158,27 @@ class Graph:
         self.changed()
 
     def add_server(self, server: Server) -> Server:
-        """Enter a service server."""
+        """Add a service server."""
         with self._lock:
             _enter(self.servers, server.node.servers, server)
         self.changed()
         return server
 
     def remove_server(self, server: Server) -> None:
-        """Take a service server out."""
+        """Remove a service server."""
         with self._lock:
             _leave(self.servers, server.node.servers, server)
         self.changed()
 
     def add_client(self, client: Client) -> Client:
-        """Enter a service client."""
+        """Add a service client."""
         with self._lock:
             _enter(self.clients, client.node.clients, client)
         self.changed()
         return client
 
     def remove_client(self, client: Client) -> None:
-        """Take a service client out."""
+        """Remove a service client."""
         with self._lock:
             _leave(self.clients, client.node.clients, client)
         self.changed()
@@ -188,12 +188,12 @@ class Graph:
         return [one for one in self.servers.get(client.name, ()) if one.type_name == client.type_name]
 
     def clear(self) -> None:
-        """Take everything out."""
+        """Remove everything."""
         for node in list(self.nodes):
             node.close()
 
     def abandon(self) -> None:
-        """Be empty, without a word to anybody and without a lock: for a forked child, whose parent has what was here."""
+        """Empty the graph without notifications and locks: for a forked child, whose parent still owns the contents."""
         for ends in (self.publishers, self.subscriptions, self.servers, self.clients):
             ends.clear()  # type: ignore[attr-defined]
         self.nodes.clear()
@@ -206,12 +206,12 @@ class Graph:
         self._watchers.append(callback)
 
     def unwatch(self, callback: Callable[[], None]) -> None:
-        """Take a callback back."""
+        """Remove a callback."""
         if callback in self._watchers:
             self._watchers.remove(callback)
 
     def changed(self) -> None:
-        """Count a change and tell the watchers."""
+        """Count a change and notify the watchers."""
         self.version += 1
         for callback in list(self._watchers):
             callback()
@@ -219,15 +219,15 @@ class Graph:
     # -- look
 
     def find_nodes(self, name: str, namespace: str) -> list[GraphNode]:
-        """The nodes of that name."""
+        """Return the nodes with this name and namespace."""
         return [node for node in list(self.nodes) if node.name == name and node.namespace == namespace]
 
     def topics(self) -> list[tuple[str, list[str]]]:
-        """(name, types) of every topic that somebody publishes or subscribes to, by name."""
+        """(name, types) of every topic with a publisher or subscription, by name."""
         return names_and_types([*_all(self.publishers), *_all(self.subscriptions)])
 
     def services(self) -> list[tuple[str, list[str]]]:
-        """(name, types) of every service that is served or called, by name."""
+        """(name, types) of every service with a server or client, by name."""
         return names_and_types([*_all(self.servers), *_all(self.clients)])
 
 

@@ -17,7 +17,7 @@ DURABILITY_POLICY, DEADLINE_POLICY, LIVELINESS_POLICY, RELIABILITY_POLICY = 2, 4
 
 @dataclass(frozen=True)
 class Qos:
-    """The policies of one endpoint; durations in nanoseconds, 0 for 'not given'.
+    """The policies of one endpoint; durations in nanoseconds, 0 for 'unspecified'.
 
     >>> Qos().incompatible_with(Qos(durability=TRANSIENT_LOCAL)) == DURABILITY_POLICY
     True
@@ -33,7 +33,7 @@ class Qos:
     lease: int = 0
 
     def resolved(self) -> Qos:
-        """With the middleware's choice where the profile leaves it to the system.
+        """Resolve the policies left to the system to the middleware's defaults.
 
         >>> Qos(depth=0, reliability=SYSTEM_DEFAULT).resolved().depth
         1
@@ -51,9 +51,9 @@ class Qos:
         )
 
     def incompatible_with(self, requested: Qos) -> int | None:
-        """The policy for which this offer does not serve `requested`; None when the two match.
+        """Return the policy for which this offer does not satisfy `requested`; None when the two match.
 
-        Where several fail, the one that DDS names last: reliability, liveliness, deadline, durability.
+        If several policies fail, it is the one that DDS reports last: reliability, liveliness, deadline, durability.
         """
         offer, wish = self.resolved(), requested.resolved()
         if offer.reliability == BEST_EFFORT and wish.reliability == RELIABLE:

@@ -1,4 +1,4 @@
-"""The event queue: work is queued when it becomes ready, so that its cost does not grow with the number of nodes."""
+"""The event queue: work is queued when it becomes ready, so its cost does not grow with the number of nodes."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ if TYPE_CHECKING:
 class Source:
     """Something that can become ready: a subscription with a message, a timer that is due, ...
 
-    `sink` is the queue of the executor that serves it, `item` what the executor finds there.
-    `queued` says that it is in the queue already: a source is there once, however much it holds.
-    With `yields` it lets those that are ready with it go first, once.
-    A `listener` is called with each thing that comes to a topic, service or event, before anybody takes it.
+    `sink` is the queue of the executor that serves it, `item` the object that the executor finds there.
+    `queued` means that it is already in the queue: a source is queued once, however much it holds.
+    With `yields` set it lets other ready sources go first, once.
+    A `listener` is called with everything that arrives at a topic, service or event, before it is taken.
     """
 
     __slots__ = ("item", "listener", "queued", "sink", "yields")
@@ -31,14 +31,14 @@ class Source:
         self.yields = False
 
     def signal(self) -> None:
-        """Stand in the queue."""
+        """Enter the queue."""
         sink = self.sink
         if sink is not None and not self.queued:
             self.queued = True
             sink.put(self.item)
 
     def has_work(self) -> bool:
-        """Whether it is ready now; asked when it comes to another executor."""
+        """Whether it is ready now; checked when another executor takes it over."""
         return False
 
     def attach(self, sink: ReadyQueue | None, item: Any) -> None:
@@ -51,7 +51,7 @@ class Source:
 
 
 class ReadyQueue:
-    """An executor's work, in the order in which it became ready, and the timers that will be due.
+    """An executor's work, in the order in which it became ready, and the pending timers.
 
     >>> from coursekit.core.virtual_clock import VirtualClock
     >>> queue = ReadyQueue(VirtualClock())
@@ -85,7 +85,7 @@ class ReadyQueue:
             self._waiter.notify()
 
     def pop(self, until: int | None = None) -> Any:
-        """The next ready item, None when there is none; timers that are due after `until` (steady) are not."""
+        """Return the next ready item, or None; timers due after `until` (steady) do not count as ready."""
         if self._timers:
             now = self.clock.steady()
             if until is not None and until < now:
@@ -98,7 +98,7 @@ class ReadyQueue:
             return None
 
     def count_ready(self) -> int:
-        """How many are in the queue now, with the timers that are due."""
+        """Return the number of queued items, including due timers."""
         self._ring(self.clock.steady())
         return len(self.items)
 

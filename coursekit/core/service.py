@@ -1,4 +1,4 @@
-"""Services: a request goes to every server of that name, the first response is the one that counts."""
+"""Services: a request goes to every server of the service; the first response counts."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class RequestId:
-    """Which client asked, and its how-manieth request this is."""
+    """The client of a request and the request's sequence number."""
 
     client: Client
     sequence_number: int
 
 
 class Server(Endpoint):
-    """The answering end: a queue of (request, RequestId).
+    """The serving end: a queue of (request, RequestId).
 
     >>> from std_srvs.srv import SetBool
     >>> from coursekit.core.graph import Graph
@@ -43,11 +43,11 @@ class Server(Endpoint):
         self.queue: deque[tuple[Any, RequestId]] = deque()
 
     def has_work(self) -> bool:
-        """Whether a request waits."""
+        """Whether a request is waiting."""
         return bool(self.queue)
 
     def take(self) -> tuple[Any, RequestId] | None:
-        """The oldest request."""
+        """Return the oldest request, or None."""
         try:
             return self.queue.popleft()
         except IndexError:
@@ -61,9 +61,9 @@ class Server(Endpoint):
             self.listener(request)
 
     def respond(self, request_id: RequestId, response: Any) -> None:
-        """Send a copy of `response` to the client that asked.
+        """Send a copy of `response` to the client of the request.
 
-        A client that the same executor serves hears it after what the callback published: topics come before responses.
+        A client of the same executor receives it after the messages published by the callback: topics come before responses.
         """
         request_id.client.yields = request_id.client.sink is self.sink
         request_id.client.push(request_id.sequence_number, response._clone())
@@ -75,7 +75,7 @@ class Server(Endpoint):
 
 
 class Client(Endpoint):
-    """The asking end: a queue of (sequence number, response)."""
+    """The calling end: a queue of (sequence number, response)."""
 
     __slots__ = ("_next_number", "queue")
 
@@ -85,18 +85,18 @@ class Client(Endpoint):
         self._next_number = 1
 
     def has_work(self) -> bool:
-        """Whether a response waits."""
+        """Whether a response is waiting."""
         return bool(self.queue)
 
     def take(self) -> tuple[int, Any] | None:
-        """The oldest response."""
+        """Return the oldest response, or None."""
         try:
             return self.queue.popleft()
         except IndexError:
             return None
 
     def push(self, sequence_number: int, response: Any) -> None:
-        """Queue a response; a client that is gone drops it."""
+        """Queue a response; a closed client drops it."""
         if self.alive:
             self.queue.append((sequence_number, response))
             self.signal()
@@ -104,7 +104,7 @@ class Client(Endpoint):
                 self.listener(response)
 
     def send(self, request: Any) -> int:
-        """Send copies of `request` to every server; the request's number."""
+        """Send copies of `request` to every server and return the request's number."""
         number = self._next_number
         self._next_number += 1
         for server in self.graph.servers_of(self):
@@ -112,7 +112,7 @@ class Client(Endpoint):
         return number
 
     def peek_number(self) -> int:
-        """The number that the next request will have."""
+        """Return the sequence number of the next request."""
         return self._next_number
 
     def server_is_ready(self) -> bool:

@@ -1,4 +1,4 @@
-"""QoS events: counters that change when a deadline passes, a publisher falls silent or two endpoints do not match."""
+"""QoS events: counters that change on a missed deadline, an expired lease, or incompatible QoS of two endpoints."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ DEADLINE, LIVELINESS, INCOMPATIBLE, MESSAGE_LOST, MATCHED = "deadline", "livelin
 
 
 class Status(Source):
-    """One event of one endpoint: totals, and what changed since they were last taken."""
+    """One event of one endpoint: totals, and the changes since the last `take`."""
 
     __slots__ = ("change", "changed", "last_policy", "not_alive", "not_alive_change", "total")
 
@@ -24,7 +24,7 @@ class Status(Source):
         self.changed = False
 
     def has_work(self) -> bool:
-        """Whether there is something to take."""
+        """Whether there is a change to take."""
         return self.changed
 
     def add(self, total: int = 1, not_alive: int = 0, policy: int | None = None) -> None:
@@ -41,7 +41,7 @@ class Status(Source):
             self.listener(total)
 
     def take(self) -> dict[str, Any]:
-        """The counters; the changes begin again at zero."""
+        """Return the counters and reset the changes to zero."""
         taken = {
             "total": self.total,
             "change": self.change,

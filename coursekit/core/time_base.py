@@ -1,4 +1,4 @@
-"""Clocks as ROS has them: system, steady and ROS time, the last with an override (simulation time) and jumps."""
+"""ROS 2's clocks: system, steady and ROS time, the last with an override (simulation time) and time jumps."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ class TimeBase:
         return self.clock.steady() if self.kind == STEADY_TIME else self.clock.now()
 
     def new_number(self) -> int:
-        """A number for a timer of this clock: timers hear of changes in the order in which they were made."""
+        """Return a number for a timer of this clock: timers are notified of changes in the order of their creation."""
         return next(self._numbers)
 
     def add_timer(self, timer: Any) -> None:
-        """Tell `timer` when this clock is set or jumps."""
+        """Notify `timer` when this clock is set or jumps."""
         self._timers.add(timer)
 
     def add_watcher(self, token: Any, before: JumpCallback | None, after: JumpCallback | None) -> None:
@@ -49,7 +49,7 @@ class TimeBase:
         self._watchers.append((token, before, after))
 
     def remove_watcher(self, token: Any) -> None:
-        """Take callbacks back."""
+        """Remove callbacks."""
         self._watchers = [entry for entry in self._watchers if entry[0] is not token]
 
     def set_active(self, active: bool) -> None:
@@ -61,7 +61,7 @@ class TimeBase:
         self._change(after - before, True, lambda: setattr(self, "active", active))
 
     def set_override(self, nanoseconds: int) -> None:
-        """Set the time that counts while the override is active."""
+        """Set the time used while the override is active."""
         if not self.active:
             self.override = nanoseconds
             return

@@ -1,4 +1,4 @@
-"""Timers: periodic, on any clock; periods that were missed are skipped, not made up for."""
+"""Timers: periodic, on any clock; missed periods are skipped, not made up for."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Timer(Source):
         self._arm()
 
     def call(self) -> None:
-        """Count a call: the next one is due a period later, in the future in any case."""
+        """Count a call: the next one is due a period later, and always in the future."""
         now = self.base.now()
         self.last = now
         self.next += self.period
@@ -55,30 +55,30 @@ class Timer(Source):
         self._arm(now)
 
     def cancel(self) -> None:
-        """Be no longer due."""
+        """Stop being due."""
         self.canceled = True
         self.generation += 1
 
     def reset(self) -> None:
-        """Start anew: due one period from now, cancelled or not."""
+        """Restart: due one period from now, cancelled or not."""
         self.canceled = False
         self.last = self.base.now()
         self.next = self.last + self.period
         self._arm()
 
     def time_until_next_call(self) -> int | None:
-        """Nanoseconds, negative when it is late; None when cancelled."""
+        """Return the nanoseconds until the next call, negative when it is late; None when cancelled."""
         return None if self.canceled else self.next - self.base.now()
 
     def ring(self) -> None:
-        """Called by the queue when its time should have come."""
+        """Signal if it is due, else arm again; called by the queue at the timer's deadline."""
         if self.has_work():
             self.signal()
         else:
             self._arm()
 
     def time_changed(self, delta: int, toggled: bool) -> None:
-        """Its clock was set: a backward jump restarts the period."""
+        """React to a change of its clock: a backward jump restarts the period."""
         if self.canceled:
             return
         if toggled or delta < 0:

@@ -1,4 +1,4 @@
-"""Topics: publishers copy each message once per matching subscription, so nobody shares an object."""
+"""Topics: publishers copy each message once per matching subscription, so no object is shared."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Endpoint(Source):
         return self.msg_type._TYPE_NAME
 
     def status(self, kind: str) -> Status:
-        """The event counter of that kind, made on first use."""
+        """Return the event counter of that kind, created on first use."""
         status = self.statuses.get(kind)
         if status is None:
             status = self.statuses[kind] = Status()
@@ -51,22 +51,22 @@ class Publisher(Endpoint):
     def __init__(self, graph: Graph, node: GraphNode, name: str, msg_type: Any, qos: Qos) -> None:
         super().__init__(graph, node, name, msg_type, qos)
         self.tap: Callable[[Any, int], None] | None = None
-        """Takes each message and its stamp, to carry it out of the graph; it must not keep or change the message."""
+        """Called with each message and its stamp, to carry it out of the graph; it must not keep or change the message."""
         self.targets: tuple[Subscription, ...] = ()
         keeps = self.qos.durability == TRANSIENT_LOCAL
         depth = None if self.qos.history == KEEP_ALL else self.qos.depth
         self._history: deque[tuple[Any, int]] | None = deque(maxlen=depth) if keeps else None
-        self._last_sent = self._last_sign = 0  # a deadline is kept by messages, a lease by any sign of life
+        self._last_sent = self._last_sign = 0  # messages keep a deadline, any sign of life keeps a lease
         self._live = True
         self._deadline_timer: Any = None
         self._lease_timer: Any = None
         if self.qos.deadline != INFINITE:
             self._watch_deadline()
         if self.qos.lease != INFINITE and self.qos.liveliness != AUTOMATIC:
-            self._live = False  # alive only once it says so
+            self._live = False  # alive only after its first assertion
 
     def publish(self, msg: Any) -> None:
-        """Hand a copy of `msg` to every matching subscription.
+        """Deliver a copy of `msg` to every matching subscription.
 
         >>> from std_msgs.msg import String
         >>> from coursekit.core.graph import Graph
@@ -92,17 +92,17 @@ class Publisher(Endpoint):
             self._sign_of_life()
 
     def kept(self) -> list[tuple[Any, int]]:
-        """The messages and stamps that it still keeps for late joiners."""
+        """The messages and stamps kept for late joiners."""
         return list(self._history or ())
 
     def replay(self, target: Subscription) -> None:
-        """Give a late joiner what this publisher still keeps."""
+        """Send the kept messages to a late joiner."""
         for msg, stamp in self.kept():
             kept = msg._clone() if target.reduce is None else target.reduce(msg)
             target.push((kept, stamp, self))
 
     def assert_liveliness(self) -> None:
-        """Say that it lives, without publishing."""
+        """Assert liveliness without publishing."""
         self._sign_of_life()
 
     def _sign_of_life(self) -> None:
@@ -131,7 +131,7 @@ class Publisher(Endpoint):
                 target.lose_publisher(self)
 
     def is_live(self) -> bool:
-        """Whether its lease holds."""
+        """Whether its lease is still valid."""
         return self._live
 
     def _watch_deadline(self) -> None:
@@ -156,7 +156,7 @@ class Publisher(Endpoint):
 class Subscription(Endpoint):
     """The receiving end: a queue of (message, stamp ns, publisher).
 
-    A reader that needs a few numbers of each message sets `reduce`: what it makes of a message is queued, not a copy.
+    A reader that needs only a few numbers of each message sets `reduce`: its result is queued instead of a copy.
     """
 
     __slots__ = ("_deadline_timer", "_last_sign", "_lost", "queue", "reduce")
@@ -175,11 +175,11 @@ class Subscription(Endpoint):
             self._deadline_timer = graph.clock.call_at(due, self._check_deadline)
 
     def has_work(self) -> bool:
-        """Whether a message waits."""
+        """Whether a message is waiting."""
         return bool(self.queue)
 
     def push(self, entry: tuple[Any, int, Publisher]) -> None:
-        """Queue a message; the oldest one goes when the queue is full."""
+        """Queue a message; a full queue drops its oldest."""
         self.queue.append(entry)
         if self._deadline_timer is not None:
             self._last_sign = self.graph.clock.steady()
@@ -189,7 +189,7 @@ class Subscription(Endpoint):
             self.listener(entry)
 
     def take(self) -> tuple[Any, int, Publisher] | None:
-        """The oldest message that has not outlived its publisher's lifespan."""
+        """Return the oldest message within its publisher's lifespan, or None."""
         while True:
             try:
                 entry = self.queue.popleft()
@@ -200,15 +200,15 @@ class Subscription(Endpoint):
                 return entry
 
     def meet(self, publisher: Publisher) -> None:
-        """A publisher is about to be matched; nothing of it has been pushed yet."""
+        """Hook: a publisher is about to be matched; none of its messages has been pushed yet."""
 
     def lose_publisher(self, publisher: Publisher) -> None:
-        """A matched publisher let its lease run out."""
+        """Note that the lease of a matched publisher has expired."""
         self._lost.append(publisher)
         self.status(LIVELINESS).add(-1, 1)
 
     def lost_publisher(self, publisher: Publisher) -> bool:
-        """Forget that `publisher` was lost; whether it was."""
+        """Forget that `publisher` was lost; return whether it was."""
         if publisher in self._lost:
             self._lost.remove(publisher)
             return True
@@ -232,7 +232,7 @@ class Subscription(Endpoint):
 
 
 def match(publisher: Publisher, subscription: Subscription) -> bool:
-    """Connect the two if they fit; count the mismatch on both sides if they do not."""
+    """Connect the two if they are compatible; count the mismatch on both sides if their QoS is not."""
     if publisher.type_name != subscription.type_name:
         return False
     if publisher.node is subscription.node and publisher.node.deaf_to_itself:

@@ -1,7 +1,7 @@
-"""The virtual clock: time jumps to the next thing that happens.
+"""The virtual clock: time jumps to the next event.
 
-Every execution context is a greenlet of one thread. So exactly one runs at a time, control passes in a fixed order, and a
-run is the same every time. Greenlets rather than threads, because a switch between threads costs 10 to 30 µs.
+Every execution context is a greenlet of one thread. So exactly one runs at a time, control passes in a fixed order, and
+every run is the same. It uses greenlets rather than threads, because a thread switch costs 10 to 30 µs.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import itertools
 import threading
 from collections import deque
 from collections.abc import Callable
-from time import monotonic_ns  # the real one: in a process, time.monotonic_ns() is this clock's
+from time import monotonic_ns  # the real one: in a process, time.monotonic_ns() reads this clock
 from typing import Any
 
 from greenlet import getcurrent, greenlet
@@ -26,13 +26,13 @@ START_NS = 1_700_000_000_000_000_000
 """System time at the start of every virtual session."""
 POLLS_PER_TICK = 1000
 POLL_TICK_NS = 1_000_000
-"""Code that asks again and again without waiting is charged a millisecond every thousand questions."""
+"""Code that polls without waiting is charged a millisecond per thousand polls."""
 
 _get_ident = threading.get_ident
 
 
 class VirtualWaiter:
-    """A waiter of the virtual clock; a thread from outside may wait and notify too."""
+    """A waiter of the virtual clock; a foreign thread may wait and notify too."""
 
     __slots__ = ("_clock", "_flag", "_foreign", "context")
 
@@ -48,7 +48,7 @@ class VirtualWaiter:
         self.poke()
 
     def poke(self) -> None:
-        """Wake the execution context without a notification (it has something pending)."""
+        """Wake the execution context without a notification (it has pending actions)."""
         if self._foreign is not None:
             self._foreign.notify()
         elif _get_ident() == self._clock.thread:
@@ -57,14 +57,14 @@ class VirtualWaiter:
             self._clock.do_inside(self._rouse)
 
     def _rouse(self) -> None:
-        """Make the context ready if it still waits for this: what a thread from outside asked for may be past."""
+        """Make the context ready if it still waits here: the request of a foreign thread may be outdated."""
         context = self.context
         if context is not None and (self._flag or context.pending):
             self.context = None
             self._clock._ready.append(context)
 
     def wait(self, deadline: int | None = None) -> bool:
-        """Hand over until notified or until `deadline` (steady nanoseconds); returns whether it was notified."""
+        """Yield control until notified or until `deadline` (steady nanoseconds); returns whether it was notified."""
         if _get_ident() != self._clock.thread:
             return self._wait_outside(deadline)
         context = self._clock.running
@@ -100,7 +100,7 @@ class GreenletContext(ExecutionContext):
 
 
 class VirtualClock:
-    """Time that passes only when every execution context waits.
+    """Time that passes only while every execution context is waiting.
 
     >>> clock = VirtualClock()
     >>> before = clock.now(); clock.sleep(3600.0); (clock.now() - before) / 1e9
@@ -114,11 +114,11 @@ class VirtualClock:
         self.running: ExecutionContext = GreenletContext(getcurrent())
         self.main = self.running
         self.children = 0
-        """Real child processes that live: while there are any, time passes no faster than on the wall."""
+        """Number of live child processes: while there are any, time passes no faster than on the wall."""
         self.frozen = 0
-        """Real child processes that take no virtual time (a build): while there are any, time does not advance."""
+        """Number of child processes that take no virtual time (a build): while there are any, time does not advance."""
         self.partner: Any = None
-        """Another interpreter that shares this time: `partner.meet(deadline)` is asked before time goes on."""
+        """Another interpreter that shares this time: `partner.meet(deadline)` is called before time advances."""
         self._elapsed = 0
         self._ready: deque[ExecutionContext] = deque()
         self._heap: list[tuple[int, int, Any, int]] = []
@@ -136,7 +136,7 @@ class VirtualClock:
         return self._elapsed
 
     def jump(self, steady: int) -> None:
-        """Go on to a time [steady ns] before which nothing is planned here; never back."""
+        """Advance to a time [steady ns] before which nothing is scheduled here; never go back."""
         self._elapsed = max(self._elapsed, steady)
 
     def new_waiter(self) -> VirtualWaiter:
@@ -155,7 +155,7 @@ class VirtualClock:
             pass  # notified, or woken by a signal whose handler has returned
 
     def poll(self, weight: int = 1) -> None:
-        """Charge a question that did not wait, so that a loop that only asks cannot stop time."""
+        """Charge a poll that did not wait, so that a polling loop cannot stop time."""
         if _get_ident() == self.thread:
             context = self.running
             context.polls += weight
@@ -164,7 +164,7 @@ class VirtualClock:
                 self.sleep(POLL_TICK_NS * 1e-9)
 
     def spawn(self, function: Callable[[], Any], name: str) -> ExecutionContext:
-        """Make an execution context that runs `function` once those that are ready now wait."""
+        """Create an execution context that runs `function` once the contexts that are ready now are waiting."""
         variables = contextvars.copy_context()
         context = GreenletContext.__new__(GreenletContext)
 
@@ -191,17 +191,17 @@ class VirtualClock:
         return handle
 
     def close(self) -> None:
-        """Forget planned calls."""
+        """Cancel scheduled calls."""
         self._heap.clear()
         self._closed = True
 
     def do_inside(self, function: Callable[[], Any]) -> None:
-        """Have the clock's own thread call `function` next: no other thread touches its execution contexts."""
+        """Have the clock's own thread call `function` next: no other thread may touch its execution contexts."""
         self._posted.append(function)
         self._outside.notify()
 
     def wake(self) -> None:
-        """Let the clock look again at what changed outside (safe from any thread)."""
+        """Make the clock check again for changes from outside (safe from any thread)."""
         self.do_inside(lambda: None)
 
     def _block(self, context: ExecutionContext, waiter: VirtualWaiter, deadline: int | None) -> None:
@@ -213,7 +213,7 @@ class VirtualClock:
             heapq.heappush(self._heap, (deadline, next(self._numbers), context, context.turn))
         try:
             if waiter._flag or context.pending:
-                return  # a thread from outside came before the context could be seen to wait
+                return  # a foreign thread notified it before the context was registered as waiting
             following = self._pick()
             if following is not context:
                 self.running = following
@@ -224,7 +224,7 @@ class VirtualClock:
             context.turn += 1
 
     def _leave(self, context: GreenletContext) -> None:
-        """The execution context ends: whoever comes next becomes its parent, and so gets control."""
+        """End the execution context: the next one becomes its greenlet's parent, and so gets control."""
         following = self._pick()
         self.running = following
         context.green.parent = following.green  # type: ignore[attr-defined]
@@ -240,7 +240,7 @@ class VirtualClock:
                 return context_due
 
     def _advance(self) -> ExecutionContext | None:
-        """Go to the next planned event: make the call, or return the execution context that is due."""
+        """Advance to the next scheduled event: make the call, or return the execution context that is due."""
         heap = self._heap
         while heap and _is_over(heap[0]):
             heapq.heappop(heap)
@@ -270,9 +270,9 @@ class VirtualClock:
         return due
 
     def _make_others_ready(self, deadline: int) -> None:
-        """Contexts that are due together run one after the other, before those that they wake: the code is then still warm.
+        """Run contexts that are due together one after the other, before those that they wake: caches are then still warm.
 
-        The main context, in which a person works, comes when all that it caused has happened.
+        The main context, in which the user works, runs after all effects of its actions.
         """
         heap = self._heap
         while heap and heap[0][0] == deadline and heap[0][3] >= 0 and heap[0][2] is not self.main:
@@ -282,14 +282,14 @@ class VirtualClock:
                 self._ready.append(context)
 
     def _wait_outside(self, seconds: float | None) -> bool:
-        """Nothing can happen inside: wait for a thread, a child process or the keyboard."""
+        """Wait for a thread, a child process or the keyboard: nothing can happen inside."""
         if self._posted:
             return True
         return waiting.acquire(self._outside._lock, seconds)
 
 
 def _is_over(entry: tuple[int, int, Any, int]) -> bool:
-    """Whether a planned thing need not happen: a call taken back, a wait that ended otherwise."""
+    """Whether a heap entry is obsolete: a cancelled call, or a wait that has already ended."""
     _, _, what, turn = entry
     return what.function is None if turn < 0 else what.turn != turn
 

@@ -33,7 +33,7 @@ class Pose2D(NamedTuple):
     theta: float = 0.0
 
     def __matmul__(self, other: Pose2D) -> Pose2D:
-        """This pose, then the motion `other` in its frame."""
+        """This pose followed by the motion `other` in its frame."""
         c, s = math.cos(self.theta), math.sin(self.theta)
         return Pose2D(
             self.x + c * other.x - s * other.y,
@@ -42,7 +42,7 @@ class Pose2D(NamedTuple):
         )
 
     def inverse(self) -> Pose2D:
-        """The motion that undoes this one.
+        """The inverse motion.
 
         >>> pose = Pose2D(1.0, 2.0, 0.5)
         >>> bool(np.allclose(pose @ pose.inverse(), 0))
@@ -52,20 +52,20 @@ class Pose2D(NamedTuple):
         return Pose2D(-c * self.x - s * self.y, s * self.x - c * self.y, wrap(-self.theta))
 
     def to(self, other: Pose2D) -> Pose2D:
-        """The motion that leads from here to `other`: `self @ self.to(other) == other`."""
+        """The motion from this pose to `other`: `self @ self.to(other) == other`."""
         return self.inverse() @ other
 
     def distance(self, other: Pose2D) -> float:
-        """Straight distance between the positions [m]."""
+        """Straight-line distance between the positions [m]."""
         return math.hypot(other.x - self.x, other.y - self.y)
 
     def transform(self, points: Array) -> Array:
-        """Points (n, 2) of this pose's frame, in the frame that the pose is given in."""
+        """Transform points (n, 2) from this pose's frame to the frame in which the pose is given."""
         return np.asarray(points, float) @ rotation(self.theta).T + np.array([self.x, self.y])
 
     @classmethod
     def of(cls, values: Any) -> Pose2D:
-        """From any three numbers."""
+        """Build a pose from any three numbers."""
         x, y, theta = values
         return cls(float(x), float(y), wrap(float(theta)))
 
@@ -81,7 +81,7 @@ def rotation(theta: float) -> Array:
 
 
 def compose(first: Array, second: Array) -> Array:
-    """`first @ second`, row by row; shapes (n, 3), either may be (3,).
+    """`first @ second`, row by row, for shapes (n, 3); either may be (3,).
 
     >>> ahead, left = np.array([2.0, 0.0, 0.0]), np.array([1.0, 0.0, math.pi / 2])
     >>> compose(left, ahead).round(3).tolist()

@@ -13,7 +13,7 @@ Pose = tuple[float, float, float, float, float, float, float]
 Quaternion = tuple[float, float, float, float]
 Vector = tuple[float, float, float]
 Segment = tuple[float, ...]
-"""The motion between two poses, worked out: see `segment`."""
+"""The precomputed motion between two poses: see `segment`."""
 
 IDENTITY: Pose = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 
@@ -26,7 +26,7 @@ def compose(a: Pose, b: Pose) -> Pose:
     """
     ax, ay, az, i, j, k, w = a
     x, y, z, bi, bj, bk, bw = b
-    # v + w t + q x t with t = 2 q x v turns v with fewer products than q v q* has
+    # v + w t + q x t with t = 2 q x v rotates v with fewer products than q v q*
     t = j * z - k * y
     u = k * x - i * z
     v = i * y - j * x
@@ -45,7 +45,7 @@ def compose(a: Pose, b: Pose) -> Pose:
 
 
 def inverse(a: Pose) -> Pose:
-    """The motion back.
+    """The inverse motion.
 
     >>> inverse((1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 1.0))[:3]
     (-1.0, -2.0, -3.0)
@@ -57,7 +57,7 @@ def inverse(a: Pose) -> Pose:
 
 
 def between(target: Pose, source: Pose) -> Pose:
-    """`inverse(target)` after `source`: both given in the same frame.
+    """`inverse(target)` composed with `source`; both are given in the same frame.
 
     >>> here, there = (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0), (3.0, 2.0, 0.0, 0.0, 0.0, 0.0, 1.0)
     >>> between(here, there)[:3]
@@ -69,7 +69,7 @@ def between(target: Pose, source: Pose) -> Pose:
 
 
 def rotate(q: Quaternion, v: Vector) -> Vector:
-    """Turn a vector by a unit quaternion (x, y, z, w).
+    """Rotate a vector by a unit quaternion (x, y, z, w).
 
     >>> rotate((0.0, 0.0, 1.0, 0.0), (1.0, 2.0, 3.0))
     (-1.0, -2.0, 3.0)
@@ -83,7 +83,7 @@ def rotate(q: Quaternion, v: Vector) -> Vector:
 
 
 def multiply(a: Quaternion, b: Quaternion) -> Quaternion:
-    """First the turn `b`, then `a`.
+    """First the rotation `b`, then `a`.
 
     >>> multiply((0.0, 0.0, 1.0, 0.0), (1.0, 0.0, 0.0, 0.0))
     (0.0, 1.0, 0.0, 0.0)
@@ -99,7 +99,7 @@ def multiply(a: Quaternion, b: Quaternion) -> Quaternion:
 
 
 def slerp(a: Quaternion, b: Quaternion, ratio: float) -> Quaternion:
-    """Part of the way from `a` (ratio 0) to `b` (ratio 1), at constant speed along the shorter arc.
+    """Interpolate from `a` (ratio 0) to `b` (ratio 1), at constant speed along the shorter arc.
 
     >>> [round(part, 3) for part in slerp((0.0, 0.0, 0.0, 1.0), (0.0, 0.0, 1.0, 0.0), 0.5)]
     [0.0, 0.0, 0.707, 0.707]
@@ -108,7 +108,7 @@ def slerp(a: Quaternion, b: Quaternion, ratio: float) -> Quaternion:
 
 
 def interpolate(a: Pose, b: Pose, ratio: float) -> Pose:
-    """Part of the way from pose `a` to pose `b`: straight in position, `slerp` in attitude.
+    """Interpolate from pose `a` to pose `b`: linearly in position, with `slerp` in attitude.
 
     >>> interpolate(IDENTITY, (2.0, 4.0, 0.0, 0.0, 0.0, 0.0, 1.0), 0.25)[:3]
     (0.5, 1.0, 0.0)
@@ -118,7 +118,7 @@ def interpolate(a: Pose, b: Pose, ratio: float) -> Pose:
     rest = 1.0 - ratio
     dot = i * bi + j * bj + k * bk + w * bw
     same = dot if dot >= 0.0 else -dot
-    if same >= 1.0:  # hardly a turn, or none: the straight way is as good
+    if same >= 1.0:  # little or no rotation: linear interpolation is as good
         p, r = rest, ratio
     else:
         angle = acos(same)
@@ -139,7 +139,7 @@ def interpolate(a: Pose, b: Pose, ratio: float) -> Pose:
 
 
 def segment(a: Pose, b: Pose) -> Segment | None:
-    """The numbers that `interpolate` needs of two poses, for many calls; None when there is no rotation between them.
+    """Precompute the numbers that `interpolate` needs for two poses; None when there is no rotation between them.
 
     (x, dx, y, dy, z, dz), then the quaternions a and b over the sine of the angle between them, and the angle: at a ratio
     r the attitude is a * sin(angle - r * angle) + b * sin(r * angle).
@@ -157,7 +157,7 @@ def segment(a: Pose, b: Pose) -> Segment | None:
 
 
 def canonical(pose: Pose) -> Pose:
-    """The same pose with the sign of quaternion that tf2 gives (it takes the way through a matrix)."""
+    """The same pose with the quaternion's sign as tf2 returns it (tf2 converts through a matrix)."""
     x, y, z, i, j, k, w = pose
     if w > 0.5:
         return pose

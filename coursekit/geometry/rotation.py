@@ -9,7 +9,7 @@ Quaternion = tuple[float, float, float, float]
 
 
 def quaternion_of(rpy: Vector) -> Quaternion:
-    """Roll, pitch, yaw [rad] about the fixed axes x, y, z as a quaternion, as URDF and tf2 have them.
+    """Convert roll, pitch, yaw [rad] about the fixed axes x, y, z to a quaternion, as in URDF and tf2.
 
     >>> quaternion_of((0.0, 0.0, 3.141592653589793))
     (0.0, 0.0, 1.0, 6.123233995736766e-17)

@@ -1,4 +1,4 @@
-"""CDR: the bytes that real ROS 2 sends and records (XCDR1, little endian, four bytes of header).
+"""CDR: the byte format in which ROS 2 sends and records messages (XCDR1, little endian, four-byte header).
 
 In ROS 2: rmw_fastrtps. Checked against it byte for byte.
 """
@@ -38,7 +38,7 @@ def serialize(message: Any) -> bytes:
 
 
 def deserialize(data: bytes | bytearray | memoryview, cls: Any) -> Any:
-    """Return the message of class `cls` in CDR bytes; raises CdrError for bytes that hold none.
+    """Return the message of class `cls` in CDR bytes; raises CdrError for bytes that do not encode one.
 
     >>> from std_msgs.msg import Int32
     >>> deserialize(serialize(Int32(data=7)), Int32)
@@ -55,7 +55,7 @@ def deserialize(data: bytes | bytearray | memoryview, cls: Any) -> Any:
 
 
 def codec_of(cls: Any) -> Codec:
-    """Return the codec of a message class, made on first use."""
+    """Return the codec of a message class, created on first use."""
     known: Codec | None = cls.__dict__.get("_CODEC")
     if known is None:
         known = _make(cls)

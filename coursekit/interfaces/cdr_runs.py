@@ -1,6 +1,6 @@
 """Runs of values of fixed size: one `struct` call for many fields.
 
-CDR aligns each number to its size, so the padding of a run depends on where it starts: a run is
+CDR aligns each number to its size, so the padding of a run depends on its start position: a run consists of
 eight `struct.Struct`, one for each start modulo 8.
 """
 
@@ -33,7 +33,7 @@ PAD = tuple(b"\0" * (-start % 8) for start in range(8))
 
 
 class Item(NamedTuple):
-    """One value of a run; `code` is its struct format, `name` the Python it comes from or goes to."""
+    """One value of a run; `code` is its struct format, `name` the Python expression that it is read from or assigned to."""
 
     align: int
     code: str
@@ -65,7 +65,7 @@ def at_most(values: Sized, bound: int, name: str) -> None:
 
 
 def exactly(values: Sized, size: int, name: str) -> None:
-    """Raise CdrError when an array has not its fixed number of elements."""
+    """Raise CdrError when an array does not have its fixed number of elements."""
     if len(values) != size:
         raise CdrError(f"'{name}' has {len(values)} elements; exactly {size} are needed")
 
@@ -133,7 +133,7 @@ PAD4 = tuple(b"\0" * (-start % 4) for start in range(4))
 
 
 def take(body: memoryview, position: int, count: int) -> memoryview:
-    """Return `count` bytes, or raise CdrError when there are not so many."""
+    """Return `count` bytes; raise CdrError when there are fewer."""
     if position + count > len(body):
         raise CdrError(f"{count} bytes expected at byte {position}, but the data ends at byte {len(body)}")
     return body[position : position + count]

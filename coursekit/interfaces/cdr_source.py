@@ -1,4 +1,4 @@
-"""Python source of the functions that turn one message type into CDR bytes and back."""
+"""Python source of the functions that convert one message type to CDR bytes and back."""
 
 from __future__ import annotations
 
@@ -218,7 +218,7 @@ class _Reader(_Source):
 def codec_source(message: Message, find: Find) -> str:
     """Return the source of `write(message, out)` and `read(body, pos)` for one message type.
 
-    Names it needs are made by coursekit.interfaces.cdr: RUNs, codec, cls, new and the helpers of cdr_runs.
+    The names it uses are supplied by coursekit.interfaces.cdr: RUNs, codec, cls, new and the helpers of cdr_runs.
     """
     writer, reader = _Writer(find), _Reader(find)
     writer.message(message, "msg")

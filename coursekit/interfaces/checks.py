@@ -1,4 +1,4 @@
-"""The checks that setters of message classes make of a value, as fast as Python allows."""
+"""The checks that the setters of message classes apply to a value, as fast as Python allows."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _PLAIN = (list, tuple)
 
 
 def is_collection(value: object) -> bool:
-    """Tell whether a value is a set or a sequence, and no string.
+    """Return whether a value is a set or a sequence other than a string.
 
     >>> is_collection((1, 2)), is_collection("12")
     (True, False)
@@ -24,19 +24,19 @@ def is_collection(value: object) -> bool:
 
 
 def all_are(values: Any, kind: type) -> bool:
-    """Tell whether each value is of a type.
+    """Return whether each value is of a type.
 
     >>> all_are([1, True], int), all_are([1, 2.0], int)
     (True, False)
     """
     for value in values:
-        if type(value) is not kind:  # else it is one: the usual case, in a third of the time
+        if type(value) is not kind:  # an exact match is the usual case: a third of the time
             return all(issubclass(found, kind) for found in set(map(type, values)))
     return True
 
 
 def all_within(values: Any, low: int, high: int) -> bool:
-    """Tell whether each integer lies in [low, high]; an empty collection does.
+    """Return whether each integer is in [low, high]; true for an empty collection.
 
     >>> all_within([0, 255], 0, 255), all_within([-1], 0, 255)
     (True, False)
@@ -45,7 +45,7 @@ def all_within(values: Any, low: int, high: int) -> bool:
 
 
 def all_float32(values: Any) -> bool:
-    """Tell whether each number is a float32: within its bounds, infinite or not a number.
+    """Return whether each number is a float32: within its bounds, infinite or not a number.
 
     >>> all_float32([0.1, float("inf")]), all_float32([1e39])
     (True, False)
@@ -56,7 +56,7 @@ def all_float32(values: Any) -> bool:
 
 
 def float32(value: float) -> float:
-    """The nearest float32, which is what a message carries: 0.1 comes in as something else than it was sent.
+    """Return the nearest float32, the value that a message carries: 0.1 is received as a slightly different number.
 
     >>> float32(0.1), float32(0.5)
     (0.10000000149011612, 0.5)
@@ -65,7 +65,7 @@ def float32(value: float) -> float:
 
 
 def all_no_longer_than(values: Any, length: int) -> bool:
-    """Tell whether each string has at most `length` characters.
+    """Return whether each string has at most `length` characters.
 
     >>> all_no_longer_than(["map", "odom"], 3)
     False
@@ -74,7 +74,7 @@ def all_no_longer_than(values: Any, length: int) -> bool:
 
 
 def is_octet(value: object) -> bool:
-    """Tell whether a value is one byte.
+    """Return whether a value is one byte.
 
     >>> is_octet(b"a"), is_octet(97)
     (True, False)

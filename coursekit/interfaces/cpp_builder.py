@@ -1,6 +1,6 @@
 """C++ source of messages' builders: `geometry_msgs::build<geometry_msgs::msg::Point>().x(1).y(2).z(3)`.
 
-Each step of a chain is a type that has only the next field, so that none is forgotten and all come in order.
+Each step of a chain is a type with a setter only for the next field, so none is forgotten and their order is fixed.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from coursekit.interfaces.model import Message
 
 
 def builder_lines(package: str, kind: str, messages: Iterable[Message]) -> list[str]:
-    """The builders of a header's messages, which come before them."""
+    """Return the builders for a header's messages, to be placed after the messages."""
     all_of_them = list(messages)
     return [
         f"namespace {package}::{kind}::builder",
@@ -27,7 +27,7 @@ def builder_lines(package: str, kind: str, messages: Iterable[Message]) -> list[
 
 
 def _steps(message: Message) -> list[str]:
-    """The last step first: each is followed by the one that it leads to."""
+    """Return the steps in reverse order: each step refers to the one that follows it in the chain."""
     names = [field.name for field in message.fields]
     following = [*(f"Init_{message.name}_{name}" for name in names[1:]), message.name]
     steps = [f"COURSEKIT_STEP({message.name}, {name}, {to})" for name, to in zip(names, following, strict=False)]

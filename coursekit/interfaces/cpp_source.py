@@ -13,7 +13,7 @@ from coursekit.interfaces.registry import module_name
 
 
 def header_name(name: str) -> str:
-    """The name of an interface's header, without its suffix.
+    """Return the name of an interface's header, without its suffix.
 
     >>> header_name("HardwareStatus")
     'hardware_status'
@@ -22,7 +22,7 @@ def header_name(name: str) -> str:
 
 
 def header(interface: Interface, kind: str) -> str:
-    """The text of an interface's header, which includes those of the messages in it."""
+    """Return the text of an interface's header, which includes those of its nested messages."""
     own = {message.full_name for message in messages_of(interface)}
     inner = dict.fromkeys(
         base for message in messages_of(interface) for base in message.dependencies() if base not in own
@@ -45,14 +45,14 @@ def header(interface: Interface, kind: str) -> str:
 
 
 def inner_headers(package: str, kind: str, name: str) -> dict[str, str]:
-    """The headers that rosidl has beside an interface's own, by their names: editors write their includes by themselves."""
+    """Return rosidl's inner headers by name, beside the interface's own: editors insert includes of them automatically."""
     own = header_name(name)
     text = f'#pragma once\n#include "{package}/{kind}/{own}.hpp"\n'
     return {f"{package}/{kind}/detail/{own}__{part}.hpp": text for part in ("struct", "builder", "traits")}
 
 
 def messages_of(interface: Interface) -> list[Message]:
-    """All structures of an interface: of a service two, of an action those that its topics and services carry too."""
+    """Return all structures of an interface: two for a service; for an action also those of its topics and services."""
     if isinstance(interface, Message):
         return [interface]
     extra = action_parts(interface) if isinstance(interface, Action) else []

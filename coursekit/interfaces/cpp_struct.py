@@ -1,4 +1,4 @@
-"""C++ source of a message's structure: its fields, what its constructor gives them, and what is known of its size."""
+"""C++ source of a message's structure: its fields, its constructor, and its size traits."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _INIT = "rosidl_runtime_cpp::MessageInitialization"
 
 
 def struct_lines(message: Message) -> list[str]:
-    """The structure of a message.
+    """Return the structure of a message.
 
     >>> print(*struct_lines(Message("p", "msg", "Empty")), sep="\\n")  # doctest: +ELLIPSIS
     struct Empty
@@ -53,7 +53,7 @@ def _field(field: Field, owner: str) -> Iterable[str]:
 
 
 def _constructor(name: str, fields: Iterable[Field]) -> Iterator[str]:
-    """As upstream's: zeros first, then the defaults, each where the initialization asks for them."""
+    """Return a constructor like upstream's: zeros first, then the defaults, each if the initialization requests them."""
     fields = list(fields)
     nested = [f"{field.name}(_init)" for field in fields if not field.type.is_primitive and not field.type.is_array]
     zeros = [_zero(field) for field in fields if _begins_undefined(field.type)]
@@ -71,7 +71,7 @@ def _constructor(name: str, fields: Iterable[Field]) -> Iterator[str]:
 
 
 def _begins_undefined(kind: FieldType) -> bool:
-    """Whether C++ leaves a field's memory as it is: numbers, and blocks of so many of them."""
+    """Whether C++ leaves a field's memory uninitialized: numbers and fixed arrays of numbers."""
     return kind.is_primitive and not kind.is_sequence and kind.base not in ("string", "wstring")
 
 
@@ -84,13 +84,13 @@ def _fill(field: Field) -> str:
 
 
 def _octets(fields: Iterable[Field]) -> list[str]:
-    """The fields of bytes: their type in C++ is that of small numbers, but in YAML they are written otherwise."""
+    """Return the names of the byte fields: in C++ they have the type of uint8, but YAML writes them differently."""
     names = ", ".join(f'"{field.name}"' for field in fields if field.type.base == "byte")
     return [f"  static constexpr const char * coursekit_octets[] = {{{names}}};"] if names else []
 
 
 def _all(condition: Callable[[FieldType], str], fields: Iterable[Field]) -> str:
-    """The conjunction of what a condition says of each field; it says nothing of those that always hold."""
+    """Return the conjunction of a condition over all fields; fields for which it always holds are left out."""
     conditions = dict.fromkeys(text for field in fields if (text := condition(field.type)))
     return "false" if "false" in conditions else " && ".join(conditions) or "true"
 

@@ -1,4 +1,4 @@
-"""C++ source of what rosidl_generator_traits knows of services and actions, and of the messages in them."""
+"""C++ source of rosidl_generator_traits' facts about services, actions and their messages."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from coursekit.interfaces.model import Action, Interface, Service
 
 
 def trait_lines(interface: Interface, namespace: str) -> list[str]:
-    """The traits of an interface in a C++ namespace; a message has none of its own.
+    """Return the traits of an interface in a C++ namespace; a message has none of its own.
 
     >>> from coursekit.interfaces.parser import parse
     >>> trait_lines(parse("std_srvs", "srv", "Empty", "---"), "std_srvs::srv")[0]

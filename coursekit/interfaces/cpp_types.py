@@ -1,4 +1,4 @@
-"""C++ types and values of fields and constants, as rosidl_generator_cpp has them."""
+"""C++ types and values of fields and constants, as in rosidl_generator_cpp."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _CPP = {
 
 
 def cpp_type(kind: FieldType) -> str:
-    """The C++ type of a field.
+    """Return the C++ type of a field.
 
     >>> cpp_type(FieldType('float64', is_array=True, size=36))
     'std::array<double, 36>'
@@ -28,7 +28,7 @@ def cpp_type(kind: FieldType) -> str:
 
 
 def element_type(kind: FieldType) -> str:
-    """The C++ type of a single value of a field.
+    """Return the C++ type of a single value of a field.
 
     >>> element_type(FieldType('geometry_msgs/msg/Point', is_array=True))
     'geometry_msgs::msg::Point'
@@ -37,7 +37,7 @@ def element_type(kind: FieldType) -> str:
 
 
 def constant_type(kind: FieldType) -> str:
-    """The C++ type of a constant.
+    """Return the C++ type of a constant.
 
     >>> constant_type(FieldType('string'))
     'const char *'
@@ -46,7 +46,7 @@ def constant_type(kind: FieldType) -> str:
 
 
 def literal(kind: FieldType, value: object) -> str:
-    """A value as C++ has it.
+    """Return a value as a C++ literal.
 
     >>> literal(FieldType('uint64'), 3), literal(FieldType('float32'), 0.5)
     ('3ull', '0.5f')

@@ -1,4 +1,4 @@
-"""The types of fields, as programs see them in a message's SLOT_TYPES.
+"""The types of fields, as shown in a message's SLOT_TYPES.
 
 In ROS 2: rosidl_parser.definition.
 """
@@ -34,7 +34,7 @@ ACTION_FEEDBACK_MESSAGE_SUFFIX = "_FeedbackMessage"
 
 
 class AbstractType:
-    """Any type; two are equal when their class and their parts are."""
+    """Any type; two are equal when their classes and their parts are equal."""
 
     __slots__: tuple[str, ...] = ()
 
@@ -75,7 +75,7 @@ class BasicType(AbstractNestableType):
 
 
 class NamedType(AbstractNestableType):
-    """A type known by a bare name."""
+    """A type known by its bare name."""
 
     __slots__ = ("name",)
 
@@ -106,7 +106,7 @@ class AbstractGenericString(AbstractNestableType):
     __slots__ = ()
 
     def has_maximum_size(self) -> bool:
-        """Tell whether the string is bounded."""
+        """Return whether the string is bounded."""
         return False
 
 
@@ -168,7 +168,7 @@ class AbstractNestedType(AbstractType):
         self.value_type = value_type
 
     def has_maximum_size(self) -> bool:
-        """Tell whether the number of elements is bounded."""
+        """Return whether the number of elements is bounded."""
         return True
 
 
@@ -183,7 +183,7 @@ class Array(AbstractNestedType):
 
 
 class AbstractSequence(AbstractNestedType):
-    """Any number of elements, perhaps up to a bound."""
+    """Any number of elements, possibly up to a bound."""
 
     __slots__ = ()
 

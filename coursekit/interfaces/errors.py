@@ -1,4 +1,4 @@
-"""Errors of an interface: of its text, its name, its bytes."""
+"""Errors of an interface: in its text, its name or its bytes."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from coursekit.suggestions import hint
 
 
 class InterfaceError(ValueError):
-    """A definition file says something that ROS does not understand.
+    """An error in a definition file.
 
-    Carries the place: `file`, `line` (1-based), `column` (1-based), `source` (the text of that line).
+    Carries the location: `file`, `line` (1-based), `column` (1-based), `source` (the text of that line).
 
     >>> print(InterfaceError("unknown type 'flot'", file='A.msg', line=2, column=1, source='flot x'))
     A.msg:2:1: unknown type 'flot'
@@ -34,7 +34,7 @@ class InterfaceError(ValueError):
 
 
 class UnknownInterface(LookupError):
-    """No definition of that name is in any sourced workspace or in the underlay."""
+    """No definition of that name exists in any sourced workspace or in the underlay."""
 
     def __init__(self, name: str, known: Iterable[str] = ()) -> None:
         self.name = name
@@ -46,7 +46,7 @@ class UnknownInterface(LookupError):
 
 
 class CdrError(ValueError):
-    """Bytes that are not the CDR form of the message they are said to be."""
+    """Bytes that are not a valid CDR form of the expected message."""
 
 
 def suggestion(word: str, known: Iterable[str]) -> str:

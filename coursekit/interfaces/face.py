@@ -1,4 +1,4 @@
-"""Modules such as `std_msgs.msg`: names that become classes when they are first used."""
+"""Modules such as `std_msgs.msg`: their names become classes on first use."""
 
 from __future__ import annotations
 

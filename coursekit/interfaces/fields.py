@@ -43,7 +43,7 @@ _PYTHON = {
 
 
 def python_type(kind: FieldType) -> str:
-    """Return the name of the Python type of one element, as Humble's messages name it.
+    """Return the name of the Python type of one element, as in Humble's messages.
 
     >>> python_type(FieldType("float32")), python_type(FieldType("std_msgs/Header"))
     ('float', 'Header')
@@ -75,7 +75,7 @@ def _float_source(value: float) -> str:
 
 
 def default_of(field: Field, alias: Alias) -> str:
-    """Return the source of the value a new message has in this field."""
+    """Return the source of a new message's value for this field."""
     kind = field.type
     if field.default is not None:
         return value_source(kind, field.default)
@@ -93,24 +93,24 @@ def _zero(kind: FieldType, alias: Alias) -> str:
 
 
 def kwarg_lines(field: Field, alias: Alias) -> list[str]:
-    """Return the statements by which the constructor takes this field from its arguments; defaults need no check."""
+    """Return the constructor's statements that set this field from its arguments; defaults need no check."""
     kind, name = field.type, field.name
     given = f"kwargs[{name!r}]"
     taken = [f"self.{name} = {given}"]
     if kind.is_number_block and kind.is_sequence and field.default is None:
         taken = [f"self.{name} = array.array('{TYPE_CODES[kind.base]}', {given})"]
-    elif not kind.is_array:  # what its setter does, without the call
+    elif not kind.is_array:  # its setter, inlined
         taken = [f"value = {given}", *setter_lines(field, alias)]
     default = default_of(field, alias)
     return [f"if {name!r} in kwargs:", *(f"    {line}" for line in taken), "else:", f"    self._{name} = {default}"]
 
 
 _AS_SENT = {"float32": "checks.float32({})", "float64": "float({})", **dict.fromkeys((*INTEGERS, "char"), "+{}")}
-"""The conversion of a number that comes in: a numpy.float64 has become a float, and True is 1."""
+"""The conversion of a received number: a numpy.float64 becomes a float, and True becomes 1."""
 
 
 def clone_of(field: Field) -> str:
-    """Return the source of a copy, as one comes in that was sent: it shares nothing that can change."""
+    """Return the source of a copy as a receiver gets it: it shares no mutable object."""
     kind, value = field.type, f"self._{field.name}"
     if kind.is_number_block:
         return f"{value}.copy()" if kind.is_fixed else f"{value}[:]"
@@ -124,7 +124,7 @@ def clone_of(field: Field) -> str:
 
 
 def difference_of(field: Field) -> str:
-    """Return the source of "this field differs"."""
+    """Return the source of the test that this field differs."""
     name = field.name
     if field.type.is_number_block and field.type.is_fixed:
         return f"not numpy.array_equal(self._{name}, other._{name})"

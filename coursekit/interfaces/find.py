@@ -1,4 +1,4 @@
-"""Where definition files are: sourced workspaces first, the underlay last."""
+"""The search for definition files: sourced workspaces first, the underlay last."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ _remembered: list[Path] = []
 
 
 def prefixes() -> list[Path]:
-    """Return the ament prefixes in the order of search: AMENT_PREFIX_PATH, then the underlay."""
+    """Return the ament prefixes in search order: AMENT_PREFIX_PATH, then the underlay."""
     sourced = [Path(p) for p in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if p]
     return list(dict.fromkeys([*sourced, *_remembered, UNDERLAY]))
 
 
 def with_underlay(environ: MutableMapping[str, str]) -> None:
-    """Put the underlay behind the prefixes of an environment, as sourcing ROS does.
+    """Append the underlay to the prefixes of an environment, as sourcing ROS does.
 
     >>> environ = {"AMENT_PREFIX_PATH": "/ws/install"}
     >>> with_underlay(environ)
@@ -40,7 +40,7 @@ def remember(prefix: Path) -> None:
 
 
 def split_name(name: str) -> tuple[str, str, str]:
-    """Return package, kind and name; a two-part name is a message's.
+    """Return package, kind and name; a two-part name means a message.
 
     >>> split_name('std_msgs/String')
     ('std_msgs', 'msg', 'String')
@@ -56,7 +56,7 @@ def split_name(name: str) -> tuple[str, str, str]:
 def find_definition(name: str) -> Path:
     """Return the definition file of 'package/msg/Name' (or 'package/Name').
 
-    Raises UnknownInterface, which lists close names.
+    Raises UnknownInterface, which lists similar names.
 
     >>> find_definition("std_msgs/String").name
     'String.msg'
@@ -70,7 +70,7 @@ def find_definition(name: str) -> Path:
 
 
 def definition_text(name: str) -> str:
-    """Return the text of a definition file, comments and spacing kept.
+    """Return the text of a definition file, including comments and spacing.
 
     >>> "float64 x" in definition_text("geometry_msgs/msg/Point")
     True
@@ -79,7 +79,7 @@ def definition_text(name: str) -> str:
 
 
 def known_packages() -> list[str]:
-    """Return the names of all packages that have interfaces, sorted."""
+    """Return the names of all packages with interfaces, sorted."""
     names: set[str] = set()
     for prefix in prefixes():
         for kind in KINDS:
@@ -101,5 +101,5 @@ def interfaces_of(package: str, kind: str) -> list[str]:
 
 
 def known_interfaces() -> list[str]:
-    """Return the full names of all interfaces that can be found, sorted."""
+    """Return the full names of all known interfaces, sorted."""
     return [f"{p}/{k}/{n}" for p in known_packages() for k in KINDS for n in interfaces_of(p, k)]

@@ -1,4 +1,4 @@
-"""Definitions in OMG IDL: as ROS 2 installs them beside .msg, .srv and .action files, and as packages may write them."""
+"""Definitions in OMG IDL: ROS 2 installs them beside .msg, .srv and .action files, and packages may contain their own."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _read: list[Path] = []
 
 
 def idl_file(package: str, definition: Path) -> Path:
-    """Write the IDL of a definition file into a folder of this interpreter's, once; return its path.
+    """Write the IDL of a definition file to this interpreter's own folder, once; return its path.
 
     Raises:
         InterfaceError: when the definition cannot be read.
@@ -33,14 +33,14 @@ def idl_file(package: str, definition: Path) -> Path:
 
 
 def definition_file(path: Path) -> Path:
-    """Return a definition file; of one in IDL the same as .msg, .srv or .action, in a folder of this interpreter's.
+    """Return a definition file; one in IDL is translated to .msg, .srv or .action in this interpreter's own folder.
 
     Raises:
         InterfaceError: when the IDL cannot be read.
     """
     if path.suffix != ".idl":
         return path
-    from coursekit.interfaces.idl_reader import definition_of_idl  # few packages have any
+    from coursekit.interfaces.idl_reader import definition_of_idl  # few packages have IDL files
 
     kind, text = definition_of_idl(path)
     made = Path(_own_folder(), str(len(_read)), kind, f"{path.stem}.{kind}")
@@ -51,7 +51,7 @@ def definition_file(path: Path) -> Path:
 
 
 def is_translated(path: Path) -> bool:
-    """Whether a definition file was made from one in IDL."""
+    """Whether a definition file is the translation of an IDL file."""
     return path in _read
 
 
@@ -86,7 +86,7 @@ def idl_text(interface: Interface) -> str:
 
 
 def _typedefs(messages: list[Message], of: Message) -> list[str]:
-    """The fixed arrays that `of` is the first of `messages` to have."""
+    """Return the typedefs of the fixed arrays that `of` is the first of `messages` to use."""
     before = {f.type for message in messages[: messages.index(of)] for f in message.fields}
     new = dict.fromkeys(f.type for f in of.fields if f.type.is_fixed and f.type not in before)
     return [f"typedef {_element(kind)} {_type(kind)}[{kind.size}];" for kind in new]

@@ -1,4 +1,4 @@
-"""Reads OMG IDL, as far as ROS uses it, as the text of a .msg, .srv or .action file: what all else here begins with."""
+"""Translates OMG IDL, as far as ROS uses it, to the text of a .msg, .srv or .action file, the input of all other code."""
 
 from __future__ import annotations
 
@@ -41,13 +41,13 @@ _BASIC = {
 }  # fmt: skip
 _PARTS = {"msg": ("",), "srv": ("_Request", "_Response"), "action": ("_Goal", "_Result", "_Feedback")}
 _FILLER = "structure_needs_at_least_one_member"
-"""The member of structures that have none in ROS: IDL wants one."""
+"""The member of structures that are empty in ROS: IDL requires one."""
 
 
 def definition_of_idl(path: Path) -> tuple[str, str]:
-    """Return the kind of what an .idl file defines, and its text as a .msg, .srv or .action file has it.
+    """Return the kind of the interface in an .idl file, and its definition as a .msg, .srv or .action text.
 
-    Raises InterfaceError, with file and line, where ROS would not understand it.
+    Raises InterfaceError, with file and line, for text that ROS would not accept.
     """
     try:
         tree = Lark(_GRAMMAR, parser="lalr").parse(read_text(path))
@@ -121,7 +121,7 @@ def _name(struct: Tree[Any]) -> Token:
 
 
 def _value(value: Tree[Any]) -> str:
-    """A constant or a default as .msg files have it; IDL writes lists as texts in round brackets."""
+    """Return a constant or a default in .msg syntax; IDL writes lists as strings in parentheses."""
     parts = [str(one) for one in value.children]
     if not parts[0].startswith('"'):
         return {"TRUE": "true", "FALSE": "false"}.get(parts[0], parts[0])

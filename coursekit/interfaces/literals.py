@@ -8,7 +8,7 @@ from coursekit.interfaces.model import INTEGERS, FieldType, Value
 
 
 class LiteralError(ValueError):
-    """A value that does not fit its type; the parser adds the place."""
+    """A value that does not fit its type; the parser adds the location."""
 
     def __init__(self, type_name: str, text: str, why: str) -> None:
         super().__init__(f"value '{text}' can not be converted to type '{type_name}': {why}")

@@ -1,4 +1,4 @@
-"""The classes of interface classes, and what all messages share."""
+"""The metaclass of interface classes, and the functions shared by all messages."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 
 class InterfaceType(type):
-    """A message, service or action class; type support needs no import here."""
+    """The metaclass of message, service and action classes; no type support has to be imported."""
 
     _TYPE_SUPPORT: Any = "coursekit"
     _CREATE_ROS_MESSAGE: Any = "coursekit"
@@ -36,7 +36,7 @@ def text_of(message: Any) -> str:
 
 
 def reject_unknown(cls: Any, kwargs: dict[str, Any]) -> None:
-    """Raise AssertionError for constructor arguments that name no field."""
+    """Raise AssertionError for constructor arguments that are not field names."""
     unknown = sorted(set(kwargs) - cls._fields_and_field_types.keys())
     if unknown:
         raise AssertionError(f"Invalid arguments passed to constructor: {', '.join(unknown)}")

@@ -1,4 +1,4 @@
-"""The content of a definition file: types, fields, constants, and the messages that they make."""
+"""The content of a definition file: types, fields, constants, and the messages built from them."""
 
 from __future__ import annotations
 
@@ -32,17 +32,17 @@ class FieldType:
 
     @property
     def is_primitive(self) -> bool:
-        """Tell whether the element is no message."""
+        """Return whether the element is not a message."""
         return "/" not in self.base
 
     @property
     def is_fixed(self) -> bool:
-        """Tell whether this is `type[N]`."""
+        """Return whether this is `type[N]`."""
         return self.is_array and self.size is not None and not self.is_upper_bound
 
     @property
     def is_sequence(self) -> bool:
-        """Tell whether this is `type[]` or `type[<=N]`."""
+        """Return whether this is `type[]` or `type[<=N]`."""
         return self.is_array and not self.is_fixed
 
     @property
@@ -52,7 +52,7 @@ class FieldType:
 
     @property
     def is_number_block(self) -> bool:
-        """Tell whether values live in an array.array (sequences) or a numpy.ndarray (fixed)."""
+        """Return whether values are stored in an array.array (sequences) or a numpy.ndarray (fixed)."""
         return self.is_array and self.base in IDL_NAMES and self.base not in ("bool", "byte")
 
     def __str__(self) -> str:
@@ -63,7 +63,7 @@ class FieldType:
         return f"{name}{bound}[{'<=' if self.is_upper_bound else ''}{self.size or ''}]"
 
     def slot_type(self) -> d.AbstractType:
-        """Return the type as SLOT_TYPES shows it."""
+        """Return the type for SLOT_TYPES."""
         element = self._slot_element()
         if not self.is_array:
             return element
@@ -141,7 +141,7 @@ class Message:
         return f"{self.package}/{self.kind}/{self.name}"
 
     def dependencies(self) -> list[str]:
-        """Return the full names of the messages inside, each once, in the order of the fields."""
+        """Return the full names of the nested messages, without duplicates, in the order of the fields."""
         return list(dict.fromkeys(f.type.base for f in self.fields if not f.type.is_primitive))
 
 
@@ -160,7 +160,7 @@ class Service:
         return f"{self.package}/{self.request.kind}/{self.name}"
 
     def messages(self) -> Iterator[Message]:
-        """Yield the messages that make it up."""
+        """Yield its messages."""
         yield from (self.request, self.response)
 
 
@@ -180,7 +180,7 @@ class Action:
         return f"{self.package}/action/{self.name}"
 
     def messages(self) -> Iterator[Message]:
-        """Yield the messages that make it up."""
+        """Yield its messages."""
         yield from (self.goal, self.result, self.feedback)
 
 

@@ -1,4 +1,4 @@
-"""Our reader of .msg, .srv and .action text.
+"""The reader of .msg, .srv and .action text.
 
 In ROS 2: rosidl_adapter. The grammar is Humble's; the errors name file, line and column.
 """
@@ -35,7 +35,7 @@ _LONGEST = 2**31 - 1
 
 
 class _Reader:
-    """Reads the lines of one structure; knows the place for errors."""
+    """Reads the lines of one structure; adds their locations to errors."""
 
     def __init__(
         self, package: str, kind: str, name: str, lines: Sequence[str], file: str, first: int
@@ -179,7 +179,7 @@ class _Reader:
         if base in PRIMITIVES:
             return base
         parts = base.split("/")
-        if len(parts) == 3 and parts[1] == "msg":  # as it is written elsewhere; rosidl's parser refuses it, too
+        if len(parts) == 3 and parts[1] == "msg":  # the form used elsewhere; rosidl's parser refuses it too
             raise self.error(f"in a definition '{base}' is written {parts[0]}/{parts[2]}", index)
         package, name = parts if len(parts) == 2 else (self.package, base)
         if base in ("time", "duration"):
@@ -192,7 +192,7 @@ class _Reader:
 
 
 def parse(package: str, kind: str, name: str, text: str, file: str = "") -> Interface:
-    """Return what the text of a definition says; `kind` is 'msg', 'srv' or 'action'.
+    """Parse the text of a definition; `kind` is 'msg', 'srv' or 'action'.
 
     Raises InterfaceError with file, line and column.
 
@@ -224,7 +224,7 @@ def _parts(lines: list[str], count: int, kind: str, file: str) -> list[tuple[int
 
 
 def parse_file(package: str, path: Path) -> Interface:
-    """Read one definition file; the kind is its suffix, the name its stem."""
+    """Read one definition file; its suffix is the kind, its stem the name."""
     try:
         text = read_text(path)
     except OSError as error:

@@ -1,4 +1,4 @@
-"""Interface classes, made once per definition and found again by name."""
+"""Interface classes, created once per definition and looked up by name."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from coursekit.interfaces.source import alias, message_source
 
 @dataclass
 class _Entry:
-    """The classes made from one file, and what they were made from."""
+    """The classes created from one file, with its path, its stamp and the parsed definition."""
 
     path: Path
     stamp: tuple[int, int]
@@ -40,7 +40,7 @@ _SUFFIX = re.compile(
 def load(name: str) -> Any:
     """Return the class of 'package/msg/Name', 'package/Name', 'package/srv/Name' or 'package/action/Name'.
 
-    A definition that changed on disk since it was last read is read again.
+    A definition file that changed on disk since it was last read is read again.
     Raises UnknownInterface or InterfaceError.
 
     >>> load('std_msgs/String')(data='hello').data
@@ -135,7 +135,7 @@ def _publish(interface: Interface, classes: dict[str, Any]) -> None:
 
 
 def make_message(message: Message, owner: str | None = None, parts: dict[str, Any] | None = None) -> Any:
-    """Make the class of one message; `owner` is the service or action whose module it lives in."""
+    """Create the class of one message; `owner` is the service or action whose module contains it."""
     module = _module(message.package, message.kind, owner or message.name)
     source = message_source(message, parts or ())
     filename = f"<coursekit {message.full_name}>"
@@ -151,7 +151,7 @@ def make_message(message: Message, owner: str | None = None, parts: dict[str, An
 
 
 def module_name(package: str, kind: str, name: str) -> str:
-    """Return the module a class is said to come from.
+    """Return the name of the module that a class claims to come from.
 
     >>> module_name('std_msgs', 'msg', 'UInt8MultiArray')
     'std_msgs.msg._u_int8_multi_array'
@@ -162,7 +162,7 @@ def module_name(package: str, kind: str, name: str) -> str:
 
 
 class _LazyModule(ModuleType):
-    """Module of one interface, such as std_msgs.msg._string: makes its classes when asked for them."""
+    """Module of one interface, such as std_msgs.msg._string: creates its classes on demand."""
 
     _interface = ""
 

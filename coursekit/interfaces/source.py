@@ -1,6 +1,6 @@
-"""Python source of message classes: what a student would write by hand, with Humble's checks.
+"""Python source of message classes, as simple as handwritten code, with Humble's checks.
 
-In ROS 2: rosidl_generator_py. The source can be read in tracebacks.
+In ROS 2: rosidl_generator_py. The source is shown in tracebacks.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from coursekit.interfaces.model import Field, Message
 
 
 def alias(full_name: str) -> str:
-    """Return the name by which the source refers to another message class.
+    """Return the name of another message class in the source.
 
     >>> alias('std_msgs/msg/Header')
     'std_msgs__msg__Header'
@@ -36,7 +36,7 @@ def message_source(message: Message, given: Collection[str] = ()) -> str:
 
 def _imports(message: Message, given: Collection[str]) -> str:
     lines = [
-        repr(f"{message.full_name}, made from {message.file or 'text'}."),  # a path may hold quotes and backslashes
+        repr(f"{message.full_name}, made from {message.file or 'text'}."),  # a path may contain quotes and backslashes
         "",
         "import array",
         "import math",

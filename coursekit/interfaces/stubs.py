@@ -1,4 +1,4 @@
-"""Type stubs of interface packages, so that editors and type checkers know every field."""
+"""Type stubs of interface packages: editors and type checkers then know every field."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ import numpy.typing
 
 
 def stub(package: str, interfaces: Iterable[Interface]) -> str:
-    """Return the text of a stub that declares the classes of some interfaces of one kind.
+    """Return the text of a stub that declares the classes of interfaces of one kind.
 
     >>> from coursekit.interfaces.parser import parse
     >>> 'def data(self) -> str: ...' in stub('p', [parse('p', 'msg', 'Text', 'string data')])
@@ -102,7 +102,7 @@ def _taken(kind: FieldType) -> str:
 
 
 def package_stubs(package: str, files: Iterable[Path]) -> dict[str, str]:
-    """Return the stubs of a package by path relative to site-packages, for its definition files."""
+    """Return the stubs for a package's definition files, by path relative to site-packages."""
     made = {}
     paths = in_order(files)
     for kind in KINDS:

@@ -1,4 +1,4 @@
-"""Speeds that change no faster than a robot can follow."""
+"""Velocities limited to accelerations that a robot can achieve."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 Speeds = Sequence[float]
-"""Forward [m/s], sideways [m/s], turning [rad/s]."""
+"""Forward [m/s], sideways [m/s] and angular [rad/s] velocity."""
 
 
 @dataclass(frozen=True)
 class AccelerationLimiter:
-    """Bounds of speeds and of their changes a second; decelerations are negative.
+    """Limits of velocities and of their changes per second; decelerations are negative.
 
-    With `together` all three are held back alike, so that the robot stays on its curve.
+    With `together` all three changes are scaled alike, so that the robot stays on its curve.
 
     >>> AccelerationLimiter((0.5, 0, 1), (-0.5, 0, -1), (1, 0, 2), (-2, 0, -2)).toward((0.0, 0.0, 0.0), (0.8, 0.0, 0.1), 0.1)
     [0.1, 0.0, 0.1]
@@ -26,7 +26,7 @@ class AccelerationLimiter:
     together: bool = False
 
     def toward(self, now: Speeds, wish: Speeds, seconds: float) -> list[float]:
-        """The speeds `seconds` later, on the way from `now` to what is wished."""
+        """Return the velocities after `seconds`, changing from `now` towards `wish`."""
         goal = [max(low, min(high, one)) for low, high, one in zip(self.lowest, self.highest, wish, strict=True)]
         most = [self._most(k, now[k], goal[k]) * seconds for k in range(3)]
         gaps = [to - at for to, at in zip(goal, now, strict=True)]
@@ -36,6 +36,6 @@ class AccelerationLimiter:
         return [at + max(-room, min(room, gap)) for at, gap, room in zip(now, gaps, most, strict=True)]
 
     def _most(self, axis: int, now: float, goal: float) -> float:
-        """The greatest change a second."""
+        """Return the maximum change per second."""
         faster = abs(goal) >= abs(now) and now * goal >= 0
         return self.acceleration[axis] if faster else -self.deceleration[axis]

@@ -1,4 +1,4 @@
-"""Behaviour trees as nav2 runs them: nodes that are ticked and say running, success or failure, read from XML."""
+"""Behaviour trees as in nav2: nodes that are ticked and return running, success or failure, read from XML."""
 
 from __future__ import annotations
 
@@ -8,40 +8,40 @@ from typing import Any
 
 IDLE, RUNNING, SUCCESS, FAILURE = "idle", "running", "success", "failure"
 DEEPEST, MOST_NODES = 100, 5000
-"""Levels and nodes of a tree, at the most: one whose subtrees contain each other has no end."""
+"""Maximum number of levels and nodes of a tree: a tree whose subtrees contain each other would be infinite."""
 
 
 class TreeError(ValueError):
-    """No tree, and why."""
+    """An invalid tree; the message gives the reason."""
 
 
 class TreeNode:
-    """A node of a tree; `ports` are its attributes in the XML, `board` is where nodes leave things for each other."""
+    """A node of a tree; `ports` are its attributes in the XML, `board` is the blackboard shared by the nodes."""
 
     arity: tuple[int, float] = (0, 0)
-    """How many children it may have."""
+    """Minimum and maximum number of children."""
 
     def __init__(self, name: str, ports: Mapping[str, str], children: list[TreeNode], board: dict[str, Any]) -> None:
         self.name, self.ports, self.children, self.board, self.status = name, ports, children, board, IDLE
         self.prepare()
 
     def prepare(self) -> None:
-        """One tick's action of a node; ValueError when a port cannot work."""
+        """Check the ports and initialize the node; ValueError when a port is invalid."""
 
     def step(self) -> str:
-        """The work of a tick: RUNNING, SUCCESS or FAILURE."""
+        """Do the work of a tick; return RUNNING, SUCCESS or FAILURE."""
         raise NotImplementedError(self.name)
 
     def stop(self) -> None:
-        """Give up what is under way, and be as at first."""
+        """Cancel work in progress and return to the initial state."""
 
     def tick(self) -> str:
-        """Work a little."""
+        """Do one step of work and return the status."""
         self.status = self.step()
         return self.status
 
     def halt(self) -> None:
-        """Stop if it is running."""
+        """Stop the node and its children if they are running."""
         if self.status == RUNNING:
             self.stop()
         self.status = IDLE
@@ -51,21 +51,21 @@ class TreeNode:
     # -- ports
 
     def get(self, port: str, default: Any = None) -> Any:
-        """The value of a port: a text, or what `{key}` has on the board."""
+        """Return the value of a port: a string, or the blackboard value of `{key}`."""
         text = self.ports.get(port)
         if text is None:
             return default
         return self.board.get(text[1:-1], default) if text.startswith("{") and text.endswith("}") else text
 
     def number(self, port: str, default: float) -> float:
-        """A port as a number; TreeError when it is none."""
+        """Return a port as a number; TreeError when it is not one."""
         try:
             return float(self.get(port, default))
         except (TypeError, ValueError):
             raise TreeError(f"{self.name}: {port} is {self.ports.get(port)!r}, not a number") from None
 
     def put(self, port: str, value: Any) -> None:
-        """Leave a value for others, where the port names a `{key}`."""
+        """Set the blackboard value, if the port names a `{key}`."""
         text = self.ports.get(port, "")
         if text.startswith("{") and text.endswith("}"):
             self.board[text[1:-1]] = value
@@ -75,7 +75,7 @@ Kinds = Mapping[str, Callable[..., TreeNode]]
 
 
 def read_tree(text: str, kinds: Kinds, board: dict[str, Any]) -> TreeNode:
-    """The main tree of an XML text; TreeError when it is none, or has nodes that are not among `kinds`."""
+    """Parse the main tree of an XML text; TreeError when it is invalid, or has nodes that are not in `kinds`."""
     try:
         root = ElementTree.fromstring(text)
     except (ElementTree.ParseError, ValueError) as fault:
@@ -88,7 +88,7 @@ def read_tree(text: str, kinds: Kinds, board: dict[str, Any]) -> TreeNode:
 
 
 class _Reader:
-    """Makes nodes of elements; each mention of a subtree makes its nodes anew."""
+    """Creates nodes from elements; each use of a subtree creates its own nodes."""
 
     def __init__(self, trees: Mapping[str, ElementTree.Element], kinds: Kinds, board: dict[str, Any]) -> None:
         self._trees, self._kinds, self._board = trees, kinds, board

@@ -1,4 +1,4 @@
-"""Whether a robot has arrived, and whether it still gets on."""
+"""Checks whether a robot has reached its goal, and whether it makes progress."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ Pose = tuple[float, float, float]
 
 @dataclass
 class GoalChecker:
-    """Near enough: position [m] and heading [rad]. With `stateful` a position once reached stays reached.
+    """Tolerances in position [m] and heading [rad]. With `stateful` a position once reached stays reached.
 
-    With `still` the robot must also be slower than that [m/s, rad/s].
+    With `still` the robot must also be slower than these speeds [m/s, rad/s].
 
     >>> checker = GoalChecker()
     >>> checker.reached((0.1, 0.0, 1.0), (0.0, 0.0, 0.0)), checker.near((0.3, 0.0, 0.0), (0.0, 0.0, 0.0))
@@ -30,7 +30,7 @@ class GoalChecker:
     _near: bool = False
 
     def reset(self) -> None:
-        """A new goal."""
+        """Reset for a new goal."""
         self._near = False
 
     def near(self, pose: Pose, goal: Pose) -> bool:
@@ -40,7 +40,7 @@ class GoalChecker:
         return self._near
 
     def reached(self, pose: Pose, goal: Pose, speeds: tuple[float, float] = (0.0, 0.0)) -> bool:
-        """Whether position and heading are reached, by a robot with these speeds."""
+        """Whether position and heading are reached by a robot with these velocities."""
         if self.still and (abs(speeds[0]) > self.still[0] or abs(speeds[1]) > self.still[1]):
             return False
         turn = wrap(pose[2] - goal[2])
@@ -49,7 +49,7 @@ class GoalChecker:
 
 @dataclass
 class ProgressChecker:
-    """A robot gets on when it moves `radius` metres, or turns by `angle` [rad], in `seconds`.
+    """A robot makes progress when it moves `radius` metres, or rotates by `angle` [rad], within `seconds`.
 
     >>> checker = ProgressChecker(0.5, 10.0)
     >>> [checker.gets_on(x, 0.0, t) for x, t in ((0.0, 0.0), (0.4, 9.0), (0.6, 9.9), (0.7, 19.0), (0.7, 20.5))]
@@ -62,11 +62,11 @@ class ProgressChecker:
     _mark: tuple[float, float, float, float] | None = None
 
     def reset(self) -> None:
-        """It may have been still until now."""
+        """Restart the measurement: the robot may have stood still until now."""
         self._mark = None
 
     def gets_on(self, x: float, y: float, now: float, yaw: float = 0.0) -> bool:
-        """Whether it does, at a place [m], time [s] and heading [rad]."""
+        """Whether it makes progress, given a position [m], time [s] and heading [rad]."""
         if self._mark is None or self._moved(self._mark, x, y, yaw):
             self._mark = (x, y, yaw, now)
         return now - self._mark[3] <= self.seconds

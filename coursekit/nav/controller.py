@@ -1,4 +1,4 @@
-"""Following a path in a local costmap: sampled speeds, driven ahead and scored, as DWB does."""
+"""Following a path in a local costmap: sampled velocities are simulated and scored, as in DWB."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from coursekit.nav.inflation import cost_at
 
 Pose = tuple[float, float, float]
 Speeds = tuple[float, float]
-"""Forward [m/s] and turning [rad/s]."""
+"""Forward [m/s] and angular [rad/s] velocity."""
 
 
 class ControlError(Exception):
-    """No command, and why."""
+    """No valid command; the message gives the reason."""
 
 
 @dataclass(frozen=True)
 class Limits:
-    """Speeds [m/s, rad/s] and accelerations [m/s², rad/s²] of a robot."""
+    """Velocity limits [m/s, rad/s] and acceleration limits [m/s², rad/s²] of a robot."""
 
     min_speed: float = 0.0
     max_speed: float = 0.26
@@ -34,7 +34,7 @@ class Limits:
     turn_acceleration: float = 3.2
 
     def toward(self, now: Speeds, wish: Speeds, seconds: float) -> Speeds:
-        """The speeds after `seconds` on the way to others.
+        """Return the velocities after `seconds`, changing from `now` towards `wish`.
 
         >>> Limits().toward((0.0, 0.0), (0.2, 1.0), 0.04)
         (0.1, 0.128)
@@ -49,9 +49,9 @@ def _near(now: float, wish: float, most: float) -> float:
 
 @dataclass
 class Controller:
-    """Drives a robot along a path; all in the frame of the costmap.
+    """Drives a robot along a path; all poses are in the frame of the costmap.
 
-    `horizon` seconds are looked ahead. A robot that looks away from its way by more than `turn_first` [rad] turns first.
+    `horizon` is the simulated time [s]. A robot whose heading is off the path by more than `turn_first` [rad] rotates first.
     """
 
     limits: Limits = field(default_factory=Limits)
@@ -63,16 +63,16 @@ class Controller:
     period: float = 0.05
     weights: tuple[float, float, float, float, float, float] = (16.0, 12.0, 16.0, 12.0, 0.02, 0.325)
     scaling: tuple[float, float] = (0.55, 3.0)
-    """Radius [m] and factor of the costmap's inflation: they tell from which cost on the outline may touch something."""
+    """Radius [m] and factor of the costmap's inflation: they give the lowest cost at which the outline may touch."""
     _turning: bool = False
     _index: int = 0
 
     def begin(self) -> None:
-        """A new path: the robot is near its beginning."""
+        """Start a new path: the robot is near its beginning."""
         self._turning, self._index = False, 0
 
     def command(self, costs: Costmap, pose: Pose, now: Speeds, path: np.ndarray, speed: float = 0.0) -> Speeds:
-        """The speeds to drive next; ControlError when every way ahead touches something. `speed` limits further if not 0.
+        """Return the next velocities; ControlError when every trajectory collides. `speed` is a further limit if not 0.
 
         >>> room = Costmap.of_size(4.0, 4.0, 0.05, -2.0, -2.0)
         >>> way = np.column_stack([np.arange(0, 2, 0.05), np.zeros(40), np.zeros(40)])
@@ -91,21 +91,21 @@ class Controller:
             try:
                 return self.turn(costs, pose, now, bearing)
             except ControlError:
-                pass  # no room to turn here: perhaps there is while driving
+                pass  # no room to rotate here: perhaps there is while driving
         return self._best(costs, pose, now, ahead, carrot, top, -top if held else min(self.limits.min_speed, top))
 
     def turn(self, costs: Costmap, pose: Pose, now: Speeds, angle: float) -> Speeds:
-        """The speeds that turn the robot on the spot by `angle` [rad]; ControlError when it would touch something."""
+        """Return the velocities to rotate the robot in place by `angle` [rad]; ControlError if it would touch something."""
         rate = min(self.limits.max_turn, math.sqrt(2 * 0.6 * self.limits.turn_acceleration * abs(angle)), 3.0 * abs(angle))
         for way in np.linspace(0, min(abs(angle), 0.6), 8)[1:]:
             if self.blocked(costs, (pose[0], pose[1], pose[2] + math.copysign(float(way), angle))):
                 if self.blocked(costs, pose):
-                    break  # it is in something already: turning is a way out
+                    break  # it touches something already: rotating may free it
                 raise ControlError("Turning on the spot would touch an obstacle")
         return self.limits.toward(now, (0.0, math.copysign(rate, angle)), self.period)
 
     def blocked(self, costs: Costmap, pose: Pose) -> bool:
-        """Whether the robot would touch something there."""
+        """Whether the robot would touch something at this pose."""
         cost = touches(costs.cells, costs.x, costs.y, costs.resolution, *pose, self._outline(costs), self._near())
         return bool(cost == 255)
 
@@ -113,26 +113,26 @@ class Controller:
         return self.footprint.outline(costs.resolution * 0.7)
 
     def _near(self) -> int:
-        """From this cost on the outline may touch something."""
+        """The lowest cost of the centre at which the outline may touch something."""
         radius, factor = self.scaling
         if self.footprint.circumscribed >= radius:
             return 0
         return max(cost_at(self.footprint.circumscribed + 0.05, self.footprint.inscribed, factor), 0)
 
     def _ahead(self, pose: Pose, path: np.ndarray) -> np.ndarray:
-        """The path (n, 2) from where the robot is on it."""
+        """Return the path (n, 2) from the robot's position onwards."""
         gaps = np.hypot(path[:, 0] - pose[0], path[:, 1] - pose[1])
         steps = np.hypot(*np.diff(path[:, :2], axis=0).T) if len(path) > 1 else np.zeros(0)
         gone = np.concatenate([[0.0], np.cumsum(steps)])
         self._index = min(self._index, len(path) - 1)
         onward = gone - gone[self._index]
-        near = (onward >= 0) & (onward <= 3.0)  # what comes back to here much later is not meant
+        near = (onward >= 0) & (onward <= 3.0)  # ignores parts of the path that return here much later
         self._index = int(np.argmin(np.where(near, gaps, np.inf)))
         return np.ascontiguousarray(path[self._index :, :2], dtype=float)
 
     @staticmethod
     def _carrot(ahead: np.ndarray, reach: float) -> Speeds:
-        """The place `reach` metres ahead on the path."""
+        """Return the point `reach` metres ahead on the path."""
         if len(ahead) < 2:
             return float(ahead[0, 0]), float(ahead[0, 1])
         gone = np.concatenate([[0.0], np.cumsum(np.hypot(*np.diff(ahead, axis=0).T))])
@@ -161,7 +161,7 @@ class Controller:
 
 
 def _extended(path: np.ndarray, by: float, ux: float, uy: float) -> np.ndarray:
-    """The next two metres or so of a path, and at its end a straight piece on."""
+    """Return about the next two metres of a path, extended straight at its end."""
     near = path[:80]
     if len(path) > 80:
         return near

@@ -1,4 +1,4 @@
-"""The inner loop of the controller: drive every sampled pair of speeds ahead, and score where that leads."""
+"""The inner loop of the controller: simulate every sampled pair of velocities, and score the trajectory."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from numba import njit
 
 @njit(cache=True)
 def touches(cells, x0, y0, cell, x, y, yaw, outline, near):  # type: ignore[no-untyped-def]
-    """Cost of the robot's centre there; 255 where the robot would touch something.
+    """Return the cost of the robot's centre at a pose; 255 where the robot would touch something.
 
-    A centre from 253 on touches; the points of an outline (m, 2) are looked at where the centre costs at least `near`.
-    Outside of the map nothing is known to be in the way.
+    A centre cost of 253 or more touches; the points of an outline (m, 2) are checked where the centre costs at least `near`.
+    Outside of the map nothing counts as an obstacle.
     """
     rows, columns = cells.shape
     i, j = math.floor((y - y0) / cell), math.floor((x - x0) / cell)
@@ -37,7 +37,7 @@ def touches(cells, x0, y0, cell, x, y, yaw, outline, near):  # type: ignore[no-u
 
 @njit(cache=True)
 def solid(cells, x0, y0, cell, x, y):  # type: ignore[no-untyped-def]
-    """Whether an obstacle itself is there."""
+    """Whether the cell at a position is an obstacle."""
     rows, columns = cells.shape
     i, j = math.floor((y - y0) / cell), math.floor((x - x0) / cell)
     return 0 <= i < rows and 0 <= j < columns and cells[i, j] == 254
@@ -45,7 +45,7 @@ def solid(cells, x0, y0, cell, x, y):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def gap_to(path, x, y):  # type: ignore[no-untyped-def]
-    """Distance from a place to a path (n, 2)."""
+    """Return the distance from a point to a path (n, 2)."""
     least = np.inf
     for k in range(len(path)):
         d = (path[k, 0] - x) ** 2 + (path[k, 1] - y) ** 2
@@ -56,11 +56,11 @@ def gap_to(path, x, y):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def score(cells, x0, y0, cell, outline, near, pose, speeds, turns, now, gains, horizon, dt, path, carrot, weights):  # type: ignore[no-untyped-def]
-    """(speeds, turns) how bad each pair is; infinite where it touches something within `horizon` seconds.
+    """Return the penalty (speeds, turns) of each pair; infinite where it touches something within `horizon` seconds.
 
-    `now` are the present speeds, `gains` how much they may change a second; `weights` are those of the distance to the
-    path, to the carrot, of both for a point ahead, of the worst cost, and of how far ahead that point is [m].
-    A robot that touches something already may leave it, the sooner the better, but not drive into an obstacle itself.
+    `now` are the current velocities, `gains` their maximum changes per second; `weights` are those of the distance to the
+    path, to the carrot, of both for a point ahead, of the worst cost, and the distance of that point ahead [m].
+    A robot that already touches something may leave it, the sooner the better, but not drive into an obstacle itself.
     """
     found = np.full((len(speeds), len(turns)), np.inf)
     steps = max(round(horizon / dt), 1)

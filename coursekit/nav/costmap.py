@@ -1,4 +1,4 @@
-"""Costmaps: how much a robot's centre dislikes each cell, with nav2's constants."""
+"""Costmaps: the cost of each cell for a robot's centre, with nav2's constants."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 FREE, INSCRIBED, LETHAL, UNKNOWN = 0, 253, 254, 255
-"""No cost; the robot's centre cannot be here without touching something; an obstacle; never seen."""
+"""No cost; the robot's centre cannot be here without touching something; an obstacle; unknown."""
 Cells = NDArray[np.uint8]
 
 
@@ -31,34 +31,34 @@ class Costmap:
     def of_size(
         cls, width: float, height: float, resolution: float, x: float = 0.0, y: float = 0.0, fill: int = FREE
     ) -> Costmap:
-        """A map of so many metres, all cells alike."""
+        """Return a map of this size in metres, filled with one value."""
         shape = max(round(height / resolution), 1), max(round(width / resolution), 1)
         return cls(np.full(shape, fill, dtype=np.uint8), resolution, x, y)
 
     def cell(self, x: float, y: float) -> tuple[int, int]:
-        """Row and column of a place [m]; they may lie outside."""
+        """Return row and column of a position [m]; they may be outside of the map."""
         return math.floor((y - self.y) / self.resolution), math.floor((x - self.x) / self.resolution)
 
     def centre(self, row: int, column: int) -> tuple[float, float]:
-        """The middle of a cell [m]."""
+        """Return the centre of a cell [m]."""
         return self.x + (column + 0.5) * self.resolution, self.y + (row + 0.5) * self.resolution
 
     def inside(self, x: float, y: float) -> bool:
-        """Whether the map has this place."""
+        """Whether the position is on the map."""
         row, column = self.cell(x, y)
         return 0 <= row < self.cells.shape[0] and 0 <= column < self.cells.shape[1]
 
     def cost(self, x: float, y: float) -> int:
-        """The cost of a place; UNKNOWN outside."""
+        """Return the cost at a position; UNKNOWN outside of the map."""
         row, column = self.cell(x, y)
         return int(self.cells[row, column]) if self.inside(x, y) else UNKNOWN
 
     def like(self, fill: int) -> Costmap:
-        """Another map of the same cells, all alike."""
+        """Return another map of the same cells, filled with one value."""
         return Costmap(np.full(self.cells.shape, fill, dtype=np.uint8), self.resolution, self.x, self.y)
 
     def moved_to(self, x: float, y: float, fill: int) -> Costmap:
-        """The map about another corner, in whole cells; what was known there is kept, the rest is `fill`."""
+        """Return the map at another corner, shifted by whole cells; overlapping cells are kept, the rest is `fill`."""
         rows, columns = self.cells.shape
         down, right = round((y - self.y) / self.resolution), round((x - self.x) / self.resolution)
         corner = self.x + right * self.resolution, self.y + down * self.resolution
@@ -71,7 +71,7 @@ class Costmap:
 
 
 def static_costs(cells: NDArray[np.int8], *, lethal: int = 100, unknown: bool = True, trinary: bool = True) -> Cells:
-    """Costs of an occupancy grid: -1 is unknown (free where `unknown` is not kept), from `lethal` on obstacles.
+    """Return the costs of an occupancy grid: -1 is unknown (free unless `unknown`), values from `lethal` on are obstacles.
 
     >>> static_costs(np.array([[0, -1, 60, 100]], np.int8)).tolist()
     [[0, 255, 0, 254]]
@@ -85,7 +85,7 @@ _OCCUPANCY = np.array([0, *(1 + 97 * (cost - 1) // 251 for cost in range(1, 253)
 
 
 def occupancy(cells: Cells) -> NDArray[np.int8]:
-    """Costs as an occupancy grid shows them: 0 free, 1 to 98 disliked, 99 inscribed, 100 obstacle, -1 unknown.
+    """Convert costs to an occupancy grid: 0 free, 1 to 98 cost, 99 inscribed, 100 obstacle, -1 unknown.
 
     >>> occupancy(np.array([0, 128, 253, 254, 255], np.uint8)).tolist()
     [0, 50, 99, 100, -1]
@@ -95,7 +95,7 @@ def occupancy(cells: Cells) -> NDArray[np.int8]:
 
 
 def combine(below: Cells, above: Cells) -> None:
-    """Lay a layer over another: the greater cost wins, and what either knows beats UNKNOWN.
+    """Merge a layer into another, in place: the greater cost wins, and known cells override UNKNOWN.
 
     >>> base = np.array([255, 0, 254, 7], np.uint8); combine(base, np.array([0, 254, 0, 255], np.uint8)); base.tolist()
     [0, 254, 254, 7]

@@ -28,7 +28,7 @@ class Footprint:
 
     @classmethod
     def disc(cls, radius: float) -> Footprint:
-        """A round robot."""
+        """Return the footprint of a round robot."""
         if not 0 < radius < 100:
             raise ValueError(f"robot_radius is {radius}: give metres, for example 0.22")
         angles = np.arange(CORNERS_OF_A_DISC) * 2 * math.pi / CORNERS_OF_A_DISC
@@ -36,7 +36,7 @@ class Footprint:
 
     @classmethod
     def parse(cls, text: str) -> Footprint:
-        """The corners as a parameter file has them; ValueError when they are no outline around the centre."""
+        """Parse the corners in a parameter file; ValueError when they do not form an outline around the centre."""
         fault = f"footprint {text!r}: write at least three corners, for example '[[0.2, 0.1], [0.2, -0.1], [-0.2, 0.0]]'"
         try:
             corners = np.array(ast.literal_eval(text), dtype=float)
@@ -47,18 +47,18 @@ class Footprint:
         return cls(corners)
 
     def padded(self, padding: float) -> Footprint:
-        """Each corner moved out by `padding` [m] along both axes, as nav2 pads."""
+        """Move each corner outwards by `padding` [m] along both axes, as nav2 does."""
         if self.round:
             return Footprint.disc(self.inscribed + padding)
         return Footprint(self.corners + np.sign(self.corners) * padding)
 
     def at(self, x: float, y: float, yaw: float) -> np.ndarray:
-        """The corners when the robot stands there."""
+        """Return the corners for the robot at a pose."""
         c, s = math.cos(yaw), math.sin(yaw)
         return self.corners @ np.array([[c, s], [-s, c]]) + (x, y)
 
     def outline(self, step: float) -> np.ndarray:
-        """Points on the edges, at most `step` metres apart; none for a round robot, whose centre tells all."""
+        """Return points on the edges, at most `step` metres apart; none for a round robot, for which the centre suffices."""
         if self.round:
             return np.zeros((0, 2))
         points = []
@@ -69,7 +69,7 @@ class Footprint:
 
 
 def _nearest(corners: np.ndarray) -> float:
-    """How near the edges come to the centre."""
+    """Return the distance from the centre to the nearest edge."""
     before, edge = np.roll(corners, 1, axis=0), corners - np.roll(corners, 1, axis=0)
     along = np.clip(-(before * edge).sum(axis=1) / np.maximum((edge**2).sum(axis=1), 1e-12), 0, 1)
     return float(np.hypot(*(before + along[:, None] * edge).T).min())

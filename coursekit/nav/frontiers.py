@@ -1,4 +1,4 @@
-"""Frontiers: where free floor that a robot can reach meets what nobody has seen yet."""
+"""Frontiers: the borders between reachable free space and unknown space."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _AROUND = ndimage.generate_binary_structure(2, 2)
 
 @dataclass(frozen=True)
 class Frontier:
-    """Unknown cells in a row: their middles (n, 2) and their centre [m], how near they come [m], and what they cost."""
+    """A cluster of unknown cells: their centres (n, 2), centroid, nearest centre and its distance [m], and their cost."""
 
     points: Array
     centroid: tuple[float, float]
@@ -31,9 +31,9 @@ class Frontier:
 def frontiers(
     grid: GridMap, robot: tuple[float, float], least: float, potential_scale: float = 1e-3, gain_scale: float = 1.0
 ) -> list[Frontier]:
-    """All of at least `least` metres that can be reached from the robot, the cheapest first: near ones and long ones.
+    """Return the frontiers of at least `least` metres reachable from the robot, cheapest first: near and long ones.
 
-    ValueError when the robot is not on the map. The map must not be turned.
+    ValueError when the robot is not on the map. The map must not be rotated.
     """
     cell = _cell_of(grid, robot)
     free, unknown = grid.cells == FREE, grid.cells == UNKNOWN
@@ -59,7 +59,7 @@ def _cell_of(grid: GridMap, robot: tuple[float, float]) -> tuple[int, int]:
 
 
 def _area_of(free: npt.NDArray[np.bool_], cell: tuple[int, int]) -> npt.NDArray[np.bool_]:
-    """The free cells that hang together with the one nearest to the robot."""
+    """Return the connected area of free cells nearest to the robot."""
     areas, _ = ndimage.label(free, _BESIDE)
     nearest = ndimage.distance_transform_edt(~free, return_distances=False, return_indices=True)
     row, column = nearest[:, cell[0], cell[1]]

@@ -1,4 +1,4 @@
-"""Inflation: cells near obstacles cost more, by nav2's formula."""
+"""Inflation: raises the costs near obstacles, by nav2's formula."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from coursekit.nav.costmap import INSCRIBED, LETHAL, Cells
 
 
 def cost_at(distance: float, inscribed: float, scaling: float) -> int:
-    """The cost at a distance [m] from an obstacle: 253 within the inscribed radius, then falling exponentially.
+    """Return the cost at a distance [m] from an obstacle: 253 within the inscribed radius, then exponentially falling.
 
     >>> [cost_at(d, 0.22, 3.0) for d in (0.0, 0.22, 0.32, 0.55)]
     [254, 253, 186, 93]
@@ -24,7 +24,7 @@ def cost_at(distance: float, inscribed: float, scaling: float) -> int:
 
 
 class Inflation:
-    """Spreads costs up to `radius` [m] around obstacles, for robots of an inscribed radius [m].
+    """Spreads costs up to `radius` [m] around obstacles, for robots with an inscribed radius [m].
 
     >>> cells = np.zeros((1, 5), np.uint8); cells[0, 0] = 254
     >>> Inflation(0.55, 3.0, 0.22, 0.2).spread(cells); cells.tolist()
@@ -39,13 +39,13 @@ class Inflation:
         self._stamp = np.array(costs, dtype=np.uint8).reshape(distances.shape)
 
     def spread(self, cells: Cells, unknown: bool = False) -> None:
-        """Raise the costs around obstacles, in place; of unknown cells only the nearest, or all with `unknown`."""
+        """Raise the costs around obstacles, in place; of unknown cells only the nearest ones, or all with `unknown`."""
         spread(cells, self._stamp, self.reach, unknown)
 
 
 @njit(cache=True)
 def spread(cells, stamp, reach, unknown):  # type: ignore[no-untyped-def]
-    """Press the stamp on every obstacle that is not surrounded by obstacles."""
+    """Apply the stamp to every obstacle cell that is not surrounded by obstacles."""
     rows, columns = cells.shape
     for i in range(rows):
         for j in range(columns):

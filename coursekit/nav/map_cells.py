@@ -1,4 +1,4 @@
-"""From a picture's shades to a map's cells and back, in nav2's three modes."""
+"""Conversion between the shades of an image and the cells of a map, in nav2's three modes."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ OCCUPIED_ABOVE, FREE_BELOW = 0.65, 0.196  # 205 is 0.19608 and stays unknown
 
 
 def cells_of(shades: np.ndarray, *, mode: str, negate: bool, occupied_thresh: float, free_thresh: float) -> np.ndarray:
-    """int8 cells of a picture: (rows, columns) gray, or (rows, columns, 3 or 4) with alpha last; uint8 or uint16.
+    """Return int8 cells of an image: (rows, columns) gray, or (rows, columns, 3 or 4) with alpha last; uint8 or uint16.
 
     >>> picture = np.array([[0, 205, 254]], dtype=np.uint8)
     >>> cells_of(picture, mode="trinary", negate=False, occupied_thresh=0.65, free_thresh=0.196).tolist()
@@ -32,7 +32,7 @@ def cells_of(shades: np.ndarray, *, mode: str, negate: bool, occupied_thresh: fl
 
 
 def _shade(shades: np.ndarray, *, with_alpha: bool) -> tuple[np.ndarray, np.ndarray | None]:
-    """Brightness 0 ... 1 and alpha 0 ... 1 (None without); `with_alpha` averages transparency in as one more colour."""
+    """Return brightness and alpha, 0 ... 1 (None without alpha); `with_alpha` averages alpha in as a fourth channel."""
     top = float(np.iinfo(shades.dtype).max)
     if shades.ndim == 2:
         return shades / top, None
@@ -46,7 +46,7 @@ def _shade(shades: np.ndarray, *, with_alpha: bool) -> tuple[np.ndarray, np.ndar
 
 
 def picture_of(cells: np.ndarray, *, mode: str, occupied_thresh: float, free_thresh: float) -> np.ndarray:
-    """uint8 picture of cells: gray, in mode 'scale' with colours and alpha (unknown is transparent)."""
+    """Return a uint8 image of cells: gray, or in mode 'scale' RGBA (unknown is transparent)."""
     cells = np.asarray(cells).astype(np.int16)
     known = (cells >= 0) & (cells <= 100)
     if mode == "raw":

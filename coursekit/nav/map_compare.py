@@ -1,4 +1,4 @@
-"""How good a map is: its walls beside the true ones."""
+"""Map quality: a map's walls compared with the true ones."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ from scipy.spatial import cKDTree
 from coursekit.nav.map_file import GridMap
 
 WALL = 65
-"""Cells above this are walls."""
+"""Cells above this value are walls."""
 STEP = 0.01
-"""Outlines are looked at in points so far apart [m]."""
+"""Spacing of sample points on outlines [m]."""
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """A map's walls beside the truth, of which only what the map could know counts: cells beside free ones."""
+    """A comparison of a map's walls with the truth, limited to what the map could know: cells beside free ones."""
 
     iou: float
-    """Walls that both have, of all that one of them has; 1 is perfect."""
+    """Intersection over union: walls in both, as a part of the walls in either; 1 is perfect."""
     false: float
-    """Part of the map's wall cells where no wall is."""
+    """Part of the map's wall cells without a true wall."""
     missed: float
-    """Part of the true walls that the map lacks."""
+    """Part of the true walls that are missing in the map."""
     distance: float
     """Mean distance of the map's wall cells from the true walls [m]."""
     thickness: float
-    """How thick the map draws a wall [m]; a cell is the least."""
+    """Thickness of the map's walls [m], at least one cell."""
 
     def __str__(self) -> str:
         return (
@@ -39,7 +39,7 @@ class Comparison:
 
 
 def outline_points(edges: np.ndarray, circles: np.ndarray | None = None, step: float = STEP) -> np.ndarray:
-    """Points (n, 2) on edges (k, 4: x1 y1 x2 y2) and circles (m, 3: x y radius), about `step` apart [m].
+    """Return points (n, 2) on edges (k, 4: x1 y1 x2 y2) and circles (m, 3: x y radius), about `step` apart [m].
 
     >>> outline_points(np.array([[0.0, 0.0, 1.0, 0.0]]), step=0.5)
     array([[0. , 0. ],
@@ -57,7 +57,7 @@ def outline_points(edges: np.ndarray, circles: np.ndarray | None = None, step: f
 
 
 def compare(grid: GridMap, outline: np.ndarray, tolerance: float = 0.05) -> Comparison:
-    """A map beside the true outline, (n, 2) points in the map's frame [m]; walls within `tolerance` [m] are the same.
+    """Compare a map with the true outline, (n, 2) points in the map's frame [m]; walls within `tolerance` [m] match.
 
     >>> cells = np.zeros((40, 40), dtype=np.int8)
     >>> cells[20, 5:35] = 100
@@ -66,7 +66,7 @@ def compare(grid: GridMap, outline: np.ndarray, tolerance: float = 0.05) -> Comp
     walls: IoU 1.000, 0.0% false, 0.0% missed, 0.5 cm off, 5.0 cm thick
 
     Raises:
-        ValueError: when the map has no walls, or nothing of the outline is in the part that it knows.
+        ValueError: when the map has no walls, or the outline is entirely outside of its known part.
     """
     walls, size = grid.cells > WALL, grid.resolution
     if not walls.any():
@@ -90,7 +90,7 @@ def compare(grid: GridMap, outline: np.ndarray, tolerance: float = 0.05) -> Comp
 
 
 def differences(grid: GridMap, outline: np.ndarray, tolerance: float = 0.05) -> tuple[np.ndarray, np.ndarray]:
-    """Where a map and the truth differ: cells (n, 2: row, column) that are walls falsely, and those of walls that it lacks.
+    """Return the differences to the truth: cells (n, 2: row, column) of false walls, and those of missing walls.
 
     >>> cells = np.zeros((40, 40), dtype=np.int8)
     >>> cells[20, 5:35] = cells[8, 8] = 100
@@ -108,7 +108,7 @@ def differences(grid: GridMap, outline: np.ndarray, tolerance: float = 0.05) -> 
 
 
 def _off(grid: GridMap, outline: np.ndarray) -> np.ndarray:
-    """How far each wall cell of the map is from the true walls [m]."""
+    """Return the distance of each wall cell of the map from the true walls [m]."""
     rows, columns = np.nonzero(grid.cells > WALL)
     off: np.ndarray = cKDTree(outline).query(
         _turned(np.stack([columns + 0.5, rows + 0.5], axis=1) * grid.resolution, grid.origin)
@@ -117,14 +117,14 @@ def _off(grid: GridMap, outline: np.ndarray) -> np.ndarray:
 
 
 def _found(grid: GridMap, truth: np.ndarray, tolerance: float) -> np.ndarray:
-    """Whether the map has a wall near each of these cells (n, 2: column, row) of true walls."""
+    """Return whether the map has a wall near each of these cells (n, 2: column, row) of true walls."""
     gap = distance_transform_edt(grid.cells <= WALL) * grid.resolution
     near: np.ndarray = gap[truth[:, 1], truth[:, 0]] <= tolerance + 1e-9
     return near
 
 
 def _visible(grid: GridMap, outline: np.ndarray) -> np.ndarray:
-    """Points of the outline with a free cell beside them."""
+    """Return the points of the outline with a free cell beside them."""
     free = (grid.cells >= 0) & (grid.cells <= WALL)
     at = _cells(grid, outline)
     inside = (at >= 0).all(axis=1) & (at[:, 0] < free.shape[1]) & (at[:, 1] < free.shape[0])
@@ -134,7 +134,7 @@ def _visible(grid: GridMap, outline: np.ndarray) -> np.ndarray:
 
 
 def _cells(grid: GridMap, points: np.ndarray) -> np.ndarray:
-    """(n, 2) column and row of points."""
+    """Return (n, 2) column and row of points."""
     x, y, yaw = grid.origin
     c, s = np.cos(yaw), np.sin(yaw)
     moved = (points - (x, y)) @ np.array([[c, -s], [s, c]])
@@ -143,7 +143,7 @@ def _cells(grid: GridMap, points: np.ndarray) -> np.ndarray:
 
 
 def _turned(points: np.ndarray, origin: tuple[float, float, float]) -> np.ndarray:
-    """Points of the map's corner frame in the map's frame."""
+    """Transform points from the map's corner frame to the map's frame."""
     x, y, yaw = origin
     c, s = np.cos(yaw), np.sin(yaw)
     turned: np.ndarray = points @ np.array([[c, s], [-s, c]]) + (x, y)

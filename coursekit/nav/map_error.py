@@ -1,10 +1,10 @@
-"""Errors in a map file: the file, the fault, and the cure."""
+"""Errors in a map file: the file, the fault, and the remedy."""
 
 from __future__ import annotations
 
 
 class MapError(ValueError):
-    """A map that cannot be read or written; `part` is 'metadata' for the description and 'picture' for the picture."""
+    """A map that cannot be read or written; `part` is 'metadata' for the description and 'picture' for the image."""
 
     def __init__(self, file: str, what: str, cure: str, *, part: str = "metadata") -> None:
         self.file, self.what, self.cure, self.part = file, what, cure, part

@@ -1,4 +1,4 @@
-"""Maps as files: a description (.yaml) and a picture beside it, as nav2's map server reads and its map saver writes them."""
+"""Maps as files: a description (.yaml) and an image, in the format of nav2's map server and map saver."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _CURE_KEYS = "a description needs image, resolution, origin, negate, occupied_th
 class GridMap:
     """Cells int8 (rows, columns), row 0 at the smallest y: 0 free ... 100 occupied, -1 unknown.
 
-    `resolution` is metres a cell; `origin` is (x, y, yaw) of the corner of cell (0, 0) in metres and radians.
+    `resolution` is metres per cell; `origin` is (x, y, yaw) of the corner of cell (0, 0) in metres and radians.
     """
 
     cells: np.ndarray
@@ -34,7 +34,7 @@ class GridMap:
 
 @dataclass(frozen=True)
 class MapDescription:
-    """The content of a map's .yaml; `image` is the picture's path in full."""
+    """The content of a map's .yaml; `image` is the image's full path."""
 
     image: Path
     resolution: float
@@ -51,12 +51,12 @@ class MapDescription:
 
 
 def load_map(path: str | Path) -> GridMap:
-    """The map of a .yaml file; MapError when the description or its picture is no good."""
+    """Load the map of a .yaml file; MapError when the description or its image is invalid."""
     return load_picture(read_description(path))
 
 
 def load_picture(description: MapDescription) -> GridMap:
-    """The map of a description; MapError (part 'picture') when the picture cannot be read."""
+    """Load the map of a description; MapError (part 'picture') when the image cannot be read."""
     shades = read_picture(description.image)
     cells = cells_of(
         shades,
@@ -77,10 +77,11 @@ def save_map(
     occupied_thresh: float = OCCUPIED_ABOVE,
     free_thresh: float = FREE_BELOW,
 ) -> tuple[Path, Path]:
-    """Write PATH.yaml and its picture; returns both names in full.
+    """Write PATH.yaml and its image; return both full paths.
 
-    The format is pgm, and png in mode 'scale', unless one is given. A PATH that ends in .yaml loses that ending first.
-    Raises MapError for an empty map and for settings that do not go together, OSError when a file cannot be written.
+    The default format is pgm, or png in mode 'scale'. A PATH that ends in .yaml loses that suffix first.
+
+    Raises MapError for an empty map and for incompatible settings, OSError when a file cannot be written.
     """
     text = str(path)
     stem = Path(text[:-5] if text.endswith(".yaml") else text).absolute()
@@ -118,7 +119,7 @@ def _check_settings(file: str, mode: str, kind: str, occupied: float, free: floa
 
 
 def read_description(path: str | Path) -> MapDescription:
-    """The content of a .yaml file; MapError (part 'metadata') with the file, the fault and its cure."""
+    """Parse a .yaml file; MapError (part 'metadata') with the file, the fault and its remedy."""
     file = Path(path)
     entries = _entries(file)
     name = str(file)
@@ -139,7 +140,7 @@ def read_description(path: str | Path) -> MapDescription:
 
 
 class _Untagged(yaml.SafeLoader):
-    """Passes over tags, as the map server does: Python's yaml.dump writes a tuple with one."""
+    """Ignores tags, as the map server does: Python's yaml.dump adds one to a tuple."""
 
     def _plain(self, _tag: str, node: yaml.Node) -> Any:
         if isinstance(node, yaml.MappingNode):

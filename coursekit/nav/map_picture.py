@@ -1,4 +1,4 @@
-"""Pictures of maps as files: pgm, png, bmp."""
+"""Images of maps as files: pgm, png, bmp."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _PGM = re.compile(rb"(P[25])(?:\s|#[^\n]*\n)+(\d{1,9})(?:\s|#[^\n]*\n)+(\d{1,9})
 
 
 def read_picture(path: Path) -> np.ndarray:
-    """The picture, row 0 on top: gray, or blue, green, red (and alpha), uint8 or uint16; MapError if it is none."""
+    """Return the image, row 0 at the top: gray, or blue, green, red (and alpha), uint8 or uint16; MapError if invalid."""
     data = _bytes(path)
     pgm = _PGM.match(data)
     if pgm:
@@ -35,7 +35,7 @@ def read_picture(path: Path) -> np.ndarray:
 
 
 def write_picture(path: Path, shades: np.ndarray) -> None:
-    """Write a picture in the format that the ending names; OSError if the file cannot be written."""
+    """Write an image in the format given by the suffix; OSError if the file cannot be written."""
     done, data = cv2.imencode(path.suffix, shades)
     if not done:
         raise OSError(f"{path}: the picture cannot be written as {path.suffix}")

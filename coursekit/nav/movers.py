@@ -1,4 +1,4 @@
-"""Moving things in a costmap that rolls with its robot, and where they will be soon."""
+"""Moving obstacles in a rolling costmap, and their predicted positions."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from scipy import ndimage
 from coursekit.nav.costmap import FREE, INSCRIBED, LETHAL, UNKNOWN, Costmap
 
 LOOK_BACK = (0.9, 1.7)
-"""Obstacles are compared with those of so many seconds ago; the older ones only tell what has been there all along."""
+"""Ages of the costmaps used for comparison [s]; only cells occupied in none of them can count as newly occupied."""
 JITTER = 2.2
-"""Cells by which the edge of a thing that stands may seem to move."""
+"""Apparent motion of the edge of a static obstacle [cells]."""
 FASTEST = 1.0
-"""Nothing here is faster [m/s]; what seems to be is something that has come into sight."""
+"""Maximum speed of obstacles [m/s]; an apparently faster one has just come into view."""
 EVERY = 0.09
-"""Seconds between two looks."""
+"""Minimum interval between observations [s]."""
 
 
 class Movers:
-    """Compares the obstacles of a costmap with earlier ones: where was free floor and something stands now, it has moved.
+    """Compares the obstacles of a costmap with earlier ones: an obstacle on formerly free floor has moved.
 
     >>> def room(x):
     ...     made = Costmap.of_size(3.0, 1.0, 0.05); made.cells[8:12, round(x / 0.05)] = LETHAL; return made
@@ -35,10 +35,10 @@ class Movers:
         self.seconds = seconds
         self._past: deque[tuple[float, Costmap]] = deque()
         self.found: list[tuple[np.ndarray, np.ndarray]] = []
-        """Cells (n, 2: row, column) of each thing that moves, and its velocity (x, y) [m/s]."""
+        """Cells (n, 2: row, column) of each moving obstacle, and its velocity (x, y) [m/s]."""
 
     def see(self, costs: Costmap, now: float) -> None:
-        """Take in the obstacles of this moment [s]."""
+        """Process the obstacles at a time [s]."""
         if self._past and not 0.0 <= now - self._past[-1][0] < 1.0:
             self._past.clear()
         if self._past and now - self._past[-1][0] < EVERY:
@@ -63,7 +63,7 @@ class Movers:
 
     @staticmethod
     def _mover(costs, place, fresh, solid, gap, nearest, age):  # type: ignore[no-untyped-def]
-        """One thing: its cells near the fresh ones, and how far the foremost of those have come."""
+        """Return one moving obstacle: its cells near the fresh ones, and the velocity of the foremost of those."""
         rows, columns = np.nonzero(fresh & place)
         front = gap[rows, columns] >= 0.7 * gap[rows, columns].max()
         came = np.stack([columns - nearest[1][rows, columns], rows - nearest[0][rows, columns]], axis=1)[front]
@@ -72,7 +72,7 @@ class Movers:
         return np.argwhere(solid & near), velocity
 
     def ahead(self, costs: Costmap, radius: float) -> np.ndarray:
-        """Which cells (rows, columns) a robot's centre should leave: where moving things will be, and `radius` [m] about."""
+        """Return a mask (rows, columns) of the predicted cells of moving obstacles, grown by `radius` [m]."""
         swept = np.zeros(costs.cells.shape, dtype=bool)
         for cells, velocity in self.found:
             steps = max(int(np.hypot(*velocity) * self.seconds / costs.resolution), 1)
@@ -86,6 +86,6 @@ class Movers:
         return np.asarray(ndimage.distance_transform_edt(~swept) * costs.resolution <= radius)
 
     def mark(self, costs: Costmap, radius: float) -> None:
-        """Make those cells as unwelcome as those beside an obstacle."""
+        """Raise the cost of those cells to that of cells beside an obstacle."""
         if self.found:
             costs.cells[self.ahead(costs, radius) & (costs.cells < INSCRIBED)] = INSCRIBED

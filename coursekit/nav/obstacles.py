@@ -1,4 +1,4 @@
-"""Scans on a costmap: an obstacle where a beam ended, free cells where it passed."""
+"""Scans in a costmap: an obstacle at the end of a beam, free cells along it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class ObstacleLayer:
         self.mark_within, self.clear_within = mark_within, clear_within
 
     def see(self, origin: tuple[float, float], ends: np.ndarray, hits: np.ndarray, *, clearing: bool = True) -> None:
-        """Take in a scan from `origin`: ends (n, 2) of its beams [m], and which of them hit something."""
+        """Process a scan from `origin`: the ends (n, 2) of its beams [m], and a mask of those that hit something."""
         grid = self.map
         if clearing:
             begin = (np.array(origin) - (grid.x, grid.y)) / grid.resolution
@@ -40,11 +40,11 @@ class ObstacleLayer:
         grid.cells[rows[good], columns[good]] = LETHAL
 
     def forget(self) -> None:
-        """Nothing is known any more."""
+        """Set all cells to unknown."""
         self.map.cells[:] = UNKNOWN
 
     def forget_square(self, x: float, y: float, side: float, *, outside: bool = False) -> None:
-        """Forget what is in a square about a place, or with `outside` all but that."""
+        """Clear a square about a position, or with `outside` everything else."""
         rows, columns = self._square(x, y, side)
         kept = self.map.cells[rows, columns].copy()
         if outside:
@@ -58,13 +58,13 @@ class ObstacleLayer:
         return slice(max(top, 0), max(bottom + 1, 0)), slice(max(left, 0), max(right + 1, 0))
 
     def free(self, outline: np.ndarray) -> None:
-        """The inside of an outline (n, 2), the robot's, is free [m]."""
+        """Mark the inside of the robot's outline (n, 2) as free [m]."""
         fill(self.map.cells, (outline - (self.map.x, self.map.y)) / self.map.resolution, FREE)
 
 
 @njit(cache=True)
 def clear(cells, x, y, ends, hits, most):  # type: ignore[no-untyped-def]
-    """Free every cell on the way to an end, except the end of a hit; all lengths in cells."""
+    """Free every cell along the beams, except the end of a hit; all lengths in cells."""
     rows, columns = cells.shape
     for k in range(len(ends)):
         dx, dy = ends[k, 0] - x, ends[k, 1] - y
@@ -93,7 +93,7 @@ def clear(cells, x, y, ends, hits, most):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def fill(cells, outline, value):  # type: ignore[no-untyped-def]
-    """Set the cells whose middle is inside a polygon (in cells)."""
+    """Set the cells whose centre is inside a polygon (in cells)."""
     rows, columns = cells.shape
     low, high = max(math.floor(outline[:, 1].min()), 0), min(math.ceil(outline[:, 1].max()), rows)
     left, right = max(math.floor(outline[:, 0].min()), 0), min(math.ceil(outline[:, 0].max()), columns)

@@ -1,4 +1,4 @@
-"""Adaptive Monte Carlo localisation: particles that move with the odometry and live by how well they explain the scans."""
+"""Adaptive Monte Carlo localisation: particles move with the odometry and are weighted by the likelihood of the scans."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from coursekit.nav.particle_motion import move_differential, move_omni
 from coursekit.nav.particle_resampling import clusters, draw
 
 CROWD = 10
-"""While the robot may be anywhere, there may be so many times `max_particles`; once few enough suffice, never again;"""
+"""Factor for `max_particles` while the robot may be anywhere; dropped for good once fewer particles suffice."""
 SEEDS, SHARP = 10, 4
-"""the first scan then chooses among so many times more, by this power of what it says."""
+"""Factor for the number of poses from which the first scan then chooses, and the exponent of their likelihood."""
 
 
 @dataclass(frozen=True)
 class FilterParameters:
-    """Names and defaults of nav2's amcl."""
+    """The parameters of nav2's amcl, with its names and defaults."""
 
     min_particles: int = 500
     max_particles: int = 2000
@@ -38,7 +38,7 @@ class FilterParameters:
     seed: int = 0
 
     def __post_init__(self) -> None:
-        """Refuse what cannot work."""
+        """Reject invalid values."""
         if not 0 < self.min_particles <= self.max_particles:
             raise ValueError(f"min_particles {self.min_particles}, max_particles {self.max_particles}: 0 < min <= max")
         for name in ("pf_err", "sigma_hit", "resample_interval"):
@@ -48,7 +48,7 @@ class FilterParameters:
 
 @dataclass(frozen=True)
 class Estimate:
-    """Mean and covariance of the heaviest cluster, and the part of all weight that it has."""
+    """Mean and covariance of the heaviest cluster, and its share of the total weight."""
 
     pose: np.ndarray
     covariance: np.ndarray
@@ -56,7 +56,7 @@ class Estimate:
 
 
 class ParticleFilter:
-    """In ROS 2: the inside of nav2_amcl."""
+    """The particle filter. In ROS 2: the core of nav2_amcl."""
 
     def __init__(self, where: ParticleMap, params: FilterParameters | None = None) -> None:
         self.map, self.params = where, params or FilterParameters()
@@ -73,7 +73,7 @@ class ParticleFilter:
         self._most, self._seeds = self.params.max_particles, 0
 
     def start_anywhere(self) -> None:
-        """Scatter them over the whole floor."""
+        """Scatter the particles over all free floor."""
         self._most = CROWD * self.params.max_particles
         self._seeds = SEEDS * self._most
         self._set(self.map.anywhere(self._most, self._rng))
@@ -85,12 +85,12 @@ class ParticleFilter:
         self._updates = 0
 
     def move(self, before: np.ndarray, after: np.ndarray) -> None:
-        """Follow the odometry from one of its poses to another."""
+        """Move the particles by the odometry's motion from one pose to another."""
         kind = move_omni if self.params.omni else move_differential
         self.particles = kind(self.particles, before, after, self.params.alphas, self._rng)
 
     def update(self, ends: np.ndarray, range_max: float) -> bool:
-        """Weigh the particles by a scan, its ends (m, 2) in the robot's frame; whether they were drawn anew."""
+        """Weight the particles by a scan, its ends (m, 2) in the robot's frame; return whether they were resampled."""
         p = self.params
         if self._seeds and len(ends):
             self._choose_seeds(ends, range_max)
@@ -105,7 +105,7 @@ class ParticleFilter:
         return True
 
     def _likelihoods(self, particles: np.ndarray, ends: np.ndarray, range_max: float) -> np.ndarray:
-        """(n,) how well each explains a scan."""
+        """Return (n,) the likelihood of a scan for each particle."""
         p, m = self.params, self.map
         found: np.ndarray = scan_likelihoods(
             particles, np.ascontiguousarray(ends, dtype=np.float64), m.distances, m.x, m.y, m.cell, m.farthest,
@@ -114,7 +114,7 @@ class ParticleFilter:
         return found
 
     def _choose_seeds(self, ends: np.ndarray, range_max: float) -> None:
-        """Begin with those of very many poses that the first scan speaks for."""
+        """Start with the poses that best explain the first scan, out of very many."""
         seeds, self._seeds = self.map.anywhere(self._seeds, self._rng), 0
         total = np.cumsum(self._likelihoods(seeds, ends, range_max) ** SHARP)
         chosen = np.searchsorted(total, self._rng.random(self._most) * total[-1]).clip(0, len(seeds) - 1)
@@ -122,13 +122,13 @@ class ParticleFilter:
         self.weights = np.full(len(chosen), 1 / len(chosen))
 
     def _remember(self, average: float) -> None:
-        """Slow and fast averages of how well scans are explained."""
+        """Update the slow and fast averages of the scan likelihood."""
         p = self.params
         self._slow = average if self._slow == 0.0 else self._slow + p.recovery_alpha_slow * (average - self._slow)
         self._fast = average if self._fast == 0.0 else self._fast + p.recovery_alpha_fast * (average - self._fast)
 
     def _resample(self) -> None:
-        """Draw particles by weight; when scans have become harder to explain, some from anywhere."""
+        """Resample particles by weight; when the scan likelihood has dropped, some from anywhere."""
         p = self.params
         lost = max(0.0, 1.0 - self._fast / self._slow) if self._slow > 0 else 0.0
         chosen = draw(self.weights, self.particles, p.min_particles, self._most, p.pf_err, p.pf_z, self._rng)
@@ -141,7 +141,7 @@ class ParticleFilter:
         self.weights = np.full(len(chosen), 1 / len(chosen))
 
     def estimate(self) -> Estimate:
-        """The heaviest cluster."""
+        """Return the heaviest cluster."""
         label = clusters(self.particles)
         weight = np.bincount(label, self.weights)
         inside = label == int(weight.argmax())
@@ -150,7 +150,7 @@ class ParticleFilter:
 
 
 def mean_of(particles: np.ndarray, weights: np.ndarray, share: float = 1.0) -> Estimate:
-    """Weighted mean and covariance; headings on the circle.
+    """Return weighted mean and covariance; headings are averaged on the circle.
 
     >>> mean_of(np.array([[0.0, 0.0, 3.1], [2.0, 0.0, -3.1]]), np.array([1.0, 1.0])).pose.round(2).tolist()
     [1.0, 0.0, -3.14]

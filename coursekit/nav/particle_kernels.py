@@ -1,4 +1,4 @@
-"""The inner loop of the particle filter: how well each particle explains a scan."""
+"""The inner loop of the particle filter: the likelihood of a scan for each particle."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from numba import njit
 
 @njit(cache=True)
 def scan_likelihoods(particles, ends, field, ox, oy, cell, outside, z_hit, z_rand, sigma, range_max):  # type: ignore[no-untyped-def]
-    """(n,) 1 + the sum over all beams of p³, p as the likelihood field of Thrun, Burgard, Fox gives it.
+    """Return (n,) 1 + the sum over all beams of p³, where p is the likelihood field model of Thrun, Burgard, Fox.
 
     `ends` (m, 2) are the beams' ends in the robot's frame [m]; `field` holds distances to the nearest wall [m], its corner
-    at (ox, oy); beyond it walls are `outside` away.
+    at (ox, oy); outside of it walls count as `outside` away.
     """
     rows, columns = field.shape
     table_step = outside / 1023.0

@@ -1,4 +1,4 @@
-"""A map as the particle filter needs it: how far the nearest wall is, and where the floor is free."""
+"""A map for the particle filter: distances to the nearest wall, and the free floor."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from scipy.ndimage import distance_transform_edt
 from coursekit.nav.map_file import GridMap
 
 WALL, FREE = 65, 25
-"""Cells from WALL on are walls; known ones up to FREE are floor."""
+"""Cells from WALL on are walls; known cells up to FREE are floor."""
 
 
 class ParticleMap:
@@ -27,7 +27,7 @@ class ParticleMap:
             raise ValueError("the map holds no free floor: a robot cannot be in it")
 
     def anywhere(self, count: int, rng: np.random.Generator) -> np.ndarray:
-        """(count, 3) poses on the free floor, with any heading."""
+        """Return (count, 3) random poses on the free floor, with any heading."""
         cells = self._free[rng.integers(len(self._free), size=count)] + rng.random((count, 2))
         x, y = self.x + cells[:, 1] * self.cell, self.y + cells[:, 0] * self.cell
         return np.column_stack([x, y, rng.uniform(-np.pi, np.pi, count)])

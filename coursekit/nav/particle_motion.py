@@ -1,4 +1,4 @@
-"""How particles move with the wheels, and how far they scatter."""
+"""The motion model of the particles, with its noise."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ import numpy as np
 from coursekit.geometry.plane import wrap
 
 STRAIGHT = 0.01
-"""A shorter way [m] has no direction of its own."""
+"""A shorter distance [m] has no direction of its own."""
 
 
 def move_differential(
     particles: np.ndarray, before: np.ndarray, after: np.ndarray, alphas: tuple[float, ...], rng: np.random.Generator
 ) -> np.ndarray:
-    """Particles (n, 3) after the odometry went from one pose to another: turn, drive, turn (Thrun, Burgard, Fox, 5.4).
+    """Move particles (n, 3) by the odometry's motion from one pose to another: rotate, drive, rotate (Thrun et al., 5.4).
 
-    alphas: noise of turns from turning and from driving, of driving from driving and from turning.
+    alphas: noise of rotation from rotation and from driving, noise of driving from driving and from rotation.
 
     >>> at = np.zeros((1, 3))
     >>> move_differential(at, np.zeros(3), np.array([1.0, 0.0, 0.0]), (0.0,) * 5, np.random.default_rng(0)).tolist()
@@ -27,7 +27,7 @@ def move_differential(
     way = math.hypot(dx, dy)
     first = wrap(math.atan2(dy, dx) - before[2]) if way > STRAIGHT else 0.0
     second = wrap(turn - first)
-    # driving backwards is no turn by half a circle
+    # driving backwards is not a rotation by half a circle
     small = [min(abs(wrap(one)), abs(wrap(one - math.pi))) for one in (first, second)]
     a1, a2, a3, a4 = alphas[:4]
     count = len(particles)
@@ -42,7 +42,7 @@ def move_differential(
 def move_omni(
     particles: np.ndarray, before: np.ndarray, after: np.ndarray, alphas: tuple[float, ...], rng: np.random.Generator
 ) -> np.ndarray:
-    """The same for robots that drive sideways; alphas[4] is the noise across."""
+    """The same for robots that drive sideways; alphas[4] is the lateral noise."""
     dx, dy, turn = after[0] - before[0], after[1] - before[1], wrap(after[2] - before[2])
     way, count = math.hypot(dx, dy), len(particles)
     bearing = particles[:, 2] + wrap(math.atan2(dy, dx) - before[2])

@@ -1,4 +1,4 @@
-"""How many particles are needed, and which ones belong together."""
+"""The required number of particles, and their clusters."""
 
 from __future__ import annotations
 
@@ -10,22 +10,22 @@ from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import connected_components
 
 BIN = np.array([0.5, 0.5, math.radians(10)])
-"""Size of the bins that particles are counted in [m, m, rad]."""
+"""Size of the bins in which particles are counted [m, m, rad]."""
 TURNS = 36
-"""Bins of heading."""
+"""Number of heading bins."""
 _HALF = [step for step in product((-1, 0, 1), repeat=3) if step > (0, 0, 0)]
-"""Steps to half of the bins around; the other half see this one."""
+"""Offsets to half of the neighbouring bins; the other half is covered by symmetry."""
 
 
 def bins_of(particles: np.ndarray) -> np.ndarray:
-    """(n, 3) whole numbers of each particle's bin."""
+    """Return (n, 3) integer indices of each particle's bin."""
     bins = np.floor(particles / BIN).astype(np.int64)
     bins[:, 2] %= TURNS
     return bins
 
 
 def enough(bins: np.ndarray, error: float, z: float) -> np.ndarray:
-    """Particles that `bins` occupied bins need (Fox, 2003): the sampled distribution then errs by less than `error`.
+    """Return the particles needed for `bins` occupied bins (Fox, 2003) to keep the sampling error below `error`.
 
     >>> enough(np.array([1, 2, 100]), 0.05, 0.99).tolist()
     [1, 20, 1129]
@@ -38,7 +38,7 @@ def enough(bins: np.ndarray, error: float, z: float) -> np.ndarray:
 def draw(
     weights: np.ndarray, particles: np.ndarray, least: int, most: int, error: float, z: float, rng: np.random.Generator
 ) -> np.ndarray:
-    """Indices drawn by weight: so many as the bins that they fill call for, between `least` and `most`."""
+    """Return indices drawn by weight, as many as their occupied bins require, between `least` and `most`."""
     total = np.cumsum(weights)
     chosen = np.searchsorted(total, rng.random(most) * total[-1]).clip(0, len(weights) - 1)
     bins = bins_of(particles)
@@ -51,7 +51,7 @@ def draw(
 
 
 def clusters(particles: np.ndarray) -> np.ndarray:
-    """(n,) the cluster of each particle: those in bins that touch."""
+    """Return (n,) the cluster of each particle: particles in adjacent bins belong together."""
     bins = bins_of(particles)
     low, width = _frame(bins)
     keys, first, inverse = np.unique(_keys(bins, low, width), return_index=True, return_inverse=True)
@@ -64,18 +64,18 @@ def clusters(particles: np.ndarray) -> np.ndarray:
 
 
 def _frame(bins: np.ndarray) -> tuple[np.ndarray, int]:
-    """The lower left of all bins, and how many rows there are, one more on each side."""
+    """Return the lower left of all bins, and the number of rows, with one more on each side."""
     return bins[:, :2].min(axis=0) - 1, int(bins[:, 1].max() - bins[:, 1].min()) + 3
 
 
 def _keys(cells: np.ndarray, low: np.ndarray, width: int) -> np.ndarray:
-    """One whole number for each bin."""
+    """Return one integer key for each bin."""
     place = (cells[:, 0] - low[0]) * width + cells[:, 1] - low[1]
     return np.asarray(place * TURNS + cells[:, 2] % TURNS)
 
 
 def _neighbours(keys: np.ndarray, wanted: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Which bins have a neighbour of key `wanted`, and which one; `keys` are sorted."""
+    """Return which bins have a neighbour with key `wanted`, and its index; `keys` are sorted."""
     at = np.searchsorted(keys, wanted).clip(0, len(keys) - 1)
     there = np.nonzero(keys[at] == wanted)[0]
     return there, at[there]

@@ -1,4 +1,4 @@
-"""Paths through costmaps: the cheapest path for the robot's centre, kept away from obstacles by their inflation."""
+"""Path planning in costmaps: the cheapest path for the robot's centre, kept away from obstacles by their inflation."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from coursekit.nav.costmap import INSCRIBED, UNKNOWN, Costmap
 from coursekit.nav.planner_kernels import search, smooth
 
 NEARER = 0.2
-"""A place beside a goal that is taken is given up for another one that is so much nearer to the goal [m]."""
+"""Hysteresis near an occupied goal: a new end position must be so much nearer to the goal [m]."""
 
 
 class PlanError(Exception):
-    """No path, and why."""
+    """No path; the message gives the reason."""
 
 
 @dataclass(frozen=True)
 class Planner:
-    """A* over eight neighbours; near a closed goal the nearest cell within `tolerance` [m] will do.
+    """A* over eight neighbours; if the goal is occupied, the path ends at the nearest cell within `tolerance` [m].
 
     `factor` weighs costs against distance.
 
@@ -38,9 +38,9 @@ class Planner:
         self, costs: Costmap, start: tuple[float, float, float], goal: tuple[float, float, float],
         before: tuple[float, float] | None = None,
     ) -> np.ndarray:  # fmt: skip
-        """Poses (n, 3) from start to goal [m, rad]; PlanError when there is none.
+        """Return poses (n, 3) from start to goal [m, rad]. Raises PlanError.
 
-        `before` is where the last path to this goal ended: beside a goal that is still taken it ends there again.
+        `before` is the end of the last path to this goal: while the goal is occupied, the path ends there again.
         """
         self._check(costs, start, "start")
         self._check(costs, goal, "goal")
@@ -72,13 +72,13 @@ class Planner:
     def _nearby(
         self, costs: Costmap, parents: np.ndarray, goal: tuple[float, float, float], before: tuple[float, float] | None
     ) -> int:
-        """The reached cell nearest to the goal, within the tolerance; of those hardly farther the nearest to `before`."""
+        """Return the reached cell nearest to the goal, within the tolerance; among similar ones the nearest to `before`."""
         reached = np.flatnonzero((parents >= 0) & (costs.cells.ravel() < INSCRIBED))
         rows, columns = np.divmod(reached, costs.cells.shape[1])
         x, y = costs.x + (columns + 0.5) * costs.resolution, costs.y + (rows + 0.5) * costs.resolution
         gaps = np.hypot(x - goal[0], y - goal[1])
         if len(gaps) and gaps.min() <= self.tolerance:
-            # all around an obstacle places are about as near: a robot that is sent to the nearest of each moment never ends
+            # cells around an obstacle are about equally near: always choosing the nearest one, the robot would never stop
             good = gaps <= min(gaps.min() + (NEARER if before else 0.0), self.tolerance)
             moved = np.hypot(x - before[0], y - before[1]) if before else gaps
             return int(reached[np.where(good, moved, np.inf).argmin()])
@@ -89,7 +89,7 @@ class Planner:
 
     @staticmethod
     def _walk(costs: Costmap, parents: np.ndarray, begin: int, end: int) -> np.ndarray:
-        """The middles of the cells on the way."""
+        """Return the centres of the cells along the path."""
         way = [end]
         while way[-1] != begin:
             way.append(int(parents[way[-1]]))
@@ -98,7 +98,7 @@ class Planner:
 
 
 def with_headings(points: np.ndarray, last: float) -> np.ndarray:
-    """Points (n, 2) as poses (n, 3) that look along the way; the last one looks to `last` [rad].
+    """Convert points (n, 2) to poses (n, 3) that face along the path; the last one faces `last` [rad].
 
     >>> with_headings(np.array([[0.0, 0.0], [0.0, 1.0], [0.0, 2.0]]), 3.0).round(3).tolist()
     [[0.0, 0.0, 1.571], [0.0, 1.0, 1.571], [0.0, 2.0, 3.0]]
@@ -111,12 +111,12 @@ def with_headings(points: np.ndarray, last: float) -> np.ndarray:
 
 
 def length(path: np.ndarray) -> float:
-    """How long a path (n, 2 or more) is [m]."""
+    """Return the length of a path (n, 2 or more) [m]."""
     return float(np.hypot(*np.diff(path[:, :2], axis=0).T).sum()) if len(path) > 1 else 0.0
 
 
 def smoothed(costs: Costmap, path: np.ndarray, rounds: int = 1000) -> np.ndarray:
-    """The path (n, 3) pulled straight without coming nearer to obstacles."""
+    """Smooth a path (n, 3) without moving it nearer to obstacles."""
     points = np.ascontiguousarray(path[:, :2], dtype=float).copy()
     smooth(points, costs.cells, costs.x, costs.y, costs.resolution, rounds, 0.2, 0.3)
     return with_headings(points, float(path[-1, 2]))

@@ -9,14 +9,14 @@ import numpy as np
 from numba import njit
 
 NEUTRAL = 50.0
-"""The cost of a cell where nothing is near; nav2's NavFn has the same."""
+"""The cost of a cell without nearby obstacles, as in nav2's NavFn."""
 
 
 @njit(cache=True)
 def search(cells, start, goal, unknown, factor):  # type: ignore[no-untyped-def]
-    """Where each reached cell was reached from (-1 nowhere), and its cost; stops at the goal.
+    """Return each cell's predecessor (-1 for unreached cells), and its cost; stop at the goal.
 
-    Start and goal are flat indices. Cells from 253 on are closed, except on the way out of such cells around the start.
+    Start and goal are flat indices. Cells from 253 on are blocked, except to leave such cells around the start.
     """
     rows, columns = cells.shape
     costs = np.full(rows * columns, np.inf)
@@ -56,7 +56,7 @@ def search(cells, start, goal, unknown, factor):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def smooth(points, cells, x, y, resolution, rounds, keep, even):  # type: ignore[no-untyped-def]
-    """Pull a path straight in place, at most `rounds` times; no point moves to a cell that costs more than its own did."""
+    """Smooth a path in place, at most `rounds` times; no point moves to a cell with a higher cost than its own."""
     rows, columns = cells.shape
     original = points.copy()
     for _ in range(rounds):

@@ -1,4 +1,4 @@
-"""Whether a new path is worth leaving the one that is driven: two ways of nearly one length must not take turns."""
+"""Whether a new path is worth leaving the current one: two paths of similar length must not alternate."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ import numpy as np
 from coursekit.nav.planner import length
 
 WORTH = 0.85
-"""Another way is taken when it has at most this share of the length."""
+"""A different path is taken only if its length is at most this share of the current one's."""
 SAME_WITHIN = 0.5
-"""Paths that stay so near to each other are one way [m]."""
+"""Paths that stay this close to each other count as the same [m]."""
 
 
 def remaining(path: np.ndarray, x: float, y: float) -> np.ndarray:
-    """The part of a path (n, 2) ahead of its point nearest to (x, y) [m].
+    """Return the part of a path (n, 2) ahead of its point nearest to (x, y) [m].
 
     >>> remaining(np.array([[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]), 1.2, 0.3).tolist()
     [[1.0, 0.0], [2.0, 0.0]]
@@ -22,7 +22,7 @@ def remaining(path: np.ndarray, x: float, y: float) -> np.ndarray:
 
 
 def worth_it(new: np.ndarray, old: np.ndarray) -> bool:
-    """Whether to take `new` (n, 2) instead of what remains of `old` (m, 2): it is the same way, or much shorter [m].
+    """Return whether to replace the rest of `old` (m, 2) by `new` (n, 2): it is the same path, or much shorter [m].
 
     >>> straight, around = np.array([[0, 0], [1, 0], [2, 0]]), np.array([[0, 0], [1, 0.6], [2, 0]])
     >>> worth_it(straight, around), worth_it(straight + 0.1, straight)

@@ -1,4 +1,4 @@
-"""The nodes of behaviour trees that only steer others, with BehaviorTree.CPP's and nav2's names."""
+"""The control and decorator nodes of behaviour trees, with BehaviorTree.CPP's and nav2's names."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class _Control(TreeNode):
 
 
 class Sequence(_Control):
-    """One child after the other; ends with the first that fails."""
+    """Ticks one child after the other; ends with the first failure."""
 
     ends_with = FAILURE
 
@@ -38,13 +38,13 @@ class Sequence(_Control):
 
 
 class Fallback(Sequence):
-    """One child after the other; ends with the first that succeeds."""
+    """Ticks one child after the other; ends with the first success."""
 
     ends_with = SUCCESS
 
 
 class SequenceStar(Sequence):
-    """A Sequence that goes on where it failed."""
+    """A Sequence that resumes at the child that failed."""
 
     def _end(self, status: str) -> str:
         at = self.at if status == FAILURE else 0
@@ -54,7 +54,7 @@ class SequenceStar(Sequence):
 
 
 class ReactiveSequence(_Control):
-    """All children from the first on, at every tick."""
+    """Ticks all children from the first one at every tick."""
 
     ends_with = FAILURE
 
@@ -71,13 +71,13 @@ class ReactiveSequence(_Control):
 
 
 class ReactiveFallback(ReactiveSequence):
-    """All children from the first on at every tick, until one succeeds."""
+    """Ticks all children from the first one at every tick, until one succeeds."""
 
     ends_with = SUCCESS
 
 
 class PipelineSequence(_Control):
-    """A sequence that ticks the children before the running one as well, again and again."""
+    """A sequence that also ticks the children before the running one again."""
 
     def step(self) -> str:
         for k, child in enumerate(self.children):
@@ -91,7 +91,7 @@ class PipelineSequence(_Control):
 
 
 class RoundRobin(_Control):
-    """The next child each time, until one succeeds; fails when all have."""
+    """Ticks the next child each time, until one succeeds; fails when all have failed."""
 
     def step(self) -> str:
         for _ in self.children:
@@ -105,7 +105,7 @@ class RoundRobin(_Control):
 
 
 class RecoveryNode(_Control):
-    """The first child; when it fails the second, and then the first again, `number_of_retries` times."""
+    """Ticks the first child; on failure the second, then the first again, `number_of_retries` times."""
 
     arity = (2, 2)
     tries = 0
@@ -139,35 +139,35 @@ class _Decorator(TreeNode):
 
 
 class Inverter(_Decorator):
-    """Says the contrary."""
+    """Inverts the child's result."""
 
     def step(self) -> str:
         return {SUCCESS: FAILURE, FAILURE: SUCCESS}.get(self.child.tick(), RUNNING)
 
 
 class ForceSuccess(_Decorator):
-    """Calls every end a success."""
+    """Turns every result into success."""
 
     def step(self) -> str:
         return RUNNING if self.child.tick() == RUNNING else SUCCESS
 
 
 class ForceFailure(_Decorator):
-    """Calls every end a failure."""
+    """Turns every result into failure."""
 
     def step(self) -> str:
         return RUNNING if self.child.tick() == RUNNING else FAILURE
 
 
 class KeepRunningUntilFailure(_Decorator):
-    """Again and again, until it fails."""
+    """Repeats the child until it fails."""
 
     def step(self) -> str:
         return FAILURE if self.child.tick() == FAILURE else RUNNING
 
 
 class Repeat(_Decorator):
-    """Again `num_cycles` times while it succeeds; -1 is without end."""
+    """Repeats the child `num_cycles` times while it succeeds; -1 means forever."""
 
     counted, port = SUCCESS, "num_cycles"
     count = 0
@@ -188,13 +188,13 @@ class Repeat(_Decorator):
 
 
 class RetryUntilSuccessful(Repeat):
-    """Again while it fails, `num_attempts` times at the most."""
+    """Repeats the child while it fails, at most `num_attempts` times."""
 
     counted, port = FAILURE, "num_attempts"
 
 
 class SingleTrigger(_Decorator):
-    """Only once: fails from then on."""
+    """Runs the child once; fails from then on."""
 
     done = False
 
@@ -207,14 +207,14 @@ class SingleTrigger(_Decorator):
 
 
 class AlwaysSuccess(TreeNode):
-    """Succeeds."""
+    """Always succeeds."""
 
     def step(self) -> str:
         return SUCCESS
 
 
 class AlwaysFailure(TreeNode):
-    """Fails."""
+    """Always fails."""
 
     def step(self) -> str:
         return FAILURE
@@ -228,4 +228,4 @@ CONTROLS: dict[str, type[TreeNode]] = {
         AlwaysSuccess, AlwaysFailure,
     )
 }  # fmt: skip
-"""By their names in XML."""
+"""The nodes by their XML names."""

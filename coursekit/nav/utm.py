@@ -1,4 +1,4 @@
-"""The plane of metres that maps and navsat_transform_node use for a zone of the Earth: UTM on WGS 84."""
+"""UTM on WGS 84: the metric plane for a zone of the Earth that maps and navsat_transform_node use."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ _RADIUS = _SCALE * _AXIS / (1 + _N) * (1 + _N**2 / 4 + _N**4 / 64)
 _OUT = (_N / 2 - 2 * _N**2 / 3 + 5 * _N**3 / 16, 13 * _N**2 / 48 - 3 * _N**3 / 5, 61 * _N**3 / 240)
 _BACK = (_N / 2 - 2 * _N**2 / 3 + 37 * _N**3 / 96, _N**2 / 48 + _N**3 / 15, 17 * _N**3 / 480)
 _LATITUDE = (2 * _N - 2 * _N**2 / 3 - 2 * _N**3, 7 * _N**2 / 3 - 8 * _N**3 / 5, 56 * _N**3 / 15)
-"""Krueger's series in the third flattening: to the plane, back, and to the latitude; millimetres within a zone."""
+"""Krueger's series in the third flattening: to the plane, back, and to the latitude; exact to millimetres in a zone."""
 _BANDS = "CDEFGHJKLMNPQRSTUVWX"
 
 
 @dataclass(frozen=True)
 class Utm:
-    """One zone: 1 to 60, of the northern or the southern half of the Earth.
+    """One zone: 1 to 60, on the northern or the southern hemisphere.
 
     >>> zone = Utm.at(43.642566, -79.387139)
     >>> [round(one) for one in zone.plane(43.642566, -79.387139)]
@@ -29,7 +29,7 @@ class Utm:
 
     @classmethod
     def at(cls, latitude: float, longitude: float) -> Utm:
-        """The zone in which a place lies, the wide ones of Norway and Svalbard among them."""
+        """Return the zone of a position, including the wide ones of Norway and Svalbard."""
         turned = (longitude + 180.0) % 360.0 - 180.0
         zone = min(60, int((turned + 180.0) // 6) + 1)
         if 56.0 <= latitude < 64.0 and 3.0 <= turned < 12.0:
@@ -40,7 +40,7 @@ class Utm:
 
     @classmethod
     def named(cls, name: str) -> Utm:
-        """The zone that a name such as 17T or 56H says; ValueError when it says none."""
+        """Return the zone with a name such as 17T or 56H; ValueError for an invalid name."""
         digits, band = name[:-1], name[-1:].upper()
         if not digits.isdecimal() or not 1 <= int(digits) <= 60 or band not in _BANDS:
             raise ValueError(f"'{name}' is no UTM zone: give for example 17T")
@@ -50,7 +50,7 @@ class Utm:
         return math.radians((longitude - (6 * self.zone - 183) + 180.0) % 360.0 - 180.0)
 
     def plane(self, latitude: float, longitude: float) -> tuple[float, float]:
-        """How far east and north [m] a place [degrees] is."""
+        """Convert latitude and longitude [degrees] to east and north [m]."""
         away, sine, root = self._from_middle(longitude), math.sin(math.radians(latitude)), 2 * math.sqrt(_N) / (1 + _N)
         tangent = math.sinh(math.atanh(sine) - root * math.atanh(root * sine))
         up, across = math.atan2(tangent, math.cos(away)), math.asinh(math.sin(away) / math.hypot(tangent, math.cos(away)))
@@ -61,7 +61,7 @@ class Utm:
         return _EAST + _RADIUS * east, (0.0 if self.north else _SOUTH) + _RADIUS * north
 
     def place(self, east: float, north: float) -> tuple[float, float]:
-        """The latitude and longitude [degrees] of a point of the plane [m]."""
+        """Convert east and north [m] to latitude and longitude [degrees]."""
         up, across = (north - (0.0 if self.north else _SOUTH)) / _RADIUS, (east - _EAST) / _RADIUS
         high, wide = up, across
         for j, part in enumerate(_BACK, 1):
@@ -73,7 +73,7 @@ class Utm:
         return math.degrees(latitude), (longitude + 180.0) % 360.0 - 180.0
 
     def convergence(self, latitude: float, longitude: float) -> float:
-        """How far the plane's north is turned from north, clockwise [rad]."""
+        """Return the angle from true north to the plane's north, clockwise [rad]."""
         return math.atan(math.tan(self._from_middle(longitude)) * math.sin(math.radians(latitude)))
 
 

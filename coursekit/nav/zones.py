@@ -1,4 +1,4 @@
-"""Zones around a robot in which obstacles stop it, slow it down, or count the seconds until it would touch them."""
+"""Zones around a robot in which obstacles stop it, slow it down, or limit it by the time to collision."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ import numpy as np
 from coursekit.geometry.plane import Array, rotation
 
 Speeds = tuple[float, float, float]
-"""Forward and to the left [m/s], turning [rad/s]."""
+"""Forward and left [m/s], and angular velocity [rad/s]."""
 STILL: Speeds = (0.0, 0.0, 0.0)
 
 
 def within(points: Array, corners: Array) -> Array:
-    """Which points (n, 2) are inside a polygon (k, 2).
+    """Return a mask of the points (n, 2) inside a polygon (k, 2).
 
     >>> box = np.array([[1.0, 1.0], [1.0, -1.0], [-1.0, -1.0], [-1.0, 1.0]])
     >>> within(np.array([[0.5, 0.5], [1.5, 0.0]]), box).tolist()
@@ -32,7 +32,7 @@ def within(points: Array, corners: Array) -> Array:
 
 @dataclass
 class Zone:
-    """What happens when at least `few` points are inside `corners` (k, 2), or within `radius` [m] of the robot.
+    """An action for when at least `few` points are inside `corners` (k, 2), or within `radius` [m] of the robot.
 
     >>> zone = Zone("slowdown", few=2, radius=1.0, ratio=0.5)
     >>> near = np.array([[0.5, 0.0], [0.0, 0.6]])
@@ -48,7 +48,7 @@ class Zone:
     linear_limit: float = 0.5
     angular_limit: float = 0.5
     ahead: float = 2.0
-    """For `approach`: so many seconds before it touches something the robot begins to slow down."""
+    """For `approach`: the time to collision from which on the robot slows down [s]."""
     step: float = 0.1
 
     def holds(self, points: Array) -> bool:
@@ -58,7 +58,7 @@ class Zone:
         return int(within(points, self.corners).sum()) >= self.few
 
     def wish(self, points: Array, speeds: Speeds) -> Speeds | None:
-        """The speeds that the zone allows a robot that wants these; None when nothing is in the way."""
+        """Return the velocities that the zone allows instead of the wanted ones; None when nothing is in the way."""
         if self.action == "approach":
             left = self.seconds_left(points, speeds)
             return None if left is None else scaled(speeds, left / self.ahead)
@@ -75,7 +75,7 @@ class Zone:
         ))  # fmt: skip
 
     def seconds_left(self, points: Array, speeds: Speeds) -> float | None:
-        """When the robot's outline would meet obstacles at these speeds; None if not within `ahead` seconds."""
+        """Return the time [s] to a collision of the robot's outline at these velocities; None if beyond `ahead`."""
         x, y, heading = 0.0, 0.0, 0.0
         ahead, left, turn = speeds
         for count in range(int(self.ahead / self.step + 1e-9) + 1):
@@ -87,12 +87,12 @@ class Zone:
 
 
 def scaled(speeds: Speeds, share: float) -> Speeds:
-    """The same way, slower."""
+    """Scale the velocities, which keeps the path."""
     return speeds[0] * share, speeds[1] * share, speeds[2] * share
 
 
 def pace(speeds: Speeds) -> float:
-    """How fast speeds are, to compare what zones ask for."""
+    """Return a measure of speed, to compare the zones' velocities."""
     return sum(one * one for one in speeds)
 
 

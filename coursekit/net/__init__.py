@@ -1,4 +1,4 @@
 """The session's graph on a real ROS 2 network, over Eclipse Zenoh in the wire format of rmw_zenoh.
 
-Nothing here is imported before somebody joins a network, and `zenoh` not before one is opened.
+Nothing here is imported before a network is joined, and `zenoh` not before one is opened.
 """

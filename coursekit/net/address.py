@@ -1,4 +1,4 @@
-"""Addresses: how they are typed, and whether somebody listens there."""
+"""Network addresses: parsing them, and checking whether a router listens there."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from typing import Any
 from .errors import NoNetwork
 
 PORT = 7447
-"""Where routers listen if nothing else is said: rmw_zenoh's as well."""
+"""The default port of routers, also in rmw_zenoh."""
 _SPELLED = re.compile(r"(?:(tcp|tls)/)?(\[[0-9a-fA-F:.%\w]+\]|[\w.-]+)(?::(\d{1,5}))?", re.ASCII)
 
 
 def read_address(text: str) -> str:
-    """The whole address of what was typed.
+    """Complete an address as typed by the user.
 
     Raises:
-        NoNetwork: for what is none.
+        NoNetwork: for an invalid address.
 
     >>> read_address("robot"), read_address("tls/10.0.0.2:7000")
     ('tcp/robot:7447', 'tls/10.0.0.2:7000')
@@ -29,7 +29,7 @@ def read_address(text: str) -> str:
 
 
 def host_and_port(address: str) -> tuple[str, int]:
-    """Both of a whole address.
+    """Split a complete address into host and port.
 
     >>> host_and_port("tcp/[::1]:7447")
     ('::1', 7447)
@@ -39,7 +39,7 @@ def host_and_port(address: str) -> tuple[str, int]:
 
 
 def find_computer(address: str) -> tuple[int, tuple[Any, ...]]:
-    """The family and the place, as sockets want them, of the computer in a whole address; NoNetwork when there is none."""
+    """Return the socket family and socket address of a complete address; NoNetwork when the host is unknown."""
     host, port = host_and_port(address)
     try:
         family, _, _, _, place = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0]
@@ -49,7 +49,7 @@ def find_computer(address: str) -> tuple[int, tuple[Any, ...]]:
 
 
 def knock(address: str, seconds: float) -> None:
-    """Look whether anybody listens there; NoNetwork says what is wrong."""
+    """Check that the address accepts connections; NoNetwork gives the reason when it does not."""
     host, port = host_and_port(address)
     try:
         socket.create_connection((host, port), timeout=seconds).close()
@@ -73,7 +73,7 @@ def _no_computer(host: str, port: int) -> NoNetwork:
 
 
 def is_loopback(address: str) -> bool:
-    """Whether only this computer is meant.
+    """Whether the address refers to this computer only.
 
     >>> is_loopback("tcp/127.0.0.1:7447"), is_loopback("tcp/0.0.0.0:7447")
     (True, False)

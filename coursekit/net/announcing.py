@@ -1,4 +1,4 @@
-"""Tells the network what is in this graph, and carries what somebody there asks for."""
+"""Announces the local graph on the network, and carries the messages and responses that peers request."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from .wire.names import NO_HASH
 from .wire.token import CLIENT, NODE, PUBLISHER, SERVER, SUBSCRIPTION, Token, gid_of
 
 INSIDE = ("/clock",)
-"""Topics that never leave the session, and are not taken from outside: each simulation has its own time."""
+"""Topics that never leave the session and are not accepted from outside: each simulation has its own time."""
 KINDS = {Publisher: PUBLISHER, Subscription: SUBSCRIPTION, Server: SERVER, Client: CLIENT}
 
 
 class Announced:
-    """One thing that others know of, with what serves it."""
+    """A local node or endpoint that is announced to peers, with the objects that serve it."""
 
     def __init__(self, token: Any, sender: Sender | None = None, answers: Answers | None = None) -> None:
         self.sender = sender
@@ -34,14 +34,14 @@ class Announced:
         self._token = token
 
     def close(self) -> None:
-        """Take it back."""
+        """Withdraw the announcement."""
         for part in self._parts:
             part.close()
         self._token.undeclare()
 
 
 class Announcer:
-    """Keeps the announcements equal to the graph: `compare` is called after each change, by one thread."""
+    """Keeps the announcements in step with the graph: one thread calls `compare` after each change."""
 
     def __init__(self, place: Place, direct: DirectLines | None, *, listen_only: bool) -> None:
         self._place = place
@@ -53,11 +53,11 @@ class Announcer:
 
     @property
     def senders(self) -> list[Sender]:
-        """Those of publishers that are announced."""
+        """The senders of announced publishers."""
         return [one.sender for one in list(self.known.values()) if one.sender is not None]
 
     def compare(self) -> None:
-        """Announce what is new, take back what is gone, and send where somebody listens."""
+        """Announce new nodes and endpoints, withdraw removed ones, and send the topics that have listeners."""
         there = dict.fromkeys(self._ours())
         for gone in [one for one in self.known if one not in there]:
             self.known.pop(gone).close()
@@ -71,7 +71,7 @@ class Announcer:
             sender.want({one.type_hash for one in listeners}, lines)
 
     def close(self) -> None:
-        """Take everything back."""
+        """Withdraw all announcements."""
         for one in self.known.values():
             one.close()
         self.known.clear()
@@ -93,7 +93,7 @@ class Announcer:
         if token.kind == SERVER:
             key = self._place.key(one.name, one.type_name)
             answers = Answers(self._place.session, one, key, self._place.tell)
-        # The token comes last: who sees it can ask at once.
+        # The token comes last: peers may send requests as soon as they see it.
         return Announced(self._place.session.liveliness().declare_token(text), sender, answers)
 
     def _keys_of(self, one: Endpoint) -> Any:
@@ -117,5 +117,5 @@ class Announcer:
 
 
 def local_nodes(graph: Graph) -> list[GraphNode]:
-    """The nodes of this session: neither those of a network nor those of neighbours, which may join it themselves."""
+    """Return the nodes of this session, except remote nodes and neighbours' nodes, which may join the network themselves."""
     return [node for node in list(graph.nodes) if not node.remote and not isinstance(node, GhostNode)]

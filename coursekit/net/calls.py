@@ -1,4 +1,4 @@
-"""Services across the network: `Answers` for a server here, `Questions` for servers there."""
+"""Services across the network: `Answers` for a local server, `Questions` for remote servers."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from .remote import RemoteServer
 from .wire.attachment import Attachment
 
 PATIENCE_SECONDS = 86400.0
-"""How long an answer may take: as long as with DDS, which knows no limit; a server that leaves ends the wait [s]."""
+"""Timeout for a response: a day, since DDS has no limit; the wait also ends when the server leaves [s]."""
 
 
 class Asker:
-    """Stands for a client there during one request: a server here responds to it."""
+    """A proxy for a remote client during one request: the local server responds to it."""
 
     sink = None
     yields = False
@@ -28,14 +28,14 @@ class Asker:
         self._came_with = came_with
 
     def push(self, number: int, response: Any) -> None:
-        """Send the response; harmless when nobody waits for it any more."""
+        """Send the response; harmless when the client no longer waits for it."""
         attachment = Attachment(number, time.time_ns(), self._came_with.gid).data()
         with self._query as query:
             query.reply(query.key_expr, cdr.serialize(response), attachment=attachment)
 
 
 class Answers:
-    """Hands requests that come on a key to a server here."""
+    """Passes requests that arrive on a key to a local server."""
 
     def __init__(self, zenoh_session: Any, server: Server, key: str, tell: Callable[[str], None]) -> None:
         from zenoh import Locality
@@ -45,7 +45,7 @@ class Answers:
         self._queryable = zenoh_session.declare_queryable(key, self._hear, complete=True, allowed_origin=Locality.REMOTE)
 
     def close(self) -> None:
-        """Answer no more."""
+        """Stop answering."""
         self._queryable.undeclare()
 
     def _hear(self, query: Any) -> None:
@@ -54,7 +54,7 @@ class Answers:
             return
         try:
             request = cdr.deserialize(query.payload.to_bytes(), self._server.msg_type.Request)
-        except Exception as error:  # a stranger's bytes
+        except Exception as error:  # bytes from a peer
             self._tell(f"A request to {self._server.name} cannot be read ({error}): the definition differs there.")
             return
         asker: Any = Asker(query, came_with)
@@ -62,7 +62,7 @@ class Answers:
 
 
 class Questions:
-    """Asks servers there; the first answer counts, as everywhere in ROS."""
+    """Sends requests to remote servers; the first response counts, as everywhere in ROS."""
 
     def __init__(self, zenoh_session: Any, key: str, gid: bytes) -> None:
         from zenoh import ConsolidationMode, Locality, QueryTarget
@@ -77,16 +77,16 @@ class Questions:
         )
 
     def ask(self, _server: RemoteServer, data: bytes, request_id: RequestId) -> None:
-        """Send a request's bytes; the response goes to the client that asked."""
+        """Send the bytes of a request; the response goes to the client of the request."""
         client, number = request_id.client, request_id.sequence_number
 
         def hear(reply: Any) -> None:
             if reply.ok is not None:
                 client.push(number, cdr.deserialize(reply.ok.payload.to_bytes(), client.msg_type.Response))
 
-        gid = bytes(ours ^ its for ours, its in zip(self._gid, client.gid, strict=False))  # each client has its own
+        gid = bytes(ours ^ its for ours, its in zip(self._gid, client.gid, strict=False))  # each client has its own gid
         self._querier.get(hear, payload=data, attachment=Attachment(number, time.time_ns(), gid).data())
 
     def close(self) -> None:
-        """Ask no more."""
+        """Stop sending requests."""
         self._querier.undeclare()

@@ -1,7 +1,7 @@
-"""Short messages go straight to sessions of the same user on this computer that joined at the same address.
+"""Short messages go directly to sessions of the same user on this computer that joined at the same address.
 
-Such a socket has no router and no threads of an engine on its way, so it takes half the time. Zenoh announces everything
-all the same, and carries what is long, latched or never dropped, and what goes to another computer.
+The path of such a socket includes no router and no threads of Zenoh, so it takes half the time. Zenoh still announces
+everything. It carries messages that are long, latched or never dropped, and all messages to other computers.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ from .opening import BUSY_SECONDS
 from .wire.attachment import SIZE, Attachment, read_attachment
 
 LONGEST = 3072
-"""Bytes of a message; longer ones Zenoh hands over in shared memory."""
+"""Maximum size of a direct message in bytes; Zenoh passes longer ones in shared memory."""
 NEW_SECONDS = 60.0
-"""How long a socket at which nobody listens is left alone [s]."""
+"""Minimum age at which a socket without a listener is removed [s]."""
 _LENGTHS = struct.Struct("<HHH")
 Take = Callable[[str, str, bytes, Attachment], None]
-"""Takes a message: its topic, the topic's type, its CDR bytes and what came with it."""
+"""Callback for a message: its topic, the topic's type, its CDR bytes and its attachment."""
 
 
 class Line:
-    """To one other session; what it has no room for is dropped, as Zenoh does it."""
+    """A connection to one other session; messages that do not fit into its buffer are dropped, as in Zenoh."""
 
     def __init__(self, peer: socket.socket, paused: threading.Event) -> None:
         self._peer = peer
@@ -41,11 +41,11 @@ class Line:
         peer.settimeout(BUSY_SECONDS)
 
     def send(self, frame: bytes) -> bool:
-        """Send a message, or drop it; False when the other session is gone."""
+        """Send a message, or drop it; False when the other session has closed."""
         with self._lock:
             try:
                 if not self._paused.is_set() and self._peer.send(frame) < len(frame):
-                    self.close()  # half a message is there: what follows could not be read
+                    self.close()  # half a message was sent: the rest of the stream would be unreadable
             except TimeoutError:
                 pass
             except OSError:
@@ -53,12 +53,12 @@ class Line:
         return True
 
     def close(self) -> None:
-        """Hang up."""
+        """Close the connection."""
         self._peer.close()
 
 
 class DirectLines:
-    """The lines of one session: `take` gets what comes in, `to` gives those by which others are reached."""
+    """The direct connections of one session: `take` receives incoming messages, `to` returns the lines to other sessions."""
 
     def __init__(self, address: str, session: str, take: Take) -> None:
         self._address = address
@@ -72,32 +72,32 @@ class DirectLines:
         threading.Thread(target=self._accept, name="coursekit-direct", daemon=True).start()
 
     def to(self, sessions: Iterable[str]) -> tuple[Line, ...]:
-        """A line to each of these; none when one of them has to be reached by Zenoh."""
+        """Return a line to each of these sessions; none when one of them can only be reached through Zenoh."""
         lines = [self._line_to(one) for one in dict.fromkeys(sessions)]
         return tuple(line for line in lines if line is not None) if all(lines) else ()
 
     def pause(self, paused: bool) -> None:
-        """Send nothing while the router is out of reach: who is told that nothing is sent must not see a robot move."""
+        """Pause while the router is unreachable: a user who was told that nothing is sent must not see a robot move."""
         (self._paused.set if paused else self._paused.clear)()
 
     def keep(self, sessions: Collection[str]) -> None:
-        """Only these are still there."""
+        """Close the lines to all other sessions: they are gone."""
         for gone in [one for one in self._lines if one not in sessions]:
             line = self._lines.pop(gone)
             if line is not None:
                 line.close()
 
     def close(self) -> None:
-        """Hang up, and listen no more."""
+        """Close all connections and stop listening."""
         self._path.unlink(missing_ok=True)
         for one in (self._server, *self._callers):
             with contextlib.suppress(OSError):
-                one.shutdown(socket.SHUT_RDWR)  # who waits for it wakes up
+                one.shutdown(socket.SHUT_RDWR)  # wakes threads that wait on the socket
             one.close()
         self.keep(())
 
     def _path_of(self, session: str) -> Path:
-        """Where a session listens that joined at this address: another one may lead over a worse link, on purpose."""
+        """Return the socket path of a session at this address: another address may use a worse link on purpose."""
         return folder() / f"net-{hashlib.sha256(f'{self._address} {session}'.encode()).hexdigest()[:16]}"
 
     def _line_to(self, session: str) -> Line | None:
@@ -138,13 +138,13 @@ def _remove_dead_sockets() -> None:
 
 
 def frame(name: str, type_name: str, data: bytes, attachment: bytes) -> bytes:
-    """A message as a line carries it."""
+    """Encode a message for a line."""
     parts = (name.encode(), type_name.encode(), data)
     return b"".join((_LENGTHS.pack(*map(len, parts)), attachment, *parts))
 
 
 def read_frame(body: bytes, lengths: tuple[int, ...]) -> tuple[str, str, bytes, Attachment]:
-    """What `frame` was given, from what follows its first six bytes; ValueError for what is none."""
+    """Decode a message of `frame` from the part after its first six bytes; ValueError when it is incomplete."""
     attachment = read_attachment(body[:SIZE])
     ends = [SIZE + sum(lengths[:k]) for k in range(4)]
     name, type_name, data = (body[begin:end] for begin, end in itertools.pairwise(ends))

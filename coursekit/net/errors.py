@@ -1,7 +1,7 @@
-"""The reasons why joining a network can fail, in one sentence with the cure."""
+"""The reasons why joining a network can fail, each in one sentence with the remedy."""
 
 from __future__ import annotations
 
 
 class NoNetwork(RuntimeError):
-    """The network was not joined; the text says why, and what to do."""
+    """The network was not joined; the message gives the reason and the remedy."""

@@ -1,4 +1,4 @@
-"""Writes the gateway, with the format that it shares with notebooks, into one file that Python runs."""
+"""Writes the gateway and the wire format that it shares with notebooks to one file that Python can run."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ START = f"from {NAME}.gateway.program import main\n\nraise SystemExit(main())\n"
 
 
 def write(path: Path) -> None:
-    """Write it; the same bytes every time. OSError says why it cannot be written."""
+    """Write the file, with identical bytes every time. Raises OSError when it cannot be written."""
     files = {"__main__.py": START, f"{NAME}/__init__.py": '"""What `coursekit gateway --write` wrote."""\n'}
     for folder in FOLDERS:
         for file in sorted(resources.files("coursekit.net").joinpath(folder).iterdir(), key=lambda one: one.name):

@@ -1,4 +1,4 @@
-"""Joining and leaving: `join` asks before anything moves a robot, and nobody hears of this side before that."""
+"""Joining and leaving: `join` asks before a robot could move, and this side is invisible on the network until then."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _tried: WeakKeyDictionary[Session, set[int]] = WeakKeyDictionary()
 _lock = threading.RLock()
 
 Confirm = Callable[[list[str]], bool]
-"""Is given what would move, a sentence each, and says whether to join all the same."""
+"""Receives one sentence for each robot that would move, and returns whether to join anyway."""
 
 
 def join(
@@ -36,12 +36,12 @@ def join(
     listen_only: bool = False,
     confirm: Confirm = lambda _moves: False,
 ) -> Link:
-    """Have a session's graph of a domain be part of the network at an address; a link that there is, is left first.
+    """Join a session's graph of a domain to the network at an address; an existing link is left first.
 
-    With `listen_only` nothing is sent but the wish to hear.
+    With `listen_only` nothing is sent but subscriptions.
 
     Raises:
-        NoNetwork: when it was not joined; the text says why.
+        NoNetwork: when joining failed; the message gives the reason.
     """
     if session.clock.virtual:
         raise NoNetwork("A session on the virtual clock runs faster than others and joins no network: use the wall clock.")
@@ -66,7 +66,7 @@ def join(
 
 
 def leave(session: Session, domain_id: int | None = None) -> bool:
-    """Leave the network of a domain, or all of them; whether there was one."""
+    """Leave the network of a domain, or all of them; return whether there was one."""
     with _lock:
         links = _links.get(session, {})
         found = [links.pop(one) for one in ([domain_id] if domain_id is not None else list(links)) if one in links]
@@ -76,20 +76,20 @@ def leave(session: Session, domain_id: int | None = None) -> bool:
 
 
 def link_of(session: Session, domain_id: int) -> Link | None:
-    """The link of a domain, if it is joined."""
+    """Return the link of a domain, or None if it is not joined."""
     return _links.get(session, {}).get(domain_id)
 
 
 def credentials_from_the_environment() -> Credentials:
-    """COURSEKIT_NETWORK_USER, COURSEKIT_NETWORK_PASSWORD and COURSEKIT_NETWORK_CERTIFICATE."""
+    """Read COURSEKIT_NETWORK_USER, COURSEKIT_NETWORK_PASSWORD and COURSEKIT_NETWORK_CERTIFICATE."""
     values = (os.environ.get(f"{NETWORK_VARIABLE}_{one}", "") for one in ("USER", "PASSWORD", "CERTIFICATE"))
     return Credentials(*values)
 
 
 def join_as_the_environment_says(session: Session, domain_id: int) -> bool:
-    """Join the network that COURSEKIT_NETWORK names, once; whether it is joined.
+    """Join the network named by COURSEKIT_NETWORK, once; return whether it is joined.
 
-    An obstacle is told, and all goes on without. Tests join nothing: a robot is no part of them.
+    A failure is reported, and the program continues without a network. Tests never join: they must not reach a robot.
     """
     with _lock:
         tried = _tried.setdefault(session, set())
@@ -98,7 +98,7 @@ def join_as_the_environment_says(session: Session, domain_id: int) -> bool:
         tried.add(domain_id)
     address, *words = os.environ[NETWORK_VARIABLE].split()
     asked, listen_only = credentials_from_the_environment(), "--listen-only" in words
-    # Not within the program that happens to be the first: it would not end before the network's threads do.
+    # Not in the program that happens to be first: it would not end before the network's threads.
     begin = functools.partial(join, session, domain_id, address, credentials=asked, listen_only=listen_only)
     try:
         outside(begin)
@@ -108,5 +108,5 @@ def join_as_the_environment_says(session: Session, domain_id: int) -> bool:
 
 
 def tell(sentence: str) -> None:
-    """Say something to the user, from any thread."""
+    """Print a message to the user, from any thread."""
     print(f"[network] {sentence}", file=sys.stderr, flush=True)

@@ -1,4 +1,4 @@
-"""One session's link to a network: a thread of its own does all that changes, in the order in which it is told."""
+"""One session's link to a network: its own thread makes all changes, in the order in which they arrive."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ from .visiting import Visitors
 from .wire.token import ADMIN, Token, read_token
 
 SETTLE_SECONDS = 5.0
-"""How long joining waits for what others have announced [s]."""
+"""Timeout for receiving the peers' announcements while joining [s]."""
 CLOSE_SECONDS = 2.0
-"""How long leaving may take; what is not done by then is left to the others' time-outs [s]."""
+"""Timeout for leaving; work unfinished by then is left to the peers' own timeouts [s]."""
 
 
 class Link:
-    """Looks at a network first (`tokens`); nobody knows of this side before `begin`."""
+    """Inspects a network first (`tokens`); this side stays invisible until `begin`."""
 
     def __init__(self, place: Place, *, listen_only: bool = False) -> None:
         self.place = place
@@ -36,9 +36,9 @@ class Link:
         self.announcer = Announcer(place, self.direct, listen_only=listen_only)
         self.since = place.graph.clock.now()
         self.is_up = True
-        """Whether the router answers at present."""
+        """Whether the router is reachable."""
         self.on_change: list[Callable[[], None]] = []
-        """Called, by any thread, when the link is lost or comes back, and when it is left."""
+        """Called, by any thread, when the link is lost, comes back, or is left."""
         self.closed = False
         self._jobs: queue.SimpleQueue[Callable[[], None] | None] = queue.SimpleQueue()
         self._planned = threading.Event()
@@ -49,12 +49,12 @@ class Link:
     def _listen_for_neighbours(self) -> DirectLines | None:
         if not HAS_UNIX:
             return None  # a notebook opens no port
-        with contextlib.suppress(OSError):  # no safe folder: `coursekit doctor` says so
+        with contextlib.suppress(OSError):  # no safe folder: `coursekit doctor` reports it
             return DirectLines(self.place.address, self.place.id, self.visitors.take)
         return None
 
     def tokens(self) -> list[Token]:
-        """The announcements of the others up to now."""
+        """Return the current announcements of the peers."""
         found = []
         for reply in self.place.session.liveliness().get(self._key, timeout=SETTLE_SECONDS):
             if reply.ok is not None:
@@ -64,13 +64,13 @@ class Link:
 
     @property
     def _key(self) -> str:
-        """All tokens of the domain."""
+        """The key expression of all tokens of the domain."""
         return f"{ADMIN}/{self.place.domain_id}/**"
 
     def begin(self) -> None:
-        """Be part of the network, and wait until both sides' present announcements are known."""
+        """Join the network, and wait until the current announcements of both sides are known."""
         there = {token.text() for token in self.tokens() if self.visitors.wants(token)}
-        session = self.place.session  # the question above comes first: Zenoh answers none whose answer is subscribed to
+        session = self.place.session  # the query above comes first: Zenoh does not answer a query whose key is subscribed to
         self._listeners = [
             session.info.declare_transport_events_listener(self._hear_transport),
             session.liveliness().declare_subscriber(self._key, self._hear_token, history=True),
@@ -82,13 +82,13 @@ class Link:
         self.settle()
 
     def settle(self, seconds: float = SETTLE_SECONDS) -> bool:
-        """Wait until all is done that was told up to now; whether it was in time."""
+        """Wait until all changes that have arrived so far are processed; return whether this was in time."""
         done = threading.Event()
         self._do(done.set)
         return done.wait(seconds)
 
     def close(self) -> None:
-        """Leave: at once, also where the router does not answer, and harmless when it was left."""
+        """Leave at once, even if the router does not answer; harmless when already left."""
         if self.closed:
             return
         self.closed = True
@@ -98,7 +98,7 @@ class Link:
         try:
             leaving.start()
             leaving.join(CLOSE_SECONDS)
-        except RuntimeError:  # so late that no thread can begin
+        except RuntimeError:  # at interpreter exit no thread can start
             self._leave()
         for tell_of_it in list(self.on_change):
             tell_of_it()
@@ -127,7 +127,7 @@ class Link:
         self._jobs.put((lambda: job(*args)) if args else job)
 
     def _plan(self) -> None:
-        """Have the graph compared with what was announced; many changes at once are looked at once."""
+        """Schedule a comparison of the graph with the announcements; many changes at once are compared once."""
         if not self._planned.is_set():
             self._planned.set()
             self._do(self._compare)
@@ -170,7 +170,7 @@ _open: weakref.WeakSet[Link] = weakref.WeakSet()
 
 
 def _close_before_python_ends(link: Link) -> None:
-    """Zenoh's threads call Python, so it ends before them; `atexit` would come too late, the interpreter would hang."""
+    """Close the link before Python ends: Zenoh's threads call Python, and `atexit` would be too late, with a hang."""
     if not _open:
         threading._register_atexit(_close_all)  # type: ignore[attr-defined]
     _open.add(link)

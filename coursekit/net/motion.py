@@ -1,4 +1,4 @@
-"""The parts of this graph that would move others' robots: the user hears of them before a network is joined."""
+"""The local nodes that would move the peers' robots: they are reported to the user before a network is joined."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _GOAL = "/_action/send_goal"
 
 
 def would_move(graph: Graph, tokens: Iterable[Token]) -> list[str]:
-    """A sentence for each part of this graph that would move the robots of those who announce these tokens."""
+    """Return a sentence for each local node that would move a robot of the peers that announce these tokens."""
     found: dict[str, None] = {}
     for token in tokens:
         if token.kind == SUBSCRIPTION and token.type_name in MOVING:

@@ -1,4 +1,4 @@
-"""Opening a Zenoh session: as a client of one router, or as the router; neither looks around by multicast."""
+"""Opening a Zenoh session: as a client of one router, or as the router; without multicast scouting in both cases."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from .address import knock, read_address
 from .errors import NoNetwork
 
 OPEN_SECONDS = 5.0
-"""How long a router may take to let somebody in; who gives a wrong password hears nothing at all [s]."""
+"""Timeout for a router to accept a client; after a wrong password there is no answer at all [s]."""
 LEASE_SECONDS = 2.0
-"""A link that is silent this long is lost, and what waited in it with it [s]."""
+"""A link that is silent for this long is lost, together with its queued messages [s]."""
 
 BUSY_SECONDS = 0.01
-"""How long a message waits for room before it is dropped: the threads of a busy computer may sleep for this long [s]."""
+"""Time that a message waits for buffer space before it is dropped: threads on a busy computer may sleep this long [s]."""
 SEND_BUFFER = 65536
-"""The bytes of a link that the system may keep: a slow link drops messages, and does not bring them seconds late."""
+"""Size of the system's send buffer: a slow link drops messages instead of delivering them seconds late [bytes]."""
 
 
 @dataclass(frozen=True)
 class Credentials:
-    """The credentials that a router asks for: a user and a password, and for TLS the certificate of the authority."""
+    """The credentials for a router: a user and a password, and for TLS the certificate of the authority."""
 
     user: str = ""
     password: str = ""
@@ -34,10 +34,10 @@ class Credentials:
 
 
 def open_client(address: str, credentials: Credentials = Credentials(), seconds: float = OPEN_SECONDS) -> Any:
-    """A Zenoh session with the router at a whole address.
+    """Open a Zenoh session with the router at a complete address.
 
     Raises:
-        NoNetwork: when the engine is missing, nobody listens, or the router does not let this side in.
+        NoNetwork: when Zenoh is not installed, nothing listens at the address, or the router refuses the credentials.
     """
     zenoh = engine()
     knock(address, seconds)
@@ -56,10 +56,10 @@ def open_client(address: str, credentials: Credentials = Credentials(), seconds:
 def open_router(
     listen: list[str], users: Path | None = None, certificate: Path | None = None, key: Path | None = None
 ) -> Any:
-    """A router that listens at these addresses; `users` is a file of lines USER:PASSWORD.
+    """Open a router that listens at these addresses; `users` is a file of lines USER:PASSWORD.
 
     Raises:
-        NoNetwork: when the engine is missing, or an address cannot be listened at.
+        NoNetwork: when Zenoh is not installed, or it cannot listen at an address.
     """
     zenoh = engine()
     config = _quiet(zenoh, "router")
@@ -75,7 +75,7 @@ def open_router(
 
 
 def engine() -> Any:
-    """The module `zenoh`; NoNetwork where it is not installed."""
+    """Return the module `zenoh`; NoNetwork where it is not installed."""
     try:
         import xxhash  # noqa: F401  (what the tokens are told apart by)
         import zenoh
@@ -111,7 +111,7 @@ def _refused(address: str, credentials: Credentials) -> str:
 
 
 def _within(call: Callable[[], Any], seconds: float, refusal: str) -> Any:
-    """The result of a call that may block for ever; NoNetwork after so many seconds."""
+    """Return the result of a call that may block for ever; NoNetwork after so many seconds."""
     result: list[Any] = []
     given_up = threading.Event()
 

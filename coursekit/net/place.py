@@ -1,4 +1,4 @@
-"""Where a link is: its graph, domain, Zenoh session and address, and how it tells what happens."""
+"""The context of a link: its graph, domain, Zenoh session and address, and its reports to the user."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .wire.names import ANY_HASH, data_key
 
 @dataclass(frozen=True)
 class Place:
-    """The parts that all of a link share; `tell` takes a sentence for the user."""
+    """The context shared by all parts of a link; `tell` reports a sentence to the user."""
 
     graph: Graph
     domain_id: int
@@ -23,7 +23,7 @@ class Place:
 
     @property
     def id(self) -> str:
-        """By which others tell this side's tokens from theirs."""
+        """The id by which peers distinguish this session's tokens from their own."""
         return str(self.session.info.zid())
 
     def key(self, name: str, type_name: str, type_hash: str = ANY_HASH) -> str:

@@ -1,4 +1,4 @@
-"""Quality of service between the graph and the network's text."""
+"""Conversion of quality of service between the graph and the network's text."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from coursekit.core.qos import (
 from .wire.quality import Quality
 
 MOST_KEPT = 100_000
-"""A stranger's depth is taken no larger than this."""
+"""Upper limit for the depth of a remote endpoint."""
 
 
 def core_qos(quality: Quality) -> Qos:
-    """A stranger's quality, with what this side does not know as the middleware's default."""
+    """Convert a remote endpoint's QoS; unknown values become the middleware's defaults."""
     return Qos(
         history=quality.history if quality.history in (KEEP_LAST, KEEP_ALL) else KEEP_LAST,
         depth=min(quality.depth, MOST_KEPT),
@@ -35,7 +35,7 @@ def core_qos(quality: Quality) -> Qos:
 
 
 def wire_quality(qos: Qos) -> Quality:
-    """Ours, as others read it."""
+    """Convert a local QoS to the form that peers read."""
     one = qos.resolved()
     return Quality(
         one.reliability, one.durability, one.history, one.depth, one.deadline, one.lifespan, one.liveliness, one.lease

@@ -1,4 +1,4 @@
-"""Fetches one topic's messages, for as long as somebody here listens."""
+"""Receives one topic's messages, for as long as there are local subscriptions."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from .remote import RemotePublisher
 from .wire.attachment import Attachment, read_attachment
 
 LARGEST = 1 << 30
-"""Bytes of a message; more is a stranger's mistake or worse."""
+"""Maximum size of a message in bytes; a larger one is a peer's mistake or worse."""
 MOST_EARLY = 64
-"""Messages that are kept until their publisher's announcement is here, too."""
+"""Maximum number of messages kept until their publisher is announced."""
 
 
 class Receiver:
-    """Hears what comes on a topic's key, and has its publishers receive it; with `latched` also what was said before."""
+    """Receives the messages of a topic's key for its remote publishers; with `latched` also earlier messages."""
 
     def __init__(self, zenoh_session: Any, key: str, *, latched: bool) -> None:
         from zenoh import Locality, ext
@@ -36,14 +36,14 @@ class Receiver:
         )
 
     def set_publishers(self, publishers: list[RemotePublisher]) -> None:
-        """These are the topic's publishers now; what was heard before any of them was known is received now."""
+        """Set the topic's current publishers; messages received before any of them was known are delivered now."""
         with self._lock:
             self._publishers = {one.gid[:16]: one for one in publishers}
             while self._publishers and self._early:
                 self._give(*self._early.popleft())
 
     def close(self) -> None:
-        """Hear no more."""
+        """Stop receiving."""
         self._subscriber.undeclare()
 
     def _hear(self, sample: Any) -> None:
@@ -61,12 +61,12 @@ class Receiver:
 
     def _give(self, data: bytes, came_with: Attachment | None) -> None:
         one = self._publishers.get(came_with.gid) if came_with else None
-        one = one or next(iter(self._publishers.values()))  # it names nobody we know: the first speaks for it
+        one = one or next(iter(self._publishers.values()))  # its publisher is unknown: the first one stands in
         one.receive(data, came_with)
 
 
 def attachment_of(sample: Any) -> Attachment | None:
-    """The attachment of a message or a request; None where it has none, or another one."""
+    """Return the attachment of a message or a request; None for a missing or malformed one."""
     if sample.attachment is not None:
         with contextlib.suppress(ValueError):
             return read_attachment(sample.attachment.to_bytes())

@@ -1,6 +1,6 @@
-"""Others' nodes and ends in this graph: they match like the real thing, and what they are given goes out or is dropped.
+"""Remote nodes and endpoints in this graph: they match like local ones; their messages are sent on or dropped.
 
-None needs a class of its interface: a message is read as what the subscription here wants.
+None needs a class of its interface: a message is deserialized as the local subscription's type.
 """
 
 from __future__ import annotations
@@ -24,13 +24,13 @@ from .wire.moving import MOVING, VELOCITIES, Punctual
 from .wire.token import Token
 
 MOST_EARLY = 64
-"""Messages that are kept until they can be carried."""
+"""Maximum number of messages kept until they can be carried."""
 REMEMBERED = 256
-"""Numbers of messages by which doubles are known: a publisher sends on several keys where its listeners' hashes differ."""
+"""Message numbers remembered to detect duplicates: a publisher uses several keys if its listeners' hashes differ."""
 
 
 class RemotePublisher(Publisher):
-    """Somebody else's publisher: delivers what came from it."""
+    """A remote publisher: delivers its messages to local subscriptions."""
 
     def __init__(self, graph: Graph, node: GraphNode, token: Token, tell: Callable[[str], None]) -> None:
         super().__init__(graph, node, token.name, Named(token.type_name), core_qos(token.quality))
@@ -43,7 +43,7 @@ class RemotePublisher(Publisher):
         self._lock = threading.Lock()
 
     def receive(self, data: bytes, came_with: Attachment | None) -> None:
-        """Give a message in CDR bytes to the subscriptions here; doubles and velocities that were held up are dropped."""
+        """Deliver a message in CDR bytes to local subscriptions; duplicates and delayed velocity commands are dropped."""
         now = self.graph.clock.now()
         with self._lock:
             if came_with is not None:
@@ -57,14 +57,14 @@ class RemotePublisher(Publisher):
             self._deliver(data, now)
 
     def replay(self, target: Subscription) -> None:
-        """Give a late joiner what came before."""
+        """Send earlier messages to a late joiner."""
         if isinstance(target.msg_type, Named):
             return
         for data, stamp in self.kept():
             self._hand_over(target, data, stamp)
 
     def close(self) -> None:
-        """Leave; a robot here that its last velocity still drives is stopped."""
+        """Leave the graph; a local robot still driven by its last velocity command is stopped."""
         if self._moving:
             for target in self._listeners():
                 self._hand_over(target, cdr.serialize(target.msg_type()), self.graph.clock.now())
@@ -78,13 +78,13 @@ class RemotePublisher(Publisher):
         self._moving = self.type_name in VELOCITIES and any(data[4:])
 
     def _listeners(self) -> list[Subscription]:
-        """Those on this side: others hear it by themselves."""
+        """The local subscriptions: peers receive the messages themselves."""
         return [one for one in self.targets if not isinstance(one.msg_type, Named)]
 
     def _hand_over(self, target: Subscription, data: bytes, stamp: int) -> None:
         try:
             msg = cdr.deserialize(data, target.msg_type)
-        except Exception as error:  # a stranger's bytes
+        except Exception as error:  # bytes from a peer
             if not self._unreadable:
                 self._unreadable = True
                 self._tell(
@@ -95,11 +95,11 @@ class RemotePublisher(Publisher):
         target.push((msg if target.reduce is None else target.reduce(msg), stamp, self))
 
     def _watch_deadline(self) -> None:
-        """The real one is watched where it is."""
+        """Do nothing: the deadline is checked on the publisher's own side."""
 
 
 class Early:
-    """Takes what is published before a publisher's messages are carried, and hands it over in order when they are."""
+    """Stores messages published before they can be carried, and hands them over in order afterwards."""
 
     def __init__(self) -> None:
         self._messages: deque[tuple[Any, int]] = deque(maxlen=MOST_EARLY)
@@ -115,7 +115,7 @@ class Early:
                 self._take(msg, stamp)
 
     def hand_over(self, take: Callable[[Any, int], None]) -> None:
-        """Have `take` get what there is, and all that still comes here."""
+        """Pass the stored messages and all later ones to `take`."""
         with self._lock:
             self._take = take
             while self._messages:
@@ -127,7 +127,7 @@ def _nothing(_msg: Any) -> None:
 
 
 class RemoteSubscription(Subscription):
-    """Somebody else's subscription: it matches; what is published goes out once for all of them, by the publisher's tap."""
+    """A remote subscription: it matches; messages go out once for all of them, through the publisher's tap."""
 
     def __init__(self, graph: Graph, node: GraphNode, token: Token, *, hears: bool = True) -> None:
         super().__init__(graph, node, token.name, Named(token.type_name), core_qos(token.quality))
@@ -138,22 +138,22 @@ class RemoteSubscription(Subscription):
         """Whether this side sends to it."""
 
     def meet(self, publisher: Publisher) -> None:
-        """Keep what is published before the link knows of the match; a velocity is carried at once or not at all."""
+        """Store messages published before the link knows of the match; a velocity command is sent at once or not at all."""
         if self._hears and publisher.tap is None and publisher.type_name not in MOVING:
             publisher.tap = Early()
 
     def push(self, entry: tuple[Any, int, Publisher]) -> None:
-        """Nothing: see above."""
+        """Do nothing: the publisher's tap sends the messages."""
 
     def _check_deadline(self) -> None:
-        """The real one is watched where it is."""
+        """Do nothing: the deadline is checked on the subscription's own side."""
 
 
 Ask = Callable[["RemoteServer", bytes, RequestId], None]
 
 
 class RemoteServer(Server):
-    """Somebody else's server: passes requests on."""
+    """A remote server: sends requests to it."""
 
     def __init__(self, graph: Graph, node: GraphNode, token: Token, ask: Ask) -> None:
         super().__init__(graph, node, token.name, Named(token.type_name), core_qos(token.quality))
@@ -161,7 +161,7 @@ class RemoteServer(Server):
         self._ask = ask
 
     def push(self, request: Any, request_id: RequestId) -> None:
-        """Ask all servers behind the same key at once; the first of them in the graph does."""
+        """Send the request once to all servers with the same key; only the first of them in the graph does so."""
         same = [one for one in self.graph.servers.get(self.name, ()) if isinstance(one, RemoteServer)
                 and (one.type_name, one.type_hash) == (self.type_name, self.type_hash)]  # fmt: skip
         if same[:1] == [self]:
@@ -169,12 +169,12 @@ class RemoteServer(Server):
 
 
 class RemoteClient(Client):
-    """Somebody else's client; its requests come without it."""
+    """A remote client; its requests arrive through `Asker`."""
 
     def __init__(self, graph: Graph, node: GraphNode, token: Token) -> None:
         super().__init__(graph, node, token.name, Named(token.type_name), core_qos(token.quality))
 
 
 def is_latched(end: Endpoint) -> bool:
-    """Whether a publisher keeps messages for late joiners, or a subscription asks for them."""
+    """Whether a publisher keeps messages for late joiners, or a subscription requests them."""
     return end.qos.durability == TRANSIENT_LOCAL

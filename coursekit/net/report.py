@@ -1,4 +1,4 @@
-"""The lines of `%network`: the others, the topics that are carried, their rates and delays."""
+"""The lines of `%network`: the peers, the carried topics, and their rates and delays."""
 
 from __future__ import annotations
 
@@ -25,20 +25,20 @@ class Report:
     is_up: bool
     listen_only: bool
     others: dict[str, list[str]]
-    """The names of nodes, by the session that has them."""
+    """The names of nodes, by session."""
     heard: list[list[str]]
-    """A row for each publisher: topic, how often, how many, how long on the way, whose it is, type."""
+    """A row for each publisher: topic, rate, count, delay, node, type."""
     sent: list[list[str]]
     notes: list[str]
-    """The problem, and the cure."""
+    """Problems, each with its remedy."""
 
     def head(self) -> str:
-        """Where it is, in one line."""
+        """Return the state in one line."""
         state = "joined" if self.is_up else "THE LINK IS GONE; it is tried again until %network off"
         return f"Network {self.address}, domain {self.domain_id}: {state}{', you only listen' if self.listen_only else ''}"
 
     def lines(self) -> Iterator[str]:
-        """All of it."""
+        """Yield the whole report."""
         yield self.head()
         yield f"Others: {len(self.others) or 'nobody yet'}"
         yield from (f"  {name}  {', '.join(nodes) or '(no nodes)'}" for name, nodes in self.others.items())
@@ -50,14 +50,14 @@ class Report:
 
 
 def report(link: Link | None) -> str:
-    """The state of a link, in lines."""
+    """Return the state of a link as text."""
     if link is None or link.closed:
         return NOT_JOINED
     return "\n".join(report_of(link).lines())
 
 
 def report_of(link: Link) -> Report:
-    """The state of a link."""
+    """Return the state of a link."""
     now = link.place.graph.clock.now()
     heard = [_row(one, one.traffic, now, with_delay=True) for one in link.visitors.publishers if one.traffic.total]
     sent = [_row(one.publisher, one.traffic, now, with_delay=False) for one in link.announcer.senders if one.traffic.total]
@@ -76,7 +76,7 @@ def report_of(link: Link) -> Report:
 
 
 def _row(end: Publisher, traffic: Traffic, now: int, *, with_delay: bool) -> list[str]:
-    """Topic, how often, how many, how long on the way, whose it is, type: what is long comes last, where lines wrap."""
+    """Return topic, rate, count, delay, node, type: long parts come last, where lines wrap."""
     delay = traffic.delay(now) if with_delay else None
     many = counted(traffic.total, "message")
     late = f"{1e3 * delay:.1f} ms on the way" if delay is not None else ""
@@ -84,7 +84,7 @@ def _row(end: Publisher, traffic: Traffic, now: int, *, with_delay: bool) -> lis
 
 
 def _aligned(rows: list[list[str]]) -> Iterator[str]:
-    """Lines whose parts are aligned; a part that all lack takes no room.
+    """Align the columns of the rows; a column that is empty in all rows takes no space.
 
     >>> list(_aligned([["/scan", "5"], ["/tf", "20"]]))
     ['/scan  5', '/tf    20']
@@ -95,7 +95,7 @@ def _aligned(rows: list[list[str]]) -> Iterator[str]:
 
 
 def _unknown(link: Link) -> Iterator[str]:
-    """Types that nobody here has, and the cure."""
+    """Yield the types that are unknown here, with the remedy."""
     tokens = [token for group in list(link.visitors.sessions.values()) for token in list(group) if token.type_name]
     for type_name in sorted({token.type_name for token in tokens}):
         if not is_known(type_name):
@@ -107,7 +107,7 @@ def _unknown(link: Link) -> Iterator[str]:
 
 
 def is_known(type_name: str) -> bool:
-    """Whether this side has the definition of a type, also of a part of an action."""
+    """Whether this side has the definition of a type, including a part of an action."""
     try:
         load(type_name)
     except (InterfaceError, LookupError, OSError):

@@ -1,4 +1,4 @@
-"""Carries what one publisher sends out of the graph, for as long as somebody there listens."""
+"""Sends the messages of one publisher out of the graph, for as long as there are remote listeners."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ from .traffic import Traffic
 from .wire.attachment import Attachment
 
 MOST_LATCHED = 1000
-"""Messages that a publisher which keeps all keeps for late joiners on the network."""
+"""Maximum history for late joiners on the network, for a publisher that keeps all messages."""
 
 
 class Sender:
-    """Sends on a key for each hash that listeners name; `key_of` gives it. With no hash nothing is sent, or serialized."""
+    """Sends on one key per type hash of the listeners, given by `key_of`. Without a hash nothing is sent or serialized."""
 
     def __init__(self, zenoh_session: Any, publisher: Publisher, gid: bytes, key_of: Callable[[str], str]) -> None:
         self.publisher = publisher
@@ -43,10 +43,10 @@ class Sender:
         self._lock = threading.Lock()
 
     def want(self, hashes: set[str], lines: tuple[Line, ...] = ()) -> None:
-        """Send for listeners of these hashes from now on; those that come late get first what is kept for them.
+        """Send to listeners with these hashes from now on; late joiners first get the kept messages.
 
-        `lines` lead to all listeners, if there are any. Once Zenoh carries a topic it goes on, or messages would overtake
-        those that are on their way.
+        `lines` are the direct lines to all listeners, if there are any. Once Zenoh carries a topic, it continues to do so:
+        otherwise messages could overtake those in transit.
         """
         for gone in self._outlets.keys() - hashes:
             with self._lock:
@@ -63,11 +63,11 @@ class Sender:
             self._tap(bool(hashes))
 
     def close(self) -> None:
-        """Send no more."""
+        """Stop sending."""
         self.want(set())
 
     def _tap(self, carries: bool) -> None:
-        """Take what is published, and what already was since a listener there is known; or take nothing any more."""
+        """Start taking the publisher's messages, including those since the match with a remote listener, or stop."""
         early = self.publisher.tap
         if carries and isinstance(early, Early):
             early.hand_over(self._take)
@@ -96,7 +96,7 @@ class Sender:
     def _take(self, msg: Any, stamp: int) -> None:
         with self._lock:
             if stamp <= self._last_kept and self._keeps:
-                return  # it was among those kept
+                return  # it was one of the kept messages
             data, attachment = self._packed(msg)
             if not self._sent_directly(data, attachment):
                 for outlet in self._outlets.values():
@@ -104,7 +104,7 @@ class Sender:
         self.traffic.count(self.publisher.graph.clock.now())
 
     def _sent_directly(self, data: bytes, attachment: bytes) -> bool:
-        """Whether all have it by lines; those of them that get it by Zenoh, too, know it by its number."""
+        """Send over the direct lines and return whether all got it. If not, Zenoh resends it; receivers drop duplicates."""
         if self._lines:
             sent = frame(self.publisher.name, self.publisher.type_name, data, attachment) if len(data) <= LONGEST else b""
             if not sent or not all(line.send(sent) for line in self._lines):

@@ -1,4 +1,4 @@
-"""How often messages come and go, and how long they took."""
+"""Rates and delays of messages."""
 
 from __future__ import annotations
 
@@ -6,23 +6,23 @@ from collections import deque
 from statistics import median
 
 SPAN = 5_000_000_000
-"""Rates are those of this time [ns]."""
+"""Time window for rates and delays [ns]."""
 
 
 class Traffic:
-    """The messages of one topic in one direction; times are of this computer's clock [ns]."""
+    """The messages of one topic in one direction; times are from this computer's clock [ns]."""
 
     def __init__(self) -> None:
         self.total = 0
         self._recent: deque[tuple[int, int]] = deque(maxlen=256)
 
     def count(self, now: int, delay: int = 0) -> None:
-        """One more message, which took `delay`."""
+        """Count a message that took `delay`."""
         self.total += 1
         self._recent.append((now, delay))
 
     def rate(self, now: int) -> float:
-        """Messages a second, lately.
+        """Return the recent messages per second.
 
         >>> traffic = Traffic()
         >>> for k in range(11):
@@ -36,6 +36,6 @@ class Traffic:
         return (len(times) - 1) * 1e9 / (times[-1] - times[0])
 
     def delay(self, now: int) -> float | None:
-        """The middle one of the delays, lately [s]; it is wrong by what the two clocks differ."""
+        """Return the median of the recent delays [s]; the difference between the two clocks adds to it."""
         delays = [delay for at, delay in list(self._recent) if now - at <= SPAN]
         return median(delays) * 1e-9 if delays else None

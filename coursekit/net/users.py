@@ -11,17 +11,17 @@ _LINE = re.compile(r"[^\s:]+:\S.*")
 
 
 def first_user(path: Path) -> tuple[str, str]:
-    """The name and the password in the first line of a file that `check_users` has found right."""
+    """Return the name and the password in the first line of a file already validated by `check_users`."""
     first = next(line.strip() for line in path.read_text(encoding="utf-8").splitlines() if line.strip())
     user, _, password = first.partition(":")
     return user, password
 
 
 def check_users(path: Path) -> int:
-    """How many users a file names.
+    """Return the number of users in a file.
 
     Raises:
-        NoNetwork: when it is no such file.
+        NoNetwork: when the file is unreadable or malformed.
     """
     try:
         lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line.strip()]

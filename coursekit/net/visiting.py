@@ -1,4 +1,4 @@
-"""Puts into this graph what others announce, and fetches the messages that somebody here asks for."""
+"""Adds the announcements of peers to this graph, and receives the messages for local subscriptions."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from .wire.attachment import Attachment
 from .wire.token import NODE, PUBLISHER, SERVER, SUBSCRIPTION, Token, gid_of, read_token
 
 MOST = 20_000
-"""Things that others may have announced."""
+"""Maximum number of announcements."""
 
 
 class Visitors:
-    """Others' nodes and ends; all calls come from one thread, in the order in which the network told them."""
+    """Remote nodes and endpoints; all calls come from one thread, in the order in which announcements arrive."""
 
     def __init__(self, place: Place, *, listen_only: bool) -> None:
         self._place = place
@@ -37,21 +37,21 @@ class Visitors:
         self._same_names: set[str] = set()
         self._arrival = threading.Condition()
         self.sessions: dict[str, list[Token]] = {}
-        """The announcements of each of the others."""
+        """The announcements of each peer."""
 
     @property
     def publishers(self) -> list[RemotePublisher]:
-        """Theirs."""
+        """The remote publishers."""
         return [one for one in list(self._things.values()) if isinstance(one, RemotePublisher)]
 
     @property
     def same_names(self) -> list[str]:
-        """Names of nodes that are here and there."""
+        """Names of nodes that exist on both sides."""
         here = {node.full_name for node in local_nodes(self._place.graph)}
         return sorted({one.full_name for one in list(self._nodes.values())} & here)
 
     def came(self, text: str) -> None:
-        """Somebody announced this; what is no token, is known or is one of ours is passed over."""
+        """Add a peer's announcement; invalid, known and own tokens are ignored."""
         try:
             token = read_token(text)
         except ValueError:
@@ -65,17 +65,17 @@ class Visitors:
             self._arrival.notify_all()
 
     def wants(self, token: Token) -> bool:
-        """Whether it belongs into this graph: it is somebody else's, of the same domain."""
+        """Whether the token belongs in this graph: it is a peer's, of the same domain."""
         theirs = token.session != self._place.id and token.domain_id == self._place.domain_id
         return theirs and token.name not in INSIDE
 
     def wait_for(self, texts: set[str], seconds: float) -> None:
-        """Wait until these have come; one that left in this moment is waited for in vain, for so many seconds."""
+        """Wait until these have arrived, at most so many seconds; one that has just left never arrives."""
         with self._arrival:
             self._arrival.wait_for(lambda: texts <= self._things.keys(), seconds)
 
     def left(self, text: str) -> None:
-        """Somebody took this back, or is gone."""
+        """Remove an announcement that a peer withdrew, or a peer that is gone."""
         thing = self._things.pop(text, None)
         if thing is None:
             return
@@ -90,7 +90,7 @@ class Visitors:
             self._nodes.pop(key).close()
 
     def listen(self) -> None:
-        """Fetch what subscriptions here ask for; before they are announced, so that who sees them can send at once."""
+        """Receive the topics of local subscriptions; called before they are announced, since peers may send at once."""
         wanted: dict[tuple[str, str], bool] = {}
         for one in self._subscriptions():
             key = (one.name, one.type_name)
@@ -105,13 +105,13 @@ class Visitors:
             self._receivers.pop(key).close()
 
     def take(self, name: str, type_name: str, data: bytes, came_with: Attachment) -> None:
-        """Take a message of a topic that a direct line brought."""
+        """Take a message that arrived over a direct line."""
         receiver = self._receivers.get((name, type_name))
         if receiver is not None:
             receiver.take(data, came_with)
 
     def compare(self) -> None:
-        """Tell receivers who publishes, and the user whose nodes have the same names."""
+        """Update the receivers' publishers, and warn the user of nodes with the same names."""
         publishers: dict[tuple[str, str], list[RemotePublisher]] = {}
         for one in self.publishers:
             publishers.setdefault((one.name, one.type_name), []).append(one)
@@ -124,7 +124,7 @@ class Visitors:
             yield from (one for one in list(node.subscriptions) if one.name not in INSIDE)
 
     def close(self) -> None:
-        """Take all of them out of the graph."""
+        """Remove all of them from the graph."""
         parts: list[Any] = [*self._receivers.values(), *self._questions.values()]
         for part in parts:
             part.close()
@@ -164,7 +164,7 @@ class Visitors:
         questions = self._questions.get(key)
         if questions is None:
             questions = self._questions.setdefault(key, Questions(self._place.session, key, os.urandom(16)))
-        outside(questions.ask, server, data, request_id)  # its thread lasts until the answer, which may never come
+        outside(questions.ask, server, data, request_id)  # its thread lasts until the response, which may never come
 
     def _forget(self, token: Token) -> None:
         others = self.sessions.get(token.session, [])

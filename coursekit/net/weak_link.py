@@ -1,7 +1,7 @@
 """A link that can be made as bad as Wi-Fi: a relay on loopback between a notebook and the address that it joins.
 
-What a bad radio does to TCP, this one does on purpose: it is slow, it is late, and it is gone for a while. Of messages of
-3 kB and more it carries only that they are there: Zenoh hands them over in shared memory on one computer.
+It simulates the effects of a bad radio on TCP: low bandwidth, delay, and interruptions. For messages of 3 kB and more
+it carries only a notification: on one computer Zenoh passes the data in shared memory.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from typing import Any, TypeVar
 from .address import find_computer, read_address
 
 PIECE = 8192
-"""Bytes that are carried at once."""
+"""Bytes carried at once."""
 BUFFER = 32768
-"""Bytes that the system keeps for a connection: few, so that a slow link is felt by who sends."""
+"""Size of a connection's system buffers: small, so that the sender notices a slow link [bytes]."""
 WAITING = 256
-"""Pieces that are on the way."""
+"""Maximum number of pieces in transit."""
 CONNECT_SECONDS = 5.0
 Result = TypeVar("Result")
 
@@ -30,7 +30,7 @@ class WeakLink:
     """Relays between its own `address` and another one, until `close`.
 
     Raises:
-        NoNetwork: when the other address is none, or there is no such computer.
+        NoNetwork: when the other address is invalid, or its host is unknown.
     """
 
     def __init__(self, to: str) -> None:
@@ -45,27 +45,27 @@ class WeakLink:
 
     @property
     def address(self) -> str:
-        """Where to join it."""
+        """The address at which to join it."""
         return f"tcp/127.0.0.1:{self._port}"
 
     def slow(self, bytes_per_second: float) -> None:
-        """Carry at most so much a second, each way; 0 for all that comes."""
+        """Limit the bandwidth per direction; 0 for no limit."""
         self._bytes_per_second = bytes_per_second
 
     def late(self, seconds: float) -> None:
-        """Carry everything so much later, each way."""
+        """Delay everything by so much, in each direction."""
         self._seconds = seconds
 
     def cut(self) -> None:
-        """Carry nothing, as out of Wi-Fi's reach: both ends hear silence, and who dials meets nobody."""
+        """Carry nothing, as out of Wi-Fi range: both ends receive nothing, and new connections are refused."""
         self._do(self._cut())
 
     def mend(self) -> None:
-        """Carry again; what was on the way arrives now, if its receiver still waits."""
+        """Carry again; pieces in transit arrive now, if their receiver still waits."""
         self._do(self._mend())
 
     def close(self) -> None:
-        """Be no link any more."""
+        """Close the relay."""
         if self._loop.is_running():
             self._do(self._end())
             self._loop.call_soon_threadsafe(self._loop.stop)
@@ -124,7 +124,7 @@ class WeakLink:
         await asyncio.gather(*relays, return_exceptions=True)
 
     async def _relay(self, near: socket.socket) -> None:
-        """Carry between one who dialled and the other address, until either hangs up."""
+        """Relay between an incoming connection and the other address, until either side closes."""
         with near, socket.socket(self._family, socket.SOCK_STREAM) as far, contextlib.suppress(OSError, TimeoutError):
             far.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, BUFFER)
             for one in (near, far):
@@ -147,13 +147,13 @@ class WeakLink:
         while True:
             due, piece = await on_the_way.get()
             while (left := due - time.perf_counter()) > 0:
-                await asyncio.sleep(left)  # again: on Windows, where a loop's clock ticks every 16 ms, it ends early
+                await asyncio.sleep(left)  # repeated: on Windows, where a loop's clock ticks every 16 ms, sleep ends early
             await self._carries.wait()
             await self._loop.sock_sendall(sink, piece)
 
 
 async def _first_of(*works: Coroutine[Any, Any, None]) -> None:
-    """Do all at once until one of them ends, which ends the others."""
+    """Run all until one of them ends, then cancel the others."""
     tasks = [asyncio.ensure_future(one) for one in works]
     try:
         await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)

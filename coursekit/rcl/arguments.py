@@ -1,6 +1,6 @@
-"""The part of a command line that is ROS's: `--ros-args ... --`.
+"""The ROS part of a command line: `--ros-args ... --`.
 
-In ROS 2: rcl's arguments.c; flags, rules and texts of errors are the same.
+In ROS 2: rcl's arguments.c; flags, rules and error texts are the same.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ class RosArgumentsError(ValueError):
 
 
 class UnknownRosArguments(RosArgumentsError):
-    """Words between --ros-args and -- that are no known flag; `.arguments` lists them."""
+    """Words between --ros-args and -- that are not known flags; `.arguments` lists them."""
 
     def __init__(self, arguments: list[str]) -> None:
         super().__init__(repr(arguments))
@@ -33,7 +33,7 @@ class UnknownRosArguments(RosArgumentsError):
 
 @dataclass(frozen=True)
 class RosArguments:
-    """A command line's words for nodes: `unparsed` words are not ROS's, `warnings` are for people."""
+    """The arguments of a command line for nodes: `unparsed` words are not ROS's, `warnings` are meant for the user."""
 
     remaps: tuple[Remap, ...] = ()
     layers: tuple[Overrides, ...] = ()
@@ -57,11 +57,11 @@ class RosArguments:
         )
 
     def node_name(self, default: str) -> str:
-        """Return the name that a node called `default` gets."""
+        """Return the final name of a node whose default name is `default`."""
         return self._first("node", default, default)
 
     def node_namespace(self, node_name: str, default: str) -> str:
-        """Return the namespace that the node (by its final name) gets."""
+        """Return the namespace of the node with the final name `node_name`."""
         return self._first("namespace", node_name, default)
 
     def _first(self, kind: str, node_name: str, default: str) -> str:
@@ -71,7 +71,7 @@ class RosArguments:
         return default
 
     def remap(self, kind: str, name: str, node_name: str, namespace: str) -> str:
-        """Return what the full `name` of a 'topic' or 'service' becomes; the first rule that matches wins."""
+        """Return the remapped full `name` of a 'topic' or 'service'; the first matching rule wins."""
         for rule in self.remaps:
             if rule.kind not in (kind, "any") or rule.node not in (None, node_name):
                 continue
@@ -88,7 +88,7 @@ class RosArguments:
 
 
 def merge(local: RosArguments, general: RosArguments) -> RosArguments:
-    """Return the node's own arguments on top of the process's: own rules first, own parameters last."""
+    """Merge the node's own arguments with those of the process: own rules come first, own parameters last."""
     return replace(
         local,
         remaps=local.remaps + general.remaps,
@@ -102,7 +102,7 @@ def merge(local: RosArguments, general: RosArguments) -> RosArguments:
 
 
 def parse_ros_arguments(args: Sequence[str] | None) -> RosArguments:
-    """Read a command line (with or without the program's name). Raises RosArgumentsError.
+    """Parse a command line (with or without the program name). Raises RosArgumentsError.
 
     >>> parsed = parse_ros_arguments(["talker", "--ros-args", "-r", "chatter:=news", "-p", "rate:=2"])
     >>> parsed.remap("topic", "/chatter", "talker", "/"), parsed.parameters_for("/talker"), parsed.unparsed
@@ -118,7 +118,7 @@ def parse_ros_arguments(args: Sequence[str] | None) -> RosArguments:
 
 
 def remove_ros_arguments(args: Sequence[str]) -> list[str]:
-    """Return the words that are not ROS's. Raises RosArgumentsError as parsing does.
+    """Return the words that are not ROS arguments. Raises RosArgumentsError as `parse_ros_arguments` does.
 
     >>> remove_ros_arguments(["prog", "--ros-args", "-r", "a:=b", "--", "-x"])
     ['prog', '-x']
@@ -143,7 +143,7 @@ def _split(args: list[str]) -> tuple[list[str], list[list[str]]]:
 
 
 class _Reader:
-    """Collects what the flags say, in their order."""
+    """Collects the values of the flags, in their order."""
 
     def __init__(self) -> None:
         self.remaps: list[Remap] = []
@@ -165,7 +165,7 @@ class _Reader:
                 self.unknown.append(word)
 
     def read_old_rule(self, word: str) -> bool:
-        """Say whether a word outside of --ros-args is a remap rule; it counts, as it did of old."""
+        """Return whether a word outside of --ros-args is a remap rule; such a rule still applies, although deprecated."""
         try:
             self.remaps.append(remap_rule(word))
         except RuleError:
@@ -215,7 +215,7 @@ class _Reader:
         self.values["log_config_file"] = text
 
     def log_file_name(self, text: str) -> None:
-        """Logs are shown, not kept in files: the name is read and not used."""
+        """Ignored: logs are shown and not written to files."""
 
     def result(self, unparsed: tuple[str, ...]) -> RosArguments:
         layers = (self.overrides,) if self.overrides else ()

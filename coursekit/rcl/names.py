@@ -1,4 +1,4 @@
-"""Names of the graph: what is valid, and how a short name becomes a full one.
+"""Names of the graph: their validation and the expansion of short names to full ones.
 
 In ROS 2: rcl's expand_topic_name and rmw's validators; reasons and indices are the same.
 """
@@ -22,7 +22,7 @@ _SUBSTITUTION = re.compile(r"\{([^{}]*)\}")
 
 
 class InvalidName(ValueError):
-    """A name that the graph cannot hold.
+    """An invalid name in the graph.
 
     Attributes: `name` as given, `message` (the reason), `index` of the first bad character.
     """
@@ -43,7 +43,7 @@ class InvalidTopicName(InvalidName):
 
 
 class UnknownSubstitution(InvalidTopicName):
-    """A `{name}` in a topic that is none of {node}, {ns}, {namespace}."""
+    """A `{name}` in a topic that is not {node}, {ns} or {namespace}."""
 
 
 class InvalidNodeName(InvalidName):
@@ -59,7 +59,7 @@ class InvalidNamespace(InvalidName):
 
 
 def validate_topic_name(text: str) -> Reason | None:
-    """Return (reason, index) when `text` is no topic name, else None. Short names and `{...}` are allowed.
+    """Return (reason, index) when `text` is not a topic name, else None. Short names and `{...}` are allowed.
 
     >>> validate_topic_name("chatter")
     >>> validate_topic_name("chatter/42_is")
@@ -100,7 +100,7 @@ def _bad_character(text: str) -> Reason | None:
 
 
 def _lone_tilde(text: str) -> Reason | None:
-    if text[0] == "~" and len(text) > 2 and text[1] != "/":  # rcl lets "~a" pass
+    if text[0] == "~" and len(text) > 2 and text[1] != "/":  # rcl accepts "~a"
         return "topic name must not have a tilde '~' that is not followed by a forward slash '/'", 1
     return None
 
@@ -111,7 +111,7 @@ def _number_token(text: str) -> Reason | None:
 
 
 def validate_full_topic_name(text: str) -> Reason | None:
-    """Return (reason, index) when `text` is no absolute, fully expanded topic name, else None.
+    """Return (reason, index) when `text` is not an absolute, fully expanded topic name, else None.
 
     >>> validate_full_topic_name("scan"), validate_full_topic_name("/scan")
     (("topic name must be absolute, it must lead with a '/'", 0), None)
@@ -130,7 +130,7 @@ def validate_full_topic_name(text: str) -> Reason | None:
 
 
 def validate_namespace(text: str, kind: str = "namespace") -> Reason | None:
-    """Return (reason, index) when `text` is no absolute namespace, else None.
+    """Return (reason, index) when `text` is not an absolute namespace, else None.
 
     >>> validate_namespace("/robot/"), validate_namespace("/robot")
     (("namespace must not end with a '/', unless only a '/'", 6), None)
@@ -162,7 +162,7 @@ def _bad_path(kind: str, text: str) -> Reason | None:
 
 
 def validate_node_name(text: str) -> Reason | None:
-    """Return (reason, index) when `text` is no node name, else None.
+    """Return (reason, index) when `text` is not a node name, else None.
 
     >>> validate_node_name("2nd"), validate_node_name("second")
     (('node name must not start with a number', 0), None)
@@ -180,7 +180,7 @@ def validate_node_name(text: str) -> Reason | None:
 
 
 def expand(name: str, node_name: str, namespace: str) -> str:
-    """Return the full name of `name` as the node `namespace`/`node_name` means it.
+    """Return the full name of `name` for the node `namespace`/`node_name`.
 
     Raises InvalidTopicName, InvalidNodeName, InvalidNamespace or UnknownSubstitution.
 
@@ -210,7 +210,7 @@ def _check(error, validate, text: str) -> None:
 
 
 def is_hidden(name: str) -> bool:
-    """Say whether a part of the full name starts with an underscore, so that lists leave it out.
+    """Return whether a part of the full name starts with an underscore; lists leave hidden names out.
 
     >>> is_hidden("/fibonacci/_action/status")
     True

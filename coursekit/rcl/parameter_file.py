@@ -1,7 +1,7 @@
 """Parameter files and parameter values in YAML, read as rcl reads them.
 
 In ROS 2: rcl_yaml_param_parser. It is not a general YAML loader: quoted text stays text, lists hold one
-type, and a key that comes twice adds to what it said before.
+type, and a repeated key adds to its earlier values.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from coursekit.rcl import names
 Scalar = bool | int | float | str
 Value = Scalar | list[bool] | list[int] | list[float] | list[str] | None
 Overrides = dict[str, dict[str, Value]]
-"""Values by node pattern ('/**', '/ns/node') and dotted parameter name; None is an empty list."""
+"""Values by node pattern ('/**', '/ns/node') and dotted parameter name; None stands for an empty list."""
 
 _MARK = "ros__parameters"
 _YES = ("y", "Y", "yes", "Yes", "YES", "true", "True", "TRUE", "on", "On", "ON")
@@ -33,11 +33,11 @@ _TYPE_NAMES = {bool: "bool", int: "integer", float: "double", str: "string"}
 
 
 class ParameterFileError(ValueError):
-    """A parameter file or value that rcl would refuse; the text names the line."""
+    """A parameter file or value that rcl would refuse; the message names the line."""
 
 
 def scalar(text: str) -> Scalar:
-    """Return the value of a plain (unquoted) YAML word.
+    """Return the value of a plain (unquoted) YAML scalar.
 
     >>> [scalar(word) for word in ("yes", "0x1F", "1e3", "1.0.0", ".inf")]
     [True, 31, 1000.0, '1.0.0', inf]
@@ -58,7 +58,7 @@ def _integer(text: str) -> int | None:
     octal = len(digits) > 1 and digits[0] == "0" and digits[1] not in "xX"
     try:
         value = int(digits, 8 if octal else 0)
-    except ValueError:  # 08 is no octal number
+    except ValueError:  # 08 is not an octal number
         return None
     value = -value if text[0] == "-" else value
     return value if -(2**63) <= value < 2**63 else None
@@ -84,7 +84,7 @@ def _decimal(text: str) -> float | None:
 
 
 def parse_value(text: str) -> Value:
-    """Return the value that `-p name:=text` gives. Raises ParameterFileError.
+    """Return the value set by `-p name:=text`. Raises ParameterFileError.
 
     >>> parse_value("[1, 2]"), parse_value("'1'"), parse_value("on")
     ([1, 2], '1', True)
@@ -94,7 +94,7 @@ def parse_value(text: str) -> Value:
 
 
 def parse(text: str) -> Overrides:
-    """Return what a parameter file with this text says. Raises ParameterFileError.
+    """Return the overrides in the text of a parameter file. Raises ParameterFileError.
 
     >>> parse("/sim:\\n  turtle:\\n    ros__parameters:\\n      pen: {width: 3}\\n")
     {'/sim/turtle': {'pen.width': 3}}
@@ -109,7 +109,7 @@ def parse(text: str) -> Overrides:
 
 
 def read(path: str | Path) -> Overrides:
-    """Return what the parameter file at `path` says. Raises ParameterFileError."""
+    """Return the overrides in the parameter file at `path`. Raises ParameterFileError."""
     try:
         text = read_text(path)
     except OSError as error:
@@ -120,7 +120,7 @@ def read(path: str | Path) -> Overrides:
 
 
 def matches(pattern: str, node: str) -> bool:
-    """Say whether the pattern (`*` is one name, `**` any number) covers the fully qualified node name.
+    """Return whether the pattern (`*` is one name, `**` any number) matches the fully qualified node name.
 
     >>> matches("/**", "/ns/n"), matches("/*", "/ns/n"), matches("/*/n", "/ns/n")
     (True, False, True)
@@ -133,7 +133,7 @@ def matches(pattern: str, node: str) -> bool:
 
 
 def values_for(overrides: Overrides, node: str) -> dict[str, Value]:
-    """Return the values meant for the node, later patterns over earlier ones.
+    """Return the values for the node; later patterns override earlier ones.
 
     >>> values_for({"/**": {"speed": 1.0}, "/turtle": {"speed": 2.0}}, "/turtle")
     {'speed': 2.0}
@@ -146,7 +146,7 @@ def values_for(overrides: Overrides, node: str) -> dict[str, Value]:
 
 
 def add(target: Overrides, more: Overrides) -> None:
-    """Add `more` to `target`; a pattern keeps the place at which it came first.
+    """Add `more` to `target`; a repeated pattern keeps its original position.
 
     >>> overrides = {"/turtle": {"speed": 1.0}}
     >>> add(overrides, {"/turtle": {"width": 3}})

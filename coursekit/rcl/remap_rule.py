@@ -28,24 +28,24 @@ class Remap:
 
 
 class RuleError(ValueError):
-    """A rule after -r, -p or --log-level that cannot be read."""
+    """An invalid rule after -r, -p or --log-level."""
 
 
 def scope(text: str) -> tuple[str | None, str]:
-    """Return the node that a rule is for (None for all) and the rest of the rule.
+    """Return the node that a rule applies to (None for all nodes) and the rest of the rule.
 
     >>> scope("talker:chatter:=news"), scope("chatter:=news")
     (('talker', 'chatter:=news'), (None, 'chatter:=news'))
     """
     found = _SCOPE.fullmatch(text)
-    assert found is not None  # the pattern takes any text
+    assert found is not None  # the pattern matches any text
     if found[1] in ("rostopic", "rosservice") and found[2].startswith("//"):
         return None, text
     return found[1], found[2]
 
 
 def sides(rule: str) -> tuple[str, str]:
-    """Return the parts before and after `:=`; RuleError when the rule has no such form.
+    """Return the parts before and after `:=`. Raises RuleError for any other form.
 
     >>> sides("chatter:=news")
     ('chatter', 'news')
@@ -61,7 +61,7 @@ def sides(rule: str) -> tuple[str, str]:
 
 
 def remap_rule(text: str) -> Remap:
-    """Return the rule that the text says; RuleError when it says none.
+    """Parse a remap rule. Raises RuleError.
 
     >>> remap_rule("talker:chatter:=news")
     Remap(kind='any', node='talker', match='chatter', replacement='news')

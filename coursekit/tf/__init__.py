@@ -1,4 +1,4 @@
-"""Frames in time: the science of tf2, without ROS. Poses are plain tuples, stamps are integers of nanoseconds.
+"""Frames in time: tf2's algorithms, without ROS. Poses are plain tuples, stamps are integer nanoseconds.
 
 >>> from coursekit.tf import FrameBuffer
 >>> buffer = FrameBuffer()

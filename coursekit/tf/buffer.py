@@ -1,4 +1,4 @@
-"""The buffer: where a frame is in another, at any time that is known."""
+"""The buffer: the pose of any frame in any other, at any time that the buffer covers."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from .walk import common_time, walk
 
 
 class Lookup(NamedTuple):
-    """A pose, and the time (nanoseconds) it holds for."""
+    """A pose and the time (nanoseconds) for which it holds."""
 
     pose: Pose
     stamp: int
 
 
 class FrameBuffer(FrameStore):
-    """Frames, and what follows from them: the pose of any in any other.
+    """A tree of frames; it derives the pose of any frame in any other.
 
     >>> buffer = FrameBuffer()
     >>> for second in (1, 2):
@@ -32,7 +32,7 @@ class FrameBuffer(FrameStore):
     """
 
     def lookup(self, target: str, source: str, time: int = 0) -> Lookup:
-        """The pose of `source` in `target` at a time; 0 is the newest time that all frames between them have.
+        """Return the pose of `source` in `target` at a time; 0 is the newest time common to all frames between them.
 
         Raises LookupException, ConnectivityException, ExtrapolationException or InvalidArgumentException.
         """
@@ -40,7 +40,7 @@ class FrameBuffer(FrameStore):
             return Lookup(*self.find(target, source, time))
 
     def lookup_full(self, target: str, target_time: int, source: str, source_time: int, fixed: str) -> Lookup:
-        """Where `source` was at `source_time`, seen from `target` at `target_time`, if `fixed` did not move."""
+        """Return the pose of `source` at `source_time` in `target` at `target_time`, assuming that `fixed` did not move."""
         with self._lock:
             for name, frame in (("target_frame", target), ("source_frame", source), ("fixed_frame", fixed)):
                 self.require(f"lookupTransform argument {name}", frame)
@@ -49,7 +49,7 @@ class FrameBuffer(FrameStore):
             return Lookup(canonical(compose(now, then)), stamp)
 
     def find(self, target: str, source: str, time: int) -> tuple[Pose, int]:
-        """`lookup` for callers that hold the lock."""
+        """`lookup` for callers that already hold the lock."""
         path = self._paths.get((target, source))
         if path is None:
             return self._explore(target, source, time)
@@ -62,7 +62,7 @@ class FrameBuffer(FrameStore):
         return found
 
     def _explore(self, target: str, source: str, time: int) -> tuple[Pose, int]:
-        """The lookup by walking the tree; what is found is kept as a path."""
+        """Look up by walking the tree; the path found is cached."""
         if target == source:
             cache = self.frames.get(target)
             return IDENTITY, cache.newest if cache is not None and not time else time
@@ -85,14 +85,14 @@ class FrameBuffer(FrameStore):
         return canonical(compose(inverse(lower), pose)), time
 
     def can(self, target: str, source: str, time: int = 0) -> tuple[bool, str]:
-        """Whether `lookup` would succeed, and why not."""
+        """Return whether `lookup` would succeed, and if not, why."""
         if target == source:
             return True, ""
         fault = self._unusable("canTransform", target_frame=target, source_frame=source)
         return (False, fault) if fault else self._try(target, source, time)
 
     def can_full(self, target: str, target_time: int, source: str, source_time: int, fixed: str) -> tuple[bool, str]:
-        """Whether `lookup_full` would succeed, and why not."""
+        """Return whether `lookup_full` would succeed, and if not, why."""
         fault = self._unusable("canTransform", target_frame=target, source_frame=source, fixed_frame=fixed)
         if fault:
             return False, fault
@@ -126,12 +126,12 @@ class FrameBuffer(FrameStore):
     # -- the tree
 
     def latest_common_time(self, target: str, source: str) -> int:
-        """The newest time at which `lookup` succeeds; 0 when only static frames lie between."""
+        """Return the newest time at which `lookup` succeeds; 0 when there are only static frames between the two."""
         with self._lock:
             return common_time(self.frames, target, source)
 
     def chain(self, target: str, target_time: int, source: str, source_time: int, fixed: str) -> list[str]:
-        """The frames passed from `source` by way of `fixed` to `target`."""
+        """Return the frames along the path from `source` via `fixed` to `target`."""
         with self._lock:
             for name, frame in (("target_frame", target), ("source_frame", source), ("fixed_frame", fixed)):
                 self.require(f"_chainAsVector argument {name}", frame)

@@ -12,9 +12,9 @@ from . import errors
 
 
 class FrameCache:
-    """Poses of a frame by stamp, oldest first, as far back as `span_ns` before the newest.
+    """Poses of a frame by stamp, oldest first; samples older than `span_ns` before the newest are dropped.
 
-    A static frame has one pose for all times. The parent may change: each sample knows its own.
+    A static frame has one pose for all times. The parent may change: each sample has its own.
     """
 
     __slots__ = (
@@ -29,7 +29,7 @@ class FrameCache:
         self._empty()
 
     def clear(self) -> None:
-        """Forget the samples; a static frame stays where it is, because nobody would tell it again."""
+        """Drop the samples; a static frame keeps its pose, because it is published only once."""
         if not self.static:
             self._empty()
 
@@ -43,12 +43,12 @@ class FrameCache:
         self._forget_segment()
 
     def _forget_segment(self) -> None:
-        """`segment` tells what lies between two samples between which was asked twice; it holds for since < t < until."""
+        """Forget `segment`: the motion between two samples with repeated lookups, valid for since < t < until."""
         self.since = self.until = self._asked_after = 0
         self.segment: Segment = ()
 
     def follow(self, stamp: int, pose: Pose, parent: str) -> bool:
-        """Add a newer sample in the same parent, which is what nearly all are; False when this one is not."""
+        """Add a newer sample with the same parent, by far the most frequent case; False for any other sample."""
         stamps = self.stamps
         if stamp <= self.newest or not stamps or not self.single_parent or parent != self.parents[-1] or self.static:
             return False
@@ -63,7 +63,7 @@ class FrameCache:
         return True
 
     def follow_all(self, stamps: Sequence[int], poses: Sequence[Pose], parents: Sequence[str]) -> bool:
-        """`follow` for samples that were told one after the other; False, and none is added, when one does not fit."""
+        """`follow` for consecutive samples; False, with none added, when one of them does not fit."""
         first = stamps[0]
         if first <= self.newest or not self.stamps or not self.single_parent or self.static:
             return False
@@ -78,7 +78,7 @@ class FrameCache:
         return True
 
     def insert(self, stamp: int, pose: Pose, parent: str) -> bool:
-        """Add a sample; False when it is older than the cache holds."""
+        """Add a sample; False when it is older than the span of the cache."""
         if self.static:
             self.stamps, self.poses, self.parents = [0], [pose], [parent]
             self.newest, self.newest_pose = 0, pose
@@ -119,7 +119,7 @@ class FrameCache:
             self.single_parent = self.parents.count(self.parents[-1]) == len(self.parents)
 
     def at(self, stamp: int) -> Pose | None:
-        """The pose at a time, interpolated; 0 is the newest. None outside of what is held."""
+        """Return the interpolated pose at a time; 0 is the newest. None outside of the span of the samples."""
         stamps = self.stamps
         if not stamps:
             return None
@@ -128,7 +128,7 @@ class FrameCache:
         return self.between(stamp)
 
     def between(self, stamp: int) -> Pose | None:
-        """`at` for a frame that moves, at a time which is neither 0 nor that of the newest sample."""
+        """`at` for a moving frame, at a time that is neither 0 nor that of the newest sample."""
         stamps = self.stamps
         after = bisect_right(stamps, stamp)
         if not after or after == len(stamps):
@@ -144,7 +144,7 @@ class FrameCache:
         return interpolate(pose, self.poses[after], (stamp - then) / (stamps[after] - then))
 
     def parent_at(self, stamp: int) -> str | None:
-        """The parent at a time; 0 is now. None outside of what is held."""
+        """Return the parent at a time; 0 is the newest. None outside of the span of the samples."""
         if not self.stamps:
             return None
         if not stamp or self.static:
@@ -155,7 +155,7 @@ class FrameCache:
         return self.parents[after - 1]
 
     def why_not(self, stamp: int) -> str:
-        """The text of why there is no pose at a time; '' when nothing is held at all."""
+        """Return the reason why there is no pose at a time; '' when there are no samples at all."""
         if not self.stamps:
             return ""
         if len(self.stamps) == 1:

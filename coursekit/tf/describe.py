@@ -1,4 +1,4 @@
-"""All frames as text: lines, YAML, and Graphviz's language, as tf2 writes them."""
+"""All frames as text: as lines, as YAML, and in Graphviz's language, in tf2's formats."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def as_yaml(frames: Frames, authorities: Mapping[str, str], now: int = 0) -> str
 
 
 def as_dot(frames: Frames, authorities: Mapping[str, str], now: int = 0) -> str:
-    """The tree as a graph of Graphviz."""
+    """The tree as a Graphviz graph."""
     lines = ["digraph G {"] if frames else ['digraph G {\n"no tf data recieved"']
     parents: dict[str, str] = {}
     for name, cache in frames.items():

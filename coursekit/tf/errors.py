@@ -1,4 +1,4 @@
-"""The exceptions of a lookup, by tf2's names and with tf2's texts."""
+"""The exceptions of a lookup, with tf2's names and texts."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ class ConnectivityException(TransformException):
 
 
 class LookupException(TransformException):
-    """A frame is not known, or the tree has a loop."""
+    """A frame is unknown, or the tree has a loop."""
 
     __module__ = "tf2"
 
 
 class ExtrapolationException(TransformException):
-    """The time asked for is outside of what the buffer holds."""
+    """The requested time is outside of the span of the buffer."""
 
     __module__ = "tf2"
 
@@ -40,7 +40,7 @@ class TimeoutException(TransformException):
 
 
 def seconds_text(ns: int) -> str:
-    """A time as tf2 writes it.
+    """A time in tf2's format.
 
     >>> seconds_text(1_500_000_000)
     '1.500000'
@@ -78,7 +78,7 @@ def looking_up(text: str, target: str, source: str) -> str:
 
 
 def unconnected(target: str, source: str) -> str:
-    """The text for two trees."""
+    """The text for frames in two different trees."""
     return (
         f"Could not find a connection between '{target}' and '{source}' because they are not part of the same tree."
         "Tf has two or more unconnected trees."
@@ -86,7 +86,7 @@ def unconnected(target: str, source: str) -> str:
 
 
 def invalid_name(frame: str) -> str | None:
-    """Why a name can be no frame's; None when it can.
+    """Return why a name is not a valid frame name; None for a valid one.
 
     >>> invalid_name("/map"), invalid_name("map")
     ("in tf2 frame_ids cannot start with a '/'", None)

@@ -1,4 +1,4 @@
-"""Data that must be ignored, and why, in tf2's words."""
+"""Data that must be ignored, with the reasons in tf2's words."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from coursekit.geometry.pose import Pose
 from .errors import seconds_text
 
 UNIT_TOLERANCE = 10e-3
-"""How far a quaternion's squared length may be from 1."""
+"""Largest allowed deviation of a quaternion's squared length from 1."""
 
 
 def faults(parent: str, child: str, pose: Pose, authority: str) -> Iterator[str]:
-    """Why a pose cannot be taken; nothing when it can, once its quaternion is normalized.
+    """Yield the reasons to reject a pose; none when it can be accepted after normalizing its quaternion.
 
     >>> list(faults("odom", "", (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0), "driver"))
     ['TF_NO_CHILD_FRAME_ID: Ignoring transform from authority "driver" because child_frame_id not set ']
@@ -45,7 +45,7 @@ def faults(parent: str, child: str, pose: Pose, authority: str) -> Iterator[str]
 
 
 def too_old(child: str, stamp: int, authority: str) -> str:
-    """Why a pose is ignored that is older than what is kept."""
+    """The reason to ignore a pose older than the span of the cache."""
     return (
         f"TF_OLD_DATA ignoring data from the past for frame {child} at time {seconds_text(stamp)} "
         f"according to authority {authority}\n"

@@ -1,4 +1,4 @@
-"""The way between two frames, kept for the next lookup."""
+"""The path between two frames, cached for the next lookup."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .cache import FrameCache
 class Path:
     """Edges from the source up to the common ancestor, and from the target up to it.
 
-    It holds while no frame on it gets another parent and no static frame on it changes. Neighbouring static edges are
+    It is valid until a frame on it gets another parent or a static frame on it changes. Neighbouring static edges are
     folded into one. `version`, `asked` and `found` remember the last lookup.
     """
 
@@ -42,7 +42,7 @@ class Path:
 
 
 def latest_common(moving: Sequence[FrameCache]) -> int:
-    """The newest time that all of these have; 0 when they have none."""
+    """The newest time common to all of these frames; 0 when there is none."""
     latest = 0
     for cache in moving:
         newest = cache.newest
@@ -54,7 +54,7 @@ def latest_common(moving: Sequence[FrameCache]) -> int:
 def product(edges: Sequence[FrameCache], time: int) -> Pose | None:
     """The pose of the first edge's frame in the parent of the last.
 
-    This is `compose` over the edges, written out: half of a lookup's time is spent in here.
+    This is `compose` over the edges, inlined: half of a lookup's time is spent here.
     """
     following = iter(edges)
     first = next(following)
@@ -63,7 +63,7 @@ def product(edges: Sequence[FrameCache], time: int) -> Pose | None:
         return None
     x, y, z, bi, bj, bk, bw = pose
     for edge in following:
-        if edge.since < time < edge.until:  # `interpolate`, written out, too
+        if edge.since < time < edge.until:  # `interpolate`, inlined too
             ax, dx, ay, dy, az, dz, i, j, k, w, ni, nj, nk, nw, angle = edge.segment
             ratio = (time - edge.since) / (edge.until - edge.since)
             turned = ratio * angle

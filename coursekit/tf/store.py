@@ -1,4 +1,4 @@
-"""The known frames: their parents, since when, and their transforms."""
+"""The known frames: their parents over time, and their transforms."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from .faults import faults, too_old
 from .path import Path
 
 DEFAULT_CACHE_NS = 10_000_000_000
-"""How much of the past is kept: ten seconds."""
+"""Length of the history: ten seconds."""
 
 Sample = tuple[str, str, int, Pose]
 """Parent, child, stamp [ns], and the child's pose in the parent."""
 
 
 def to_stderr(level: str, text: str) -> None:
-    """Print a complaint as tf2's logger does."""
+    """Print a warning or an error as tf2's logger does."""
     print(f"{level + ':':<9}{text}", file=sys.stderr)
 
 
 class FrameStore:
-    """Poses of frames in their parents over time. Complaints about data that is ignored go to `report(level, text)`.
+    """Poses of frames in their parents over time. Warnings about ignored data go to `report(level, text)`.
 
     >>> store = FrameStore()
     >>> store.set("map", "robot", 10**9, (1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)), store.parent("robot")
@@ -39,7 +39,7 @@ class FrameStore:
         self.frames: dict[str, FrameCache | None] = {}
         self.authorities: dict[str, str] = {}
         self.version = 0
-        self._paths: dict[tuple[str, str], Path] = {}  # what lookups found, for as long as the tree stays
+        self._paths: dict[tuple[str, str], Path] = {}  # paths found by lookups, valid while the tree is unchanged
         self._lock = _thread.allocate_lock()
 
     def set(
@@ -52,7 +52,7 @@ class FrameStore:
         *,
         static: bool = False,
     ) -> bool:
-        """Tell the pose of `child` in `parent` at a time; False when it is ignored (`report` says why)."""
+        """Set the pose of `child` in `parent` at a time; False when it is ignored (`report` gets the reason)."""
         if parent[:1] == "/":
             parent = parent[1:]
         if child[:1] == "/":
@@ -80,15 +80,15 @@ class FrameStore:
         return kept
 
     def set_static(self, parent: str, child: str, pose: Pose, authority: str = "default_authority") -> bool:
-        """Tell the pose of `child` in `parent` for all times."""
+        """Set the pose of `child` in `parent` for all times."""
         return self.set(parent, child, 0, pose, authority, static=True)
 
     def extend(self, samples: Sequence[Sample]) -> None:
-        """`set` for each sample; many of moving frames cost a fraction, frame by frame."""
+        """`set` for each sample; samples of moving frames are added in batches per frame, at a fraction of the cost."""
         by_child: dict[str, list[Sample]] = {}
         for sample in samples:
             by_child.setdefault(sample[1], []).append(sample)
-        if any(child[:1] == "/" for child in by_child):  # two names may mean one frame: the order counts
+        if any(child[:1] == "/" for child in by_child):  # two names may mean one frame: the order matters
             others = [samples]
         else:
             with self._lock:
@@ -99,7 +99,7 @@ class FrameStore:
                 self.set(*sample)
 
     def _follow(self, child: str, batch: Sequence[Sample]) -> bool:
-        """Take the next samples of a moving frame; False, and none is taken, when they are not just that."""
+        """Add a batch of newer samples of a moving frame; False, with none added, when the batch does not qualify."""
         cache = self.frames.get(child)
         if cache is None:
             return False
@@ -126,7 +126,7 @@ class FrameStore:
         return True
 
     def clear(self) -> None:
-        """Forget all that moves; static frames and the names of all frames stay."""
+        """Drop the samples of moving frames; static frames and all frame names remain."""
         with self._lock:
             for cache in self.frames.values():
                 if cache is not None:
@@ -134,10 +134,10 @@ class FrameStore:
             self._paths.clear()
             self.version += 1
 
-    # -- what there is
+    # -- inspection
 
     def parent(self, frame: str, time: int = 0) -> str | None:
-        """The parent of a frame at a time; None for a root and outside of what is held."""
+        """Return the parent of a frame at a time; None for a root and outside of the span of the cache."""
         with self._lock:
             cache = self.frames.get(frame)
             return None if cache is None else cache.parent_at(time)
@@ -153,6 +153,6 @@ class FrameStore:
             return describe.as_yaml(self.frames, self.authorities, now)
 
     def all_frames_as_dot(self, now: int = 0) -> str:
-        """The tree for Graphviz."""
+        """The tree in Graphviz's language."""
         with self._lock:
             return describe.as_dot(self.frames, self.authorities, now)

@@ -1,4 +1,4 @@
-"""How fast a frame moves, from its poses at two times."""
+"""The velocity of a frame, from its poses at two times."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def velocity(
     time: int,
     interval: int,
 ) -> Velocity:
-    """Linear and angular velocity (m/s, rad/s) of `tracking` seen from `observation`, written in `reference`.
+    """Linear and angular velocity (m/s, rad/s) of `tracking` seen from `observation`, expressed in `reference`.
 
     The linear part is that of `point` (in `point_frame`) if it were fixed to the tracked frame. Times in nanoseconds;
     the average is over `interval` around `time`, but ends at the newest data. Raises as a lookup does.
@@ -43,7 +43,7 @@ def velocity(
 
 
 def _turn(a: Quaternion, b: Quaternion) -> Vector:
-    """The rotation vector from attitude `a` to `b`, in the frame that both are given in."""
+    """The rotation vector from attitude `a` to `b`, in the frame in which both are given."""
     i, j, k, w = multiply(b, (-a[0], -a[1], -a[2], a[3]))
     if w < 0.0:
         i, j, k, w = -i, -j, -k, -w

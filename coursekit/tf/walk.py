@@ -1,4 +1,4 @@
-"""Walking the tree at a time, step by step, with tf2's reasons for failing."""
+"""Walking the tree step by step at a given time, with tf2's reasons for failing."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from .cache import FrameCache
 from .describe import as_string
 
 Frames = Mapping[str, "FrameCache | None"]
-"""Every known frame; None for a frame that nobody has told the pose of (the root of a tree)."""
+"""Every known frame; None for a frame without a known pose (the root of a tree)."""
 
 DEEPEST = 1000
-"""More steps than this are a loop."""
+"""More steps than this mean that the tree has a loop."""
 
 
 def walk(frames: Frames, target: str, source: str, time: int) -> tuple[list[FrameCache], list[FrameCache], int]:
-    """Edges from the source, and from the target, up to their common ancestor; and the time (0 made definite).
+    """Edges from the source, and from the target, up to their common ancestor; and the time (0 resolved).
 
     The parents are those at that time. Raises as a lookup does.
     """
@@ -27,7 +27,7 @@ def walk(frames: Frames, target: str, source: str, time: int) -> tuple[list[Fram
     frame = source
     while (cache := frames[frame]) is not None:
         parent = cache.parent_at(time)
-        if parent is None:  # the target may be on the part that was walked
+        if parent is None:  # the target may be on the part already walked
             reason = cache.why_not(time)
             break
         if frame == target:
@@ -41,7 +41,7 @@ def walk(frames: Frames, target: str, source: str, time: int) -> tuple[list[Fram
 def _meet(
     frames: Frames, up: list[FrameCache], top: str, target: str, source: str, time: int, reason: str | None
 ) -> tuple[list[FrameCache], list[FrameCache]]:
-    """Walk from the target to `top`, where the source's walk ended."""
+    """Walk from the target to `top`, where the walk from the source ended."""
     down: list[FrameCache] = []
     frame = target
     while frame != top and (cache := frames[frame]) is not None:
@@ -64,7 +64,7 @@ def _meet(
 
 
 def common_time(frames: Frames, target: str, source: str) -> int:
-    """The newest time at which source and target can be joined; 0 when only static frames lie between them."""
+    """Return the newest time at which source and target are connected; 0 with only static frames between them."""
     if source == target:
         cache = frames[source]
         return cache.newest if cache is not None else 0

@@ -1,1 +1,1 @@
-"""The measurements of several sensors of a motion, put together: Kalman filters of 15 numbers in three dimensions."""
+"""Fusion of several sensors' motion measurements: Kalman filters with a 15-dimensional state in 3D."""

@@ -1,4 +1,4 @@
-"""The acceleration to come, by a commanded speed."""
+"""The acceleration expected from a commanded velocity."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from coursekit.nav.fusion.state import ACCELERATION, ANGULAR, TWIST, Array, Mask
 
 @dataclass
 class Control:
-    """Commands of six speeds: which count, how fast they may change [per s], and how eagerly they are followed."""
+    """Commands for six velocities: the ones in use, their maximum changes [per s], and the gains of their controllers."""
 
     used: Mask
     timeout_ns: int
@@ -23,11 +23,11 @@ class Control:
     time_ns: int = 0
 
     def command(self, wanted: Array, time_ns: int) -> None:
-        """A command of that time."""
+        """Set a command received at that time."""
         self.wanted, self.time_ns = wanted, time_ns
 
     def accelerations(self, speeds: Array, now_ns: int) -> Array:
-        """Of all six speeds; a command that is too old counts as a command to stand."""
+        """Return the accelerations for all six velocities; an outdated command counts as a command to stop."""
         wanted = self.wanted if now_ns - self.time_ns < self.timeout_ns else np.zeros(6)
         missing = wanted - speeds
         slower = (np.abs(wanted) <= np.abs(speeds)) | (wanted * speeds < 0)
@@ -36,7 +36,7 @@ class Control:
         return np.where(self.used, np.clip(gains * missing, -limits, limits), 0.0)
 
     def apply(self, state: Array, now_ns: int, seconds: float) -> Array:
-        """A state that is on its way to the commanded speeds."""
+        """Return the state after accelerating towards the commanded velocities."""
         made, change = state.copy(), self.accelerations(state[TWIST], now_ns)
         made[ANGULAR] += change[3:] * seconds
         made[ACCELERATION] = np.where(self.used[:3], change[:3], made[ACCELERATION])

@@ -1,4 +1,4 @@
-"""Measurements in the order of their times, also those that come late."""
+"""Processes measurements in the order of their times, including late ones."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from coursekit.nav.fusion.measurement import Measurement
 class Estimator:
     """A filter with a queue in front of it.
 
-    With a `history_ns` it goes back when a measurement comes late, and takes what came after it once more.
-    With `up_to_now` it always predicts to the present; else only when nothing came for `timeout_ns`.
+    With a `history_ns` it goes back when a measurement is late, and processes the later ones again.
+    With `up_to_now` it always predicts to the present; otherwise only after `timeout_ns` without measurements.
     """
 
     def __init__(self, inner: Ekf, timeout_ns: int, history_ns: int = 0, *, up_to_now: bool = False) -> None:
@@ -27,16 +27,16 @@ class Estimator:
         self.refused: list[str] = []
 
     def add(self, measurement: Measurement) -> None:
-        """Let a measurement wait for its turn."""
+        """Queue a measurement."""
         heapq.heappush(self._queue, (measurement.time_ns, next(self._count), measurement))
 
     def forget(self) -> None:
-        """Drop all that waits, and what was."""
+        """Clear the queue and the history."""
         self._queue.clear()
         self._taken.clear()
 
     def advance(self, now_ns: int) -> None:
-        """Take all measurements up to now; those of the future wait. `refused` names the sources not believed."""
+        """Process all measurements up to now; future ones stay queued. `refused` lists the rejected sources."""
         self.refused.clear()
         waited = bool(self._queue)
         if waited and self._history_ns:
@@ -57,7 +57,7 @@ class Estimator:
             self.refused.append(measurement.source)
 
     def _go_back(self, time_ns: int) -> None:
-        """Undo what was taken after a time."""
+        """Undo the measurements processed after a time, and queue them again."""
         while self._taken and self._taken[-1][1].time_ns > time_ns:
             self.filter.now, measurement = self._taken.pop()
             self.add(measurement)

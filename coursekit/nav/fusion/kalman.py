@@ -1,4 +1,4 @@
-"""The extended Kalman filter: what is expected, corrected by what was measured."""
+"""The extended Kalman filter: a prediction, corrected by measurements."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from coursekit.nav.fusion.motion import jacobian, step
 from coursekit.nav.fusion.state import POSE, ROLL, SIZE, TWIST, YAW, Array, Places, wrapped
 
 PROCESS_NOISE = (0.05, 0.05, 0.06, 0.03, 0.03, 0.06, 0.025, 0.025, 0.04, 0.01, 0.01, 0.02, 0.01, 0.01, 0.015)
-"""Variances by which each number of the state becomes less certain in a second."""
+"""Variances added to each component of the state per second."""
 FIRST_VARIANCE = 1e-9
 
 
 @dataclass
 class Estimate:
-    """A state, how certain it is, and when."""
+    """A state, its covariance, and its time."""
 
     state: Array = field(default_factory=lambda: np.zeros(SIZE))
     covariance: Array = field(default_factory=lambda: np.eye(SIZE) * FIRST_VARIANCE)
@@ -29,9 +29,9 @@ class Estimate:
 
 
 class Ekf:
-    """Predicts with the motion model and corrects by measurements, in the order in which they are given.
+    """Predicts with the motion model and corrects by measurements, in the given order.
 
-    With `scaled` the noise of the pose grows with the speed: a robot that stands does not lose itself.
+    With `scaled` the noise of the pose grows with the speed: the pose of a stationary robot stays certain.
     """
 
     def __init__(self, noise: Array | None = None, *, control: Control | None = None, scaled: bool = False) -> None:
@@ -40,7 +40,7 @@ class Ekf:
         self.now = Estimate()
 
     def take(self, measurement: Measurement) -> bool:
-        """Go on to a measurement's time and correct by it; whether it was believed. The first is believed as it is."""
+        """Predict to a measurement's time and correct by it; return whether it was accepted, as the first one always is."""
         if not self.now.begun:
             self._begin(measurement)
             return True
@@ -56,7 +56,7 @@ class Ekf:
         self.now.begun, self.now.time_ns = True, measurement.time_ns
 
     def predict(self, time_ns: int) -> None:
-        """Go on to a later time without being told anything."""
+        """Predict to a later time without measurements."""
         now, seconds = self.now, (time_ns - self.now.time_ns) * 1e-9
         slope = jacobian(now.state, seconds)
         now.state = wrapped(step(self.controlled(time_ns, seconds), seconds))
@@ -64,11 +64,11 @@ class Ekf:
         now.time_ns = time_ns
 
     def controlled(self, time_ns: int, seconds: float) -> Array:
-        """The state with what is commanded."""
+        """Return the state with the command applied."""
         return self.now.state if self.control is None else self.control.apply(self.now.state, time_ns, seconds)
 
     def growth(self, seconds: float) -> Array:
-        """By how much the covariance grows."""
+        """Return the growth of the covariance."""
         if not self.scaled:
             return self.noise * seconds
         noise = self.noise.copy()
@@ -76,7 +76,7 @@ class Ekf:
         return noise * seconds
 
     def correct(self, measurement: Measurement) -> bool:
-        """Correct by a measurement of now; False when it is too far from what is expected."""
+        """Correct by a current measurement; False when it is too far from the prediction."""
         places = measurement.finite()
         if not len(places):
             return True
@@ -95,7 +95,7 @@ class Ekf:
 
 
 def innovation(measurement: Measurement, places: Places, expected: Array) -> Array:
-    """The innovation: measured less expected; differences of angles the short way round."""
+    """Return the innovation: measured minus expected, with angle differences wrapped."""
     surprise = measurement.values[places] - expected
     turning = (places >= ROLL) & (places <= YAW)
     surprise[turning] = wrap(surprise[turning])

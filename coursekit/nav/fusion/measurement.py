@@ -1,4 +1,4 @@
-"""One sensor's measurement of some numbers of the state, at one time."""
+"""One sensor's measurement of some components of the state, at one time."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ import numpy as np
 from coursekit.nav.fusion.state import OUT_OF_PLANE, Array, Mask, Places
 
 LEAST_VARIANCE = 1e-9
-"""Nothing is measured without any error; without a little the filter's equations could not be solved."""
+"""Minimum variance: no measurement is free of error, and zero variances would make the filter's equations singular."""
 
 
 @dataclass(frozen=True)
 class Measurement:
-    """Values (15), their covariance (15, 15) and which of them count.
+    """Values (15), their covariance (15, 15) and a mask of the ones in use.
 
-    It is left out when it is `threshold` or more standard deviations from what was expected.
+    It is rejected when it is `threshold` or more standard deviations from the prediction.
     """
 
     source: str
@@ -28,11 +28,11 @@ class Measurement:
     threshold: float = math.inf
 
     def finite(self) -> Places:
-        """The places of the numbers that count and are numbers."""
+        """Return the indices of the values in use that are finite."""
         return np.flatnonzero(self.used & np.isfinite(self.values))
 
     def noise(self, places: Places) -> Array:
-        """The covariance of those numbers: variances that are negative lose their sign, tiny ones grow."""
+        """Return the covariance of those values: negative variances become positive, tiny ones are raised to the minimum."""
         part = self.covariance[np.ix_(places, places)].copy()
         diagonal = np.einsum("ii->i", part)
         diagonal[:] = np.maximum(np.abs(diagonal), LEAST_VARIANCE)
@@ -40,7 +40,7 @@ class Measurement:
 
 
 def keep_in_plane(values: Array, covariance: Array, used: Mask) -> None:
-    """Say, in place, that a body on the floor has no height, does not lean, and does not change that."""
+    """Constrain, in place, a body to the floor: no height, no roll or pitch, and no change of them."""
     places = list(OUT_OF_PLANE)
     values[places] = 0.0
     covariance[places, :] = covariance[:, places] = 0.0

@@ -1,4 +1,4 @@
-"""How a body goes on that can move every way: accelerations stay, speeds follow them, the pose follows the speeds."""
+"""The motion model of a body with six degrees of freedom: constant acceleration, integrated to velocity and pose."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from coursekit.nav.fusion.state import ACCELERATION, ANGLES, ANGULAR, LINEAR, PI
 
 
 def rotation(roll: float, pitch: float, yaw: float) -> Array:
-    """The matrix that takes the body's coordinates to the world's: roll first, then pitch, then yaw [rad].
+    """Return the matrix from the body's frame to the world's: roll first, then pitch, then yaw [rad].
 
     >>> (rotation(0.0, 0.0, math.pi / 2) @ [1.0, 0.0, 0.0]).round(3).tolist()
     [0.0, 1.0, 0.0]
@@ -19,7 +19,7 @@ def rotation(roll: float, pitch: float, yaw: float) -> Array:
 
 
 def _about_x(angle: float) -> tuple[Array, Array]:
-    """The matrix, and how it changes with the angle."""
+    """Return the matrix and its derivative with respect to the angle."""
     s, c = math.sin(angle), math.cos(angle)
     return np.array([[1, 0, 0], [0, c, -s], [0, s, c]]), np.array([[0.0, 0, 0], [0, -s, -c], [0, c, -s]])
 
@@ -35,7 +35,7 @@ def _about_z(angle: float) -> tuple[Array, Array]:
 
 
 def _rates(roll: float, pitch: float) -> tuple[Array, Array, Array]:
-    """The matrix from turning speeds of the body to changes of roll, pitch and yaw; its changes with roll and pitch."""
+    """Return the matrix from body rates to the rates of roll, pitch and yaw; and its derivatives by roll and pitch."""
     sr, cr, cp = math.sin(roll), math.cos(roll), math.cos(pitch)
     tp = math.sin(pitch) / cp
     by_cp, by_cp2, tp_by_cp = 1 / cp, 1 / (cp * cp), tp / cp
@@ -46,7 +46,7 @@ def _rates(roll: float, pitch: float) -> tuple[Array, Array, Array]:
 
 
 def step(state: Array, seconds: float) -> Array:
-    """The state so much later; its angles are not wrapped.
+    """Return the state after `seconds`; its angles are not wrapped.
 
     >>> state = np.zeros(SIZE)
     >>> state[6] = 2.0  # forward
@@ -63,7 +63,7 @@ def step(state: Array, seconds: float) -> Array:
 
 
 def jacobian(state: Array, seconds: float) -> Array:
-    """How `step` changes with each number of the state, (15, 15)."""
+    """Return the Jacobian of `step`, (15, 15)."""
     roll, pitch, yaw = state[ANGLES]
     (about_x, d_roll), (about_y, d_pitch), (about_z, d_yaw) = _about_x(roll), _about_y(pitch), _about_z(yaw)
     turned = about_z @ about_y @ about_x

@@ -1,4 +1,4 @@
-"""How a body is turned, from its gyroscope, and corrected by gravity and by the north that a magnetometer shows."""
+"""The orientation of a body from its gyroscope, corrected by gravity and by a magnetometer."""
 
 from __future__ import annotations
 
@@ -9,23 +9,23 @@ from coursekit.geometry.pose import Quaternion, Vector, multiply, rotate
 from coursekit.geometry.rotation import quaternion_of, rpy_of
 
 NORTHS = {"enu": (math.pi / 2, 1.0), "nwu": (0.0, 1.0), "ned": (0.0, -1.0)}
-"""The conventions of the world: the angle of its north [rad], and which way gravity's reaction points along z."""
+"""The world conventions: the angle of north [rad], and the direction of gravity's reaction along z."""
 Correction = Callable[[float, float], float]
-"""How far to turn back in a step of dt seconds when the error is an angle [rad]."""
+"""Returns the correction angle in a step of dt seconds for an error angle [rad]."""
 
 
 def steadily(gain: float) -> Correction:
-    """Madgwick's way: the error goes at a steady pace, `gain` in his equations, however large it is."""
+    """Madgwick's correction: the error shrinks at a constant rate, `gain` in his equations, however large it is."""
     return lambda error, dt: min(2.0 * gain * dt, error)
 
 
 def by_share(gain: float) -> Correction:
-    """A complementary filter's way: each step takes a share of the error."""
+    """A complementary filter's correction: each step removes a share of the error."""
     return lambda error, dt: gain * error
 
 
 class Orientation:
-    """The turn from the body's frame to the world's, as a quaternion.
+    """The rotation from the body's frame to the world's, as a quaternion.
 
     >>> held = Orientation(steadily(0.1))
     >>> held.step((0.0, 0.0, 0.5), (0.0, 0.0, 9.8), None, 0.1) is held.q
@@ -37,12 +37,12 @@ class Orientation:
     """
 
     def __init__(self, correct: Correction, world: str = "enu", aim: Correction | None = None) -> None:
-        """`aim` corrects the heading, if that is to be done in another way."""
+        """`aim` corrects the heading, if it needs another correction."""
         self._correct, self._aimed, (self._north, self._up) = correct, aim or correct, NORTHS[world]
         self.q: Quaternion | None = None
 
     def step(self, turning: Vector, pushed: Vector, north: Vector | None, dt: float) -> Quaternion:
-        """Take in what is measured in the body's frame: turning [rad/s], pushes [m/s^2], the magnetic field."""
+        """Process measurements in the body's frame: angular velocity [rad/s], acceleration [m/s^2], the magnetic field."""
         if self.q is None:
             self.q = self._first(pushed, north)
             return self.q
@@ -58,7 +58,7 @@ class Orientation:
         return q if north is None else multiply(_turn((0.0, 0.0, 1.0), self._off(q, north)), q)
 
     def _level(self, pushed: Vector, dt: float) -> None:
-        """Turn so that what is felt as up comes nearer to up."""
+        """Rotate so that the measured vertical approaches the world's."""
         assert self.q is not None
         x, y, z = (one * self._up for one in rotate(self.q, pushed))
         if not _size((x, y, z)):
@@ -68,7 +68,7 @@ class Orientation:
         self.q = _unit(multiply(_turn(axis, self._correct(error, dt)), self.q))
 
     def _aim(self, north: Vector, dt: float) -> None:
-        """Turn about the world's z so that the magnetometer's north comes nearer to north."""
+        """Rotate about the world's z so that the magnetometer's north approaches the world's."""
         assert self.q is not None
         error = self._off(self.q, north)
         back = math.copysign(self._aimed(abs(error), dt), error)

@@ -1,4 +1,4 @@
-"""The 15 numbers of a state: pose in the world, speeds and accelerations in the body's own frame."""
+"""The 15 components of a state: pose in the world, velocities and accelerations in the body's own frame."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ POSITION, ANGLES = slice(0, 3), slice(3, 6)
 LINEAR, ANGULAR, ACCELERATION = slice(6, 9), slice(9, 12), slice(12, 15)
 POSE, TWIST = slice(0, 6), slice(6, 12)
 OUT_OF_PLANE = (Z, ROLL, PITCH, VZ, VROLL, VPITCH, AZ)
-"""The numbers that stay zero for a body that never leaves the floor."""
+"""The components that stay zero for a body that never leaves the floor."""
 
 
 def wrapped(state: Array) -> Array:
-    """A state with its three angles within -π … π."""
+    """Return a state with its three angles within -π … π."""
     made = state.copy()
     made[ANGLES] = wrap(made[ANGLES])
     return made

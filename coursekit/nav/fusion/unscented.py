@@ -1,4 +1,4 @@
-"""The unscented Kalman filter: instead of slopes, states around the expected one are sent along."""
+"""The unscented Kalman filter: it propagates states around the expected one instead of using derivatives."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from coursekit.nav.fusion.state import ANGLES, SIZE, Array, wrapped
 
 
 class Ukf(Ekf):
-    """As Ekf, with 31 states around the expected one; alpha, kappa and beta say how far off they are and how they count."""
+    """Like Ekf, with 31 sigma points around the expected state; alpha, kappa and beta set their spread and weights."""
 
     def __init__(
         self,
@@ -36,30 +36,30 @@ class Ukf(Ekf):
         self._covariance_weights[0] += 1 - alpha**2 + beta
 
     def _around(self, state: Array) -> Array:
-        """The states around one, (31, 15)."""
+        """Return the sigma points around a state, (31, 15)."""
         sizes, directions = np.linalg.eigh(self.now.covariance * self._spread)
         root = (directions * np.sqrt(np.maximum(sizes, 0.0))).T
         return np.vstack([state, state + root, state - root])
 
     def _offsets(self, states: Array) -> Array:
-        """The differences of states from the first, angles the short way round."""
+        """Return the differences of states from the first, with angles wrapped."""
         off = states - states[0]
         off[:, ANGLES] = wrap(off[:, ANGLES])
         return off
 
     def predict(self, time_ns: int) -> None:
-        """Go on to a later time without being told anything."""
+        """Predict to a later time without measurements."""
         now, seconds = self.now, (time_ns - self.now.time_ns) * 1e-9
         later = np.array([step(one, seconds) for one in self._around(self.controlled(time_ns, seconds))])
         off = self._offsets(later)
-        mean = self._weights @ off  # of the offsets: large weights of opposite sign cancel better this way
+        mean = self._weights @ off  # of the offsets: large weights of opposite sign cancel better than for the states
         off -= mean
         covariance = (off.T * self._covariance_weights) @ off + self.growth(seconds)
         now.state, now.covariance = wrapped(later[0] + mean), (covariance + covariance.T) / 2
         now.time_ns = time_ns
 
     def correct(self, measurement: Measurement) -> bool:
-        """Correct by a measurement of now; False when it is too far from what is expected."""
+        """Correct by a current measurement; False when it is too far from the prediction."""
         places = measurement.finite()
         if not len(places):
             return True

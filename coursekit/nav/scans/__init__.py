@@ -1,1 +1,1 @@
-"""Planar scans out of clouds and depth images, and filters of scans: numpy arrays in and out."""
+"""Planar scans from point clouds and depth images, and scan filters: numpy arrays in and out."""

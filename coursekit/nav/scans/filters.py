@@ -1,4 +1,4 @@
-"""Filters of ranges: what is too near, too far, alone, or a veil between two things becomes NaN."""
+"""Range filters: ranges that are too near, too far, isolated, or a veil between two objects become NaN."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Mask = npt.NDArray[np.bool_]
 
 
 def within(ranges: Array, lower: float, upper: float, too_near: float = math.nan, too_far: float = math.nan) -> Array:
-    """Ranges at most `lower` or at least `upper` are replaced.
+    """Replace ranges of at most `lower` or at least `upper`.
 
     >>> within(np.array([0.1, 1.0, 9.0]), 0.2, 5.0).tolist()
     [nan, 1.0, nan]
@@ -22,25 +22,25 @@ def within(ranges: Array, lower: float, upper: float, too_near: float = math.nan
 
 
 def without(ranges: Array, gone: Mask) -> Array:
-    """Some ranges become NaN."""
+    """Set some ranges to NaN."""
     return np.where(gone, np.nan, ranges)
 
 
 def in_box(points: Array, low: Array, high: Array) -> Mask:
-    """Which points (n, 3) lie in a box."""
+    """Return a mask of the points (n, 3) in a box."""
     inside: Mask = (points >= low) & (points <= high)
     return np.asarray(inside.all(axis=1))
 
 
 def _neighbours(ranges: Array, offsets: list[int]) -> Array:
-    """The ranges so many beams further, (offsets, n); NaN beyond the ends."""
+    """Return the ranges at these beam offsets, (offsets, n); NaN beyond the ends."""
     reach = max(abs(one) for one in offsets)
     wide = np.pad(ranges, reach, constant_values=np.nan)
     return np.array([wide[reach + one : reach + one + len(ranges)] for one in offsets])
 
 
 def speckles_by_distance(ranges: Array, window: int, largest: float, far: float) -> Array:
-    """Of `window` beams in a row none may differ from the first by more than `largest`, else they go; not beyond `far`."""
+    """Keep runs of `window` beams within `largest` of their first beam, and ranges beyond `far`; drop the rest."""
     if window > len(ranges):
         return ranges.copy()
     following = np.lib.stride_tricks.sliding_window_view(ranges, window)
@@ -54,7 +54,7 @@ def speckles_by_distance(ranges: Array, window: int, largest: float, far: float)
 
 
 def speckles_by_neighbours(ranges: Array, window: int, largest: float, far: float, increment: float) -> Array:
-    """Speckles: points with fewer than `window` neighbours within `largest`, among the 2 · `window` beside each."""
+    """Remove speckles: points with fewer than `window` of the 2 · `window` neighbouring points within `largest`."""
     offsets = [k for k in range(-window, window + 1) if k]
     with np.errstate(invalid="ignore"):
         others, cosines = _neighbours(ranges, offsets), np.cos(np.array(offsets) * increment)[:, None]
@@ -66,9 +66,9 @@ def speckles_by_neighbours(ranges: Array, window: int, largest: float, far: floa
 def veils(
     ranges: Array, increment: float, angles: tuple[float, float], neighbours: int, window: int, start_too: bool = False
 ) -> Array:
-    """Points between a near and a far thing, as beams give that touch both.
+    """Remove points between a near and a far object, as measured by beams that touch both.
 
-    Where the line to a beam's neighbour meets the beam at an angle outside `angles` [rad], those beyond it go.
+    Where the line to a neighbouring beam's point meets the beam at an angle outside `angles` [rad], points behind it are removed.
     """
     offsets = [k for k in range(-window, window + 1) if k]
     turn = np.array(offsets)[:, None] * increment

@@ -14,7 +14,7 @@ Array = npt.NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Fan:
-    """The beams of a scan [rad], and which distances and heights count [m]."""
+    """The beams of a scan [rad], and its limits of distance and height [m]."""
 
     angle_min: float = -math.pi
     angle_max: float = math.pi
@@ -26,12 +26,12 @@ class Fan:
 
     @property
     def beams(self) -> int:
-        """How many there are."""
+        """Return the number of beams."""
         return max(math.ceil((self.angle_max - self.angle_min) / self.angle_increment - 1e-9), 0)
 
 
 def of_points(points: Array, fan: Fan, nothing: float = math.inf) -> Array:
-    """The nearest point (n, 3) in each beam; `nothing` where there is none.
+    """Return the distance of the nearest point (n, 3) in each beam; `nothing` where there is none.
 
     >>> of_points(np.array([[2.0, 0, 0], [1.0, 0, 0], [0, 0, 9.0]]), Fan(-1.0, 1.0, 1.0, 0.1)).tolist()
     [inf, 1.0]
@@ -48,13 +48,13 @@ def of_points(points: Array, fan: Fan, nothing: float = math.inf) -> Array:
 
 
 def angles_of_image(width: int, fx: float, cx: float) -> tuple[float, float, float]:
-    """The smallest and greatest angle of an image's columns, and the step between beams, left positive [rad]."""
+    """Return the smallest and greatest angle of an image's columns, and the step between beams, left positive [rad]."""
     greatest, smallest = math.atan2(cx, fx), math.atan2(cx - (width - 1), fx)
     return smallest, greatest, (greatest - smallest) / (width - 1)
 
 
 def of_depth(depth: Array, fx: float, cx: float, rows: int, middle: float, limits: tuple[float, float]) -> Array:
-    """Ranges from the middle rows of a depth image [m]: the nearest in each beam, NaN where nothing is within limits."""
+    """Return ranges from the middle rows of a depth image [m]: the nearest in each beam, NaN without one within limits."""
     height, width = depth.shape
     first = min(max(int(middle - rows / 2), 0), max(height - rows, 0))
     strip = depth[first : first + rows]
@@ -69,13 +69,13 @@ def of_depth(depth: Array, fx: float, cx: float, rows: int, middle: float, limit
 
 
 def points_of(ranges: Array, angle_min: float, angle_increment: float) -> Array:
-    """Where beams end in the scan's own frame, (n, 3) [m]."""
+    """Return the end points of beams in the scan's own frame, (n, 3) [m]."""
     angle = angle_min + np.arange(len(ranges)) * angle_increment
     return np.column_stack([ranges * np.cos(angle), ranges * np.sin(angle), np.zeros(len(ranges))])
 
 
 def floats(values: Array) -> array[float]:
-    """As messages keep them.
+    """Convert to the array type of messages.
 
     >>> floats(np.array([1.0, 2.0]))
     array('f', [1.0, 2.0])

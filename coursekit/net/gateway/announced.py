@@ -1,4 +1,4 @@
-"""The robot's graph, announced to the others; it is polled twice a second, since rclpy does not report changes."""
+"""The robot's graph, announced to peers; it is polled twice a second, since rclpy does not report changes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ PREFIX = "_coursekit_gateway_"
 
 
 class Thing(NamedTuple):
-    """A node of ROS, or one of its ends."""
+    """A ROS node, or one of its endpoints."""
 
     kind: str
     namespace: str
@@ -27,7 +27,7 @@ class Thing(NamedTuple):
 
 
 class Announced:
-    """Keeps the announcements equal to ROS's graph; `compare` is called by one thread."""
+    """Keeps the announcements in step with the ROS graph; `compare` is called by one thread."""
 
     def __init__(self, gateway: Any) -> None:
         self._gateway = gateway
@@ -38,11 +38,11 @@ class Announced:
         self._speakers: dict[tuple[str, str], bytes] = {}
 
     def gid_of_publisher(self, name: str, type_name: str) -> bytes:
-        """By which messages on a topic name one of its publishers in ROS."""
+        """Return the gid of one of the ROS publishers of a topic, used for all messages on that topic."""
         return self._speakers.get((name, type_name), bytes(16))
 
     def compare(self) -> None:
-        """Announce what is new, take back what is gone."""
+        """Announce new nodes and endpoints, withdraw removed ones."""
         there = dict.fromkeys(self._present())
         for gone in [one for one in self._said if one not in there]:
             for part in self._said.pop(gone):
@@ -67,7 +67,7 @@ class Announced:
             try:
                 found = [(kind, ask(name, namespace)) for kind, ask in ends.items()]
             except Exception:
-                continue  # it has just left
+                continue  # the node has just left
             yield Thing(NODE, namespace, name)
             for kind, group in found:
                 yield from (Thing(kind, namespace, name, topic, types[0]) for topic, types in group if topic not in INSIDE)

@@ -1,4 +1,4 @@
-"""Services, both ways."""
+"""Services in both directions."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from ..wire.attachment import Attachment, read_attachment
 from ..wire.names import ANY_HASH
 
 PATIENCE_SECONDS = 86400.0
-"""How long an answer may take [s]."""
+"""Timeout for a response [s]."""
 
 
 class Offered:
-    """A server of ROS, which others may ask."""
+    """A ROS server that is offered to peers."""
 
     def __init__(self, gateway: Any, name: str, type_name: str, kind: Any) -> None:
         self._gateway, self._name, self._kind = gateway, name, kind
@@ -28,7 +28,7 @@ class Offered:
         self._queryable = gateway.session.declare_queryable(key, self._hear, complete=True, allowed_origin=Locality.REMOTE)
 
     def close(self) -> None:
-        """Answer no more."""
+        """Stop answering."""
         self._queryable.undeclare()
         self._gateway.node.destroy_client(self._client)
 
@@ -37,7 +37,7 @@ class Offered:
             came_with = read_attachment(query.attachment.to_bytes())
             request = deserialize_message(query.payload.to_bytes(), self._kind.Request)
             future = self._client.call_async(request)
-        except Exception as error:  # a stranger's bytes, or a server that leaves in this moment
+        except Exception as error:  # bytes from a peer, or a server that leaves at this moment
             self._gateway.tell(f"A request to {self._name} was not passed on: {error}")
             return
 
@@ -50,7 +50,7 @@ class Offered:
 
 
 class Passed:
-    """A server there, as a service of ROS at a node here."""
+    """A remote server, offered as a ROS service at a node here."""
 
     def __init__(self, gateway: Any, node: Any, name: str, type_name: str, type_hash: str, kind: Any, profile: Any) -> None:
         self._gateway, self._node, self._kind = gateway, node, kind
@@ -66,7 +66,7 @@ class Passed:
         self._service = node.create_service(kind, name, self._ask, callback_group=gateway.group, qos_profile=profile)
 
     def close(self) -> None:
-        """Pass nothing more on."""
+        """Stop passing requests on."""
         self._querier.undeclare()
         self._node.destroy_service(self._service)
 

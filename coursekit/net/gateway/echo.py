@@ -1,4 +1,4 @@
-"""Tells what ROS's nodes say from what the gateway said for others: rclpy hears both, and cannot leave one out."""
+"""Separates messages of ROS nodes from those that the gateway published itself: rclpy receives both and cannot filter."""
 
 from __future__ import annotations
 
@@ -8,31 +8,31 @@ from collections import deque
 from collections.abc import Callable
 
 REMEMBERED_SECONDS = 10.0
-"""How long a message that the gateway published may take to come back [s]."""
+"""Time within which a message published by the gateway comes back [s]."""
 ROUNDING_NS = 1000
-"""By how much the middleware's stamps may be off: they are binary fractions of a second [ns]."""
+"""Rounding error of the middleware's stamps, which are binary fractions of a second [ns]."""
 
 
 class Published:
-    """A message that the gateway published: its words, and when that began and ended."""
+    """A message published by the gateway: its hash, and the start and end of the publish call."""
 
     def __init__(self, data: bytes) -> None:
         self.words = hash(data)
         self.begin_ns = time.time_ns() - ROUNDING_NS
         self.end_ns: int | None = None
-        """Known when it is published: it may be heard before."""
+        """Set after publishing: the message may be received before."""
 
     def has(self, data: bytes, stamp_ns: int) -> bool:
-        """Whether it may be this one; a stamp of 0 is none, as some middlewares send it."""
+        """Whether the data may be this message; a stamp of 0 means none, as some middlewares send it."""
         in_time = self.begin_ns <= stamp_ns and (self.end_ns is None or stamp_ns <= self.end_ns)
         return self.words == hash(data) and (in_time or not stamp_ns)
 
 
 class Echo:
-    """The gateway's own messages on one topic, until they are heard.
+    """The gateway's own messages on one topic that have not come back yet.
 
-    The words alone do not tell them from a robot's: the same words may be said on both sides, and what was said before the
-    middleware had joined both ends is never heard. The time at which it was sent lies within the call that published it.
+    The content alone does not identify them: a robot may send the same content, and messages sent before the middleware
+    has matched both endpoints never come back. The source time of the gateway's own messages lies within the publish call.
 
     >>> echo = Echo()
     >>> echo.publish(print, b"a")
@@ -46,7 +46,7 @@ class Echo:
         self._lock = threading.Lock()
 
     def publish(self, publish: Callable[[bytes], None], data: bytes) -> None:
-        """Call `publish` with a message, whose echo is known from now on."""
+        """Publish a message through `publish` and remember it."""
         one = Published(data)
         with self._lock:
             self._said.append(one)
@@ -54,7 +54,7 @@ class Echo:
         one.end_ns = time.time_ns() + ROUNDING_NS
 
     def is_own(self, data: bytes, stamp_ns: int) -> bool:
-        """Whether a message that was sent at this time is one of those that were published; each comes back once."""
+        """Whether a message sent at this time is one of the gateway's own; each comes back once."""
         oldest = time.time_ns() - int(REMEMBERED_SECONDS * 1e9)
         with self._lock:
             while self._said and self._said[0].begin_ns < oldest:

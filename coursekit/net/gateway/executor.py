@@ -1,4 +1,4 @@
-"""An executor whose subscriptions are told when a message was sent, also with Humble's rclpy."""
+"""An executor that passes the source time of messages to subscription callbacks, even with Humble's rclpy."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from rclpy.subscription import Subscription
 
 
 class HumblesExecutor(MultiThreadedExecutor):
-    """Gives callbacks what rclpy takes and drops up to Humble: the message's information, as a second argument."""
+    """Passes to callbacks, as a second argument, the message info that rclpy up to Humble takes and drops."""
 
     def _take_subscription(self, sub: Any) -> Any:
         try:
             with sub.handle:
                 return sub.handle.take_message(sub.msg_type, sub.raw)
-        except InvalidHandle:  # it has just been destroyed
+        except InvalidHandle:  # the subscription has just been destroyed
             return None
 
     async def _execute_subscription(self, sub: Any, taken: Any) -> None:
@@ -25,4 +25,4 @@ class HumblesExecutor(MultiThreadedExecutor):
 
 
 InformingExecutor = MultiThreadedExecutor if hasattr(Subscription, "CallbackType") else HumblesExecutor
-"""Newer releases inform each callback that has two parameters."""
+"""Newer releases pass the message info to each callback with two parameters."""

@@ -23,13 +23,13 @@ from .executor import InformingExecutor
 from .visitors import Visitors
 
 LOOK_SECONDS = 0.5
-"""ROS's graph is looked at this often [s]."""
+"""Polling period of the ROS graph [s]."""
 OTHERS_SECONDS = 3.0
-"""How long ROS may take to tell of another gateway [s]."""
+"""Time for another gateway to appear in the ROS graph [s]."""
 
 
 class Gateway:
-    """Both sides; all that changes is done by one thread at a time, in the order in which it was told."""
+    """Both sides of the gateway; all changes are made by one thread at a time, in the order in which they arrive."""
 
     def __init__(self, domain_id: int, config: Any) -> None:
         self.domain_id = domain_id
@@ -50,20 +50,20 @@ class Gateway:
         self._timer = self.node.create_timer(LOOK_SECONDS, self._look, callback_group=alone)
         key = f"{ADMIN}/{domain_id}/**"
         self._tokens = self.session.liveliness().declare_subscriber(key, self._hear, history=True)
-        self._look()  # who joins as soon as this gateway says that it listens is to know what the robot has
+        self._look()  # a peer that joins as soon as the gateway reports that it listens must see the robot's graph
 
     def key(self, name: str, type_name: str, type_hash: str) -> str:
         """The key of a topic or service."""
         return data_key(self.domain_id, name, type_name, type_hash)
 
     def tell(self, sentence: str) -> None:
-        """Say something, once."""
+        """Print a message, once."""
         if sentence not in self._told and len(self._told) < 1000:
             self._told.add(sentence)
             print(f"[gateway] {sentence}", file=sys.stderr, flush=True)
 
     def run(self) -> None:
-        """Carry until Ctrl-C, or until an older gateway is seen."""
+        """Run until Ctrl-C, or until an older gateway appears."""
         while rclpy.ok() and not self.error:
             self.executor.spin_once(0.2)
         if self.error:
@@ -93,7 +93,7 @@ class Gateway:
                 raise SystemExit(self._older())
 
     def _older(self) -> str:
-        """The message where another gateway was here first: two would carry everything twice."""
+        """Return an error message if another gateway was here first: two would carry everything twice."""
         others = [name for name in self.node.get_node_names() if name.startswith(PREFIX)]
         if any(int(one[len(PREFIX) :]) < int(self.node.get_name()[len(PREFIX) :]) for one in others):
             return "A gateway runs in this ROS domain already: two would carry everything twice. End that one first."
@@ -101,7 +101,7 @@ class Gateway:
 
 
 def settings(listen: Sequence[str], connect: Sequence[str], user: str, password: str, users: str) -> Any:
-    """Zenoh's: a router where it listens, else the client of another one; nothing looks around by multicast."""
+    """Return Zenoh's configuration: a router if it listens, else a client of another router; no multicast scouting."""
     config = zenoh.Config()
     wanted: dict[str, object] = {
         "mode": "router" if listen else "client",
@@ -125,7 +125,7 @@ def settings(listen: Sequence[str], connect: Sequence[str], user: str, password:
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Entry point; `os._exit` at the end, since rclpy's and Zenoh's threads may still need Python."""
+    """Run the gateway; it ends with `os._exit`, since the threads of rclpy and Zenoh may still need Python."""
     parser = argparse.ArgumentParser(prog="gateway", description="Joins this robot's ROS 2 graph to notebooks of coursekit.")
     parser.add_argument("--listen", nargs="*", default=[], metavar="ADDRESS", help="for example tcp/0.0.0.0:7447")
     parser.add_argument("--connect", nargs="*", default=[], metavar="ADDRESS", help="a router that runs elsewhere")

@@ -1,4 +1,4 @@
-"""One topic, both ways: publishers there speak through publishers here; ROS is heard while somebody there listens."""
+"""One topic in both directions: remote publishers have ROS publishers here; ROS is subscribed to while peers listen."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ LEAST_DEPTH = 10
 
 
 class Speaker:
-    """Somebody else's publisher, as a publisher of ROS."""
+    """A remote publisher, represented by a ROS publisher."""
 
     def __init__(self, publisher: Any, kind: Any, type_name: str) -> None:
         self.publisher = publisher
@@ -34,7 +34,7 @@ class Speaker:
         self._moving = False
 
     def speak(self, data: bytes, came_with: Attachment | None, echo: Echo) -> None:
-        """Publish a message, unless it is a double or a velocity that was held up."""
+        """Publish a message, unless it is a duplicate or a delayed velocity command."""
         if came_with is not None:
             number = came_with.gid, came_with.number
             if number in self._numbers:
@@ -42,19 +42,19 @@ class Speaker:
             self._numbers.append(number)
             if self._type_name in MOVING and self._punctual.is_late(came_with.stamp, time.time_ns()):
                 return
-        deserialize_message(data, self._kind)  # a stranger's bytes: the middleware would pass them on unread
+        deserialize_message(data, self._kind)  # bytes from a peer: the middleware would pass them on unread
         self._moving = self._type_name in VELOCITIES and any(data[4:])
         echo.publish(self.publisher.publish, data)
 
     def stop(self, echo: Echo) -> None:
-        """Stop what the last velocity drives: who sent it is gone."""
+        """Publish a stop if the last velocity command was not zero: its publisher is gone."""
         if self._moving:
             self._moving = False
             echo.publish(self.publisher.publish, serialize_message(self._kind()))
 
 
 class Topic:
-    """The transport of one topic; `gid` names the publisher of ROS that speaks for all of them."""
+    """The transport of one topic between ROS and the network."""
 
     def __init__(self, gateway: Any, name: str, type_name: str, kind: Any) -> None:
         self._gateway, self._name, self._type_name, self._kind = gateway, name, type_name, kind
@@ -69,7 +69,7 @@ class Topic:
         self._in_order = MutuallyExclusiveCallbackGroup()
 
     def add_speaker(self, gid: bytes, publisher: Any, *, latched: bool) -> None:
-        """A publisher there."""
+        """Add a remote publisher."""
         self._speakers[gid] = Speaker(publisher, self._kind, self._type_name)
         if self._ear is None or (latched and not self._ear[1]):
             if self._ear is not None:
@@ -82,22 +82,22 @@ class Topic:
             self._ear = subscriber, latched
 
     def remove_speaker(self, gid: bytes) -> None:
-        """It is gone."""
+        """Remove a remote publisher."""
         self._speakers.pop(gid).stop(self._echo)
         if not self._speakers and self._ear is not None:
             self._ear[0].undeclare()
             self._ear = None
 
     def add_listener(self, token: str, type_hash: str, quality: Quality) -> None:
-        """A subscription there."""
+        """Add a remote subscription."""
         self._listeners[token] = type_hash, quality
 
     def remove_listener(self, token: str) -> None:
-        """It is gone."""
+        """Remove a remote subscription."""
         self._listeners.pop(token, None)
 
     def compare(self, offered: list[Any]) -> None:
-        """Hear what publishers of ROS with these profiles say, while there are some and somebody there listens."""
+        """Subscribe to ROS publishers with these profiles, while there are any and peers listen."""
         wanted = self._wanted(offered) if offered and self._listeners else None
         if wanted != self._ear_profile:
             self._stop_hearing()
@@ -115,14 +115,14 @@ class Topic:
                 )
 
     def close(self) -> None:
-        """Carry nothing more."""
+        """Stop carrying messages."""
         self._listeners.clear()
         self.compare([])
 
     def _wanted(self, offered: list[Any]) -> Any:
-        """The most that all publishers offer, as `ros2 topic echo` asks; kept as long as the most patient listener wants.
+        """Return the strongest QoS that all publishers offer, as `ros2 topic echo` does, with the listeners' largest depth.
 
-        How much a publisher keeps is not asked: DDS does not tell.
+        The publishers' own depth is not used: DDS does not announce it.
         """
         qualities, asked = [quality_of(one) for one in offered], [quality for _, quality in self._listeners.values()]
         return Quality(
@@ -156,7 +156,7 @@ class Topic:
             speaker = self._speakers.get(came_with.gid if came_with else b"") or next(iter(self._speakers.values()), None)
             if speaker is not None:
                 speaker.speak(sample.payload.to_bytes(), came_with, self._echo)
-        except Exception as error:  # a stranger's bytes, or a node that ends in this moment
+        except Exception as error:  # bytes from a peer, or a node that ends at this moment
             self._gateway.tell(f"A message on {self._name} was not passed on: {error}")
 
     def _from_ros(self, data: bytes, info: Mapping[str, Any]) -> None:

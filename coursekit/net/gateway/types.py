@@ -11,11 +11,11 @@ from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPo
 from ..wire.quality import FOREVER, Quality
 
 MOST_KEPT = 1000
-"""Messages of a publisher that keeps all."""
+"""Depth for a publisher that keeps all messages."""
 
 
 def class_of(name: str) -> Any:
-    """The class of a type, also of an action's parts; ImportError or AttributeError where the robot has none."""
+    """Return the class of a type, including an action's parts; ImportError or AttributeError where it is not installed."""
     package, kind, short = name.split("/")
     module = importlib.import_module(f"{package}.{kind}")
     if kind != "action":
@@ -26,7 +26,7 @@ def class_of(name: str) -> Any:
 
 
 def profile_of(quality: Quality) -> QoSProfile:
-    """A token's content, as rclpy takes it."""
+    """Convert a token's QoS to rclpy's."""
     profile = QoSProfile(
         depth=min(quality.depth, 100_000),
         history=HistoryPolicy(quality.history if quality.history in (1, 2) else 1),
@@ -41,7 +41,7 @@ def profile_of(quality: Quality) -> QoSProfile:
 
 
 def quality_of(profile: Any) -> Quality:
-    """An end of a topic as rclpy describes it, in a token's terms; unknown parts are defaults."""
+    """Convert rclpy's QoS of an endpoint to a token's; unknown policies get defaults."""
     return Quality(
         reliability=2 if int(profile.reliability) == 2 else 1,
         durability=1 if int(profile.durability) == 1 else 2,
@@ -62,5 +62,5 @@ def is_latched(profile: Any) -> bool:
 
 
 def kept(profile: Any) -> int:
-    """How many messages."""
+    """Return how many messages are kept."""
     return MOST_KEPT if int(profile.history) == 2 else max(1, min(profile.depth, MOST_KEPT))

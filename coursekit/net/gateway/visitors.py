@@ -1,4 +1,4 @@
-"""The others' announcements, made in ROS: each of their nodes is a node here, with its own name."""
+"""The announcements of peers, represented in ROS: each remote node is a node here, under its own name."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from .topic import Topic
 from .types import class_of, is_latched, profile_of
 
 MOST = 5000
-"""Things that others may have announced."""
+"""Maximum number of announcements."""
 
 
 class Visitors:
-    """Others' nodes and ends; all calls come from one thread."""
+    """Remote nodes and endpoints; all calls come from one thread."""
 
     def __init__(self, gateway: Any) -> None:
         self._gateway = gateway
@@ -28,11 +28,11 @@ class Visitors:
         self._topics: dict[tuple[str, str], Topic] = {}
 
     def is_own(self, name: str, namespace: str) -> bool:
-        """Whether a node of ROS is one that was made here."""
+        """Whether a ROS node was created here for a remote one."""
         return any((one.get_name(), one.get_namespace()) == (name, namespace) for one in self._nodes.values())
 
     def compare(self) -> None:
-        """Hear on each topic what ROS's own publishers offer now."""
+        """Match the subscription of each topic to the QoS that ROS publishers offer now."""
         for (name, type_name), topic in self._topics.items():
             infos = self._gateway.node.get_publishers_info_by_topic(name)
             topic.compare([
@@ -42,7 +42,7 @@ class Visitors:
             ])  # fmt: skip
 
     def came(self, text: str) -> None:
-        """Make what was announced."""
+        """Create the announced node or endpoint."""
         try:
             token = read_token(text)
         except ValueError:
@@ -56,12 +56,12 @@ class Visitors:
         if token.kind != NODE:
             try:
                 self._undo[text] = self._make(node, token, text)
-            except Exception as error:  # a type that is not here, or names that this rmw does not take
+            except Exception as error:  # a type that is not installed, or names that this rmw rejects
                 what = f"{token.name} ({token.type_name}) of {token.full_node_name}"
                 self._gateway.tell(f"{what} cannot be made here: {error!r}")
 
     def left(self, text: str) -> None:
-        """Take it away."""
+        """Remove the announced node or endpoint."""
         undo = self._undo.pop(text, None)
         if undo is None:
             return

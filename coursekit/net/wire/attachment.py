@@ -1,4 +1,4 @@
-"""The attachment of each message: its number, when it was sent, and by which publisher."""
+"""The attachment of each message: its number, its send time, and its publisher."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ from typing import NamedTuple
 _LAYOUT = struct.Struct("<qqB16s")
 _GID_SIZE = 16
 SIZE = _LAYOUT.size
-"""Bytes of it."""
+"""Size of an attachment [bytes]."""
 
 
 class Attachment(NamedTuple):
-    """`stamp` is the sender's clock [ns]."""
+    """The attachment; `stamp` is the sender's clock [ns]."""
 
     number: int
     stamp: int
     gid: bytes
 
     def data(self) -> bytes:
-        """As it is sent.
+        """Return the bytes to send.
 
         >>> len(Attachment(1, 2, bytes(16)).data())
         33
@@ -28,7 +28,7 @@ class Attachment(NamedTuple):
 
 
 def read_attachment(data: bytes) -> Attachment:
-    """Read what came with a message; ValueError for what is no attachment.
+    """Read the attachment of a message; ValueError for a malformed one.
 
     >>> read_attachment(Attachment(7, 1000, bytes(16)).data()).number
     7

@@ -1,9 +1,9 @@
-"""Messages that move a robot: they are never delivered late, and a velocity is ended by a stop."""
+"""Messages that move a robot: they are never delivered late, and a velocity command is ended by a stop."""
 
 from __future__ import annotations
 
 VELOCITIES = ("geometry_msgs/msg/Twist", "geometry_msgs/msg/TwistStamped")
-"""Commands that hold until the next one; a message of zeros stops."""
+"""Commands that hold until the next one; a message of zeros stops the robot."""
 MOVING = (
     *VELOCITIES,
     "ackermann_msgs/msg/AckermannDrive",
@@ -15,22 +15,22 @@ MOVING = (
 
 
 class Punctual:
-    """Tells messages that were held up on the way from those that come as fast as others of their publisher.
+    """Detects messages that took longer than others of their publisher.
 
-    The clocks of two computers differ: what counts is how much longer a message took than the fastest one.
+    The clocks of two computers differ: a message's delay is measured relative to the fastest one.
     """
 
     TOO_LATE = 500_000_000
-    """A velocity this old is no command any more [ns]."""
+    """A velocity command this old is no longer valid [ns]."""
     OTHER_CLOCK = 3_000_000_000
-    """Where all are late for this long, the other computer's clock was set [ns]."""
+    """If all messages are late for this long, the other computer's clock was set [ns]."""
 
     def __init__(self) -> None:
         self._fastest: int | None = None
         self._late_since: int | None = None
 
     def is_late(self, stamp: int, now: int) -> bool:
-        """Whether the message that was sent at `stamp` (their clock) and is here at `now` (ours) was held up [ns].
+        """Return whether a message sent at `stamp` (their clock) and received at `now` (our clock) was delayed [ns].
 
         >>> check = Punctual()
         >>> check.is_late(0, 1000), check.is_late(100, 1_000_000_000)

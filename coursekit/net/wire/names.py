@@ -1,18 +1,18 @@
-"""How names of topics and types are spelled in keys."""
+"""The spelling of topic and type names in keys."""
 
 from __future__ import annotations
 
 import re
 
 NO_HASH = "TypeHashNotSupported"
-"""Humble's words in place of a type's hash, which later distributions compute."""
+"""Humble's placeholder for a type's hash, which later distributions compute."""
 ANY_HASH = "*"
 _TYPE = re.compile(r"(\w+)::(msg|srv|action)::dds_::(\w+)_")
 _NAME = re.compile(r"(/[A-Za-z_~{}][\w~{}]*)+")
 
 
 def dds_type(name: str) -> str:
-    """A type as DDS spells it.
+    """Return a type in DDS spelling.
 
     >>> dds_type("std_msgs/msg/String")
     'std_msgs::msg::dds_::String_'
@@ -22,7 +22,7 @@ def dds_type(name: str) -> str:
 
 
 def ros_type(name: str) -> str:
-    """A type as ROS spells it; ValueError for what is none.
+    """Return a type in ROS spelling; ValueError for an invalid one.
 
     >>> ros_type("std_msgs::msg::dds_::String_")
     'std_msgs/msg/String'
@@ -34,7 +34,7 @@ def ros_type(name: str) -> str:
 
 
 def mangle(name: str) -> str:
-    """A name as one part of a key.
+    """Return a name as one part of a key.
 
     >>> mangle("/robot/scan")
     '%robot%scan'
@@ -43,7 +43,7 @@ def mangle(name: str) -> str:
 
 
 def demangle(name: str) -> str:
-    """The name that `mangle` was given; ValueError for what can be no name of a topic.
+    """Invert `mangle`; ValueError for an invalid topic name.
 
     >>> demangle("%robot%scan")
     '/robot/scan'
@@ -55,7 +55,7 @@ def demangle(name: str) -> str:
 
 
 def data_key(domain_id: int, name: str, type_name: str, type_hash: str = ANY_HASH) -> str:
-    """The key of a topic's messages or of a service's requests.
+    """Return the key of a topic's messages or of a service's requests.
 
     >>> data_key(0, "/chatter", "std_msgs/msg/String", NO_HASH)
     '0/chatter/std_msgs::msg::dds_::String_/TypeHashNotSupported'

@@ -1,17 +1,17 @@
-"""Quality of service as text: six groups, in which what is rmw_zenoh's default is left out."""
+"""Quality of service as text: six groups, in which rmw_zenoh's defaults are left out."""
 
 from __future__ import annotations
 
 from typing import NamedTuple
 
 FOREVER = 9223372036854775807
-"""A duration without end [ns]."""
+"""An infinite duration [ns]."""
 DEFAULT_DEPTH = 42
 _SECOND = 1_000_000_000
 
 
 class Quality(NamedTuple):
-    """Policies by their numbers in rmw; durations [ns].
+    """Policies by their numbers in rmw; durations in nanoseconds.
 
     >>> Quality(depth=10).text()
     '::,10:,:,:,,'
@@ -27,7 +27,7 @@ class Quality(NamedTuple):
     lease: int = FOREVER
 
     def text(self) -> str:
-        """Its form at the end of a token."""
+        """Return its form at the end of a token."""
         depth = _unless(self.depth, DEFAULT_DEPTH)
         return ":".join(
             (
@@ -42,7 +42,7 @@ class Quality(NamedTuple):
 
 
 def read_quality(text: str) -> Quality:
-    """The policies that a text names; ValueError for a text that is none.
+    """Parse the policies in a text; ValueError for a malformed one.
 
     >>> read_quality("2::,5:,:,:,,").reliability
     2
@@ -75,7 +75,7 @@ def _span_text(nanoseconds: int) -> str:
 
 
 def _span(parts: list[str]) -> int:
-    """A duration; of one that is told in part, the rest is that of the longest one."""
+    """Parse a duration; a missing part is that of the infinite duration."""
     seconds = _number(parts[0], FOREVER // _SECOND, 2**63)
     rest = _number(parts[1], FOREVER % _SECOND, 2**63)
     return min(seconds * _SECOND + rest, FOREVER)

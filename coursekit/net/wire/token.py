@@ -1,4 +1,4 @@
-"""Liveliness tokens: what a node, publisher, subscription, server or client is announced with."""
+"""Liveliness tokens: the announcements of nodes, publishers, subscriptions, servers and clients."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ ADMIN = "@ros2_lv"
 NODE, PUBLISHER, SUBSCRIPTION, SERVER, CLIENT = "NN", "MP", "MS", "SS", "SC"
 KINDS = (NODE, PUBLISHER, SUBSCRIPTION, SERVER, CLIENT)
 LONGEST = 2048
-"""Characters of a token; ROS allows names of 255."""
+"""Maximum length of a token in characters; ROS allows names of 255."""
 _ID = re.compile(r"[0-9a-zA-Z_]{1,64}")
 _NODE_NAME = re.compile(r"[A-Za-z_]\w{0,254}", re.ASCII)
 _HASH = re.compile(r"[0-9A-Za-z_]{1,128}")
@@ -39,7 +39,7 @@ class Token(NamedTuple):
         return f"{self.namespace.rstrip('/')}/{self.node_name}"
 
     def text(self) -> str:
-        """The key under which it is announced."""
+        """Return the key under which it is announced."""
         parts = [ADMIN, str(self.domain_id), self.session, self.node, self.entity, self.kind, "%"]
         parts += [mangle(self.namespace), self.node_name]
         if self.kind != NODE:
@@ -48,10 +48,10 @@ class Token(NamedTuple):
 
 
 def read_token(text: str) -> Token:
-    """Read what a stranger announced.
+    """Parse a peer's announcement.
 
     Raises:
-        ValueError: for what is no token, with the reason.
+        ValueError: for a malformed token, with the reason.
     """
     parts = text.split("/")
     if len(text) > LONGEST or parts[0] != ADMIN or len(parts) not in (9, 13):
@@ -76,7 +76,7 @@ def read_token(text: str) -> Token:
 
 
 def gid_of(token: str) -> bytes:
-    """The 16 bytes by which messages name their publisher: the XXH3 of its token."""
+    """Return the 16 bytes that identify a publisher in messages: the XXH3 of its token."""
     import xxhash
 
     digest: bytes = xxhash.xxh3_128_intdigest(token.encode()).to_bytes(16, "little")

@@ -1,4 +1,4 @@
-"""Files of strangers and of the user: read only where they are files and of bounded size, written whole or not at all."""
+"""Reading and writing files safely: only regular files of limited size are read, and files are written atomically."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from typing import BinaryIO, TypeVar
 AnyPath = TypeVar("AnyPath", bound=PurePath)
 
 WINDOWS = os.name == "nt"
-"""Tests set it, to see on Linux what happens there."""
+"""Tests set it to check Windows' behaviour on Linux."""
 PAUSES = (0.01, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8)
-"""How long Windows is given between two tries to replace a file [s]."""
+"""Pauses between attempts to replace a file on Windows [s]."""
 TEXT, DATA = 16 << 20, 256 << 20
-"""The largest text, and the largest other file, that is read [bytes]."""
+"""Maximum size of text files, and of other files, for reading [bytes]."""
 _PIECE = 1 << 18
-"""How much is read at once [bytes]."""
+"""Size of the pieces in which files are read [bytes]."""
 _OPEN = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
 
 
 def in_order(paths: Iterable[AnyPath]) -> list[AnyPath]:
-    """Paths in one order on every system: those of Windows ignore case when they are sorted by themselves.
+    """Sort paths in the same order on every system: Windows paths by themselves sort without regard to case.
 
     >>> from pathlib import PureWindowsPath
     >>> names = [PureWindowsPath("ListControllers.srv"), PureWindowsPath("ListControllerTypes.srv")]
@@ -37,7 +37,7 @@ def in_order(paths: Iterable[AnyPath]) -> list[AnyPath]:
 
 
 def read_bytes(path: str | os.PathLike[str], most: int = DATA) -> bytes:
-    """The contents of a file; OSError says why not: no pipe is waited for, no device read, nothing huge loaded.
+    """Return the contents of a file; OSError if it is a pipe, a device or too large: none of these is read.
 
     >>> read_bytes("/dev/zero")
     Traceback (most recent call last):
@@ -45,7 +45,7 @@ def read_bytes(path: str | os.PathLike[str], most: int = DATA) -> bytes:
     """
     try:
         descriptor = os.open(path, _OPEN)
-    except ValueError as error:  # a name with a zero in it
+    except ValueError as error:  # a name with a null character
         raise OSError(errno.EINVAL, str(error), os.fspath(path)) from None
     with os.fdopen(descriptor, "rb") as file:
         kind = os.fstat(descriptor)
@@ -60,7 +60,7 @@ def read_bytes(path: str | os.PathLike[str], most: int = DATA) -> bytes:
 
 
 def _read(file: BinaryIO, most: int) -> bytes:
-    """At most so many bytes, piece by piece: Python takes the memory for all that it is asked to read, whatever comes."""
+    """Return at most so many bytes, read in pieces: Python allocates the requested size, whatever is available."""
     pieces = []
     while piece := file.read(min(most, _PIECE)):
         pieces.append(piece)
@@ -69,12 +69,12 @@ def _read(file: BinaryIO, most: int) -> bytes:
 
 
 def read_text(path: str | os.PathLike[str], *, errors: str = "strict", most: int = TEXT) -> str:
-    """The text of a UTF-8 file; OSError as `read_bytes`, UnicodeDecodeError when it is no text."""
+    """Return the text of a UTF-8 file; OSError as in `read_bytes`, UnicodeDecodeError when it is not text."""
     return read_bytes(path, most).decode("utf-8", errors).replace("\r\n", "\n")
 
 
 def is_file(path: str | os.PathLike[str]) -> bool:
-    """Whether there is such a file: also for names that no file can have.
+    """Return whether there is such a file; also accepts names that no file can have.
 
     >>> is_file("x" * 5000), is_file("a\\0b")
     (False, False)
@@ -86,7 +86,7 @@ def is_file(path: str | os.PathLike[str]) -> bool:
 
 
 def is_folder(path: str | os.PathLike[str]) -> bool:
-    """Whether there is such a folder: also for names that no folder can have."""
+    """Return whether there is such a folder; also accepts names that no folder can have."""
     try:
         return stat.S_ISDIR(os.stat(path).st_mode)
     except (OSError, ValueError):
@@ -94,12 +94,12 @@ def is_folder(path: str | os.PathLike[str]) -> bool:
 
 
 def write_whole(path: str | os.PathLike[str], data: bytes | str, mode: int | None = None, *, parents: bool = False) -> None:
-    """Write a file so that there is the old one or the new one, never half of it, also when the disk is full.
+    """Write a file atomically: either the old or the new one exists, never a part of it, even when the disk is full.
 
-    `mode` are its rights; without it, those of the old file or of any new one. With `parents` its folder is made, too.
+    `mode` sets its permissions; the default is those of the old file or of any new one. `parents` creates its folder.
 
     Raises:
-        OSError: when it cannot be written; the old file is still there then.
+        OSError: when it cannot be written; the old file then still exists.
     """
     target = Path(path)
     with contextlib.suppress(OSError):
@@ -122,10 +122,10 @@ def write_whole(path: str | os.PathLike[str], data: bytes | str, mode: int | Non
 
 
 def put_in_place(fresh: str | os.PathLike[str], target: str | os.PathLike[str]) -> None:
-    """Rename a file, over the old one if there is one.
+    """Rename a file, replacing an existing one.
 
-    Windows refuses that while a program has the old file open: a scanner of viruses, a disk in the cloud, a viewer. They
-    are done in a moment, and it is tried again. PermissionError, which says so, when they are not.
+    Windows refuses that while a program has the old file open (a virus scanner, cloud storage, a viewer). Most of them close
+    it soon, so the rename is repeated. Raises PermissionError with this reason if all attempts fail.
     """
     for pause in PAUSES if WINDOWS else ():
         try:
@@ -142,7 +142,7 @@ def put_in_place(fresh: str | os.PathLike[str], target: str | os.PathLike[str]) 
 
 
 def _rights(target: Path) -> int:
-    """Those of the old file, or what a new one has."""
+    """Return the permissions of the old file, or the default ones."""
     try:
         return stat.S_IMODE(target.stat().st_mode)
     except OSError:

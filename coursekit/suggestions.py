@@ -1,4 +1,4 @@
-"""Suggestions in error messages for a name that is unknown: the known name that was probably meant."""
+"""Suggestions for unknown names in error messages: the known name that was probably meant."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 
 def similar(name: str, known: Iterable[str], count: int = 1, cutoff: float = 0.6) -> list[str]:
-    """The known names that are most like `name`, at most `count`; `cutoff` is how much alike they must be, 0 to 1.
+    """Return the known names most similar to `name`, at most `count`; `cutoff` is the minimum similarity, 0 to 1.
 
     >>> similar("cmd_val", ["cmd_vel", "scan"])
     ['cmd_vel']
@@ -17,7 +17,7 @@ def similar(name: str, known: Iterable[str], count: int = 1, cutoff: float = 0.6
 
 
 def did_you_mean(name: str, known: Iterable[str], otherwise: str = "", quotes: str = "", cutoff: float = 0.6) -> str:
-    """A sentence with the name that was probably meant, else `otherwise`.
+    """Return a sentence with the name that was probably meant, else `otherwise`.
 
     >>> did_you_mean("cmd_val", ["cmd_vel"]), did_you_mean("x", ["cmd_vel"], "Topics are: cmd_vel.")
     ('Did you mean cmd_vel?', 'Topics are: cmd_vel.')
@@ -27,7 +27,7 @@ def did_you_mean(name: str, known: Iterable[str], otherwise: str = "", quotes: s
 
 
 def hint(name: str, known: Iterable[str], count: int = 1, quotes: str = "", cutoff: float = 0.6) -> str:
-    """The end of a sentence with the names that were probably meant; empty when none is alike.
+    """Return the end of a sentence with the names that were probably meant; empty if there are none.
 
     >>> hint("talkr", ["talker", "listener"], 3), hint("x", ["talker"])
     ('; did you mean talker?', '')

@@ -1,7 +1,7 @@
-"""The functions that upper rooms lend to those below: the one place that names them all, as 'package.module:function'.
+"""The functions that upper packages provide to lower ones, as 'package.module:function', all in one place.
 
-A lower room imports nothing from above. Where it needs a hand (a program that a session carries out itself, windows for
-OpenCV), it looks here for who lends it and loads that when it is used. So a new command or hook is one line in this file.
+A lower package imports nothing from upper ones. If it needs one of their functions (a program that a session runs itself,
+windows for OpenCV), it looks the name up here and loads it on use. So a new command or hook is one line in this file.
 """
 
 from __future__ import annotations
@@ -23,46 +23,46 @@ COMMANDS = {
     "rqt_console": "coursekit.cli.window_commands:console_inside",
     "rqt_plot": "coursekit.cli.window_commands:plot_inside",
 }
-"""Programs that a session carries out itself: the function takes the words of a command and returns its exit code."""
+"""Programs that a session runs itself: the function takes the command's arguments and returns its exit code."""
 
 JOIN = "coursekit.cli.attach:attach_script"
-"""The function that has the running session carry out a Python program; None when no session runs."""
+"""The function that runs a Python program in the running session; None when no session runs."""
 
 SERVE = "coursekit.cli.session_server:serve"
-"""The function that lets commands of a domain's terminals into a session; None where another session has the domain."""
+"""The function that serves a domain's terminal commands for a session; None if another session has the domain."""
 
 HOLDER = "coursekit.cli.attach:holder"
-"""The function that tells which notebook or test has a domain's terminals: '' for none of them, None for nobody."""
+"""The function that returns the notebook or test that has a domain's terminals: '' for neither, None if unused."""
 
 MEET = "coursekit.cli.neighbours:meet"
-"""The function that has the interpreter's own nodes meet those of other programs of the same user and domain."""
+"""The function that connects the interpreter's own nodes with those of the same user's programs in the domain."""
 
 NETWORK = "coursekit.net.joining:join_as_the_environment_says"
-"""The function that has a session join the network that COURSEKIT_NETWORK names, and says whether it is joined."""
+"""The function that joins a session to the network in COURSEKIT_NETWORK, and returns whether it is joined."""
 
 IMPORT_HOOKS = {
     "cv2": "coursekit.view.highgui",
     "matplotlib.pyplot": "coursekit.view.plots",
     "multiprocessing.connection": "coursekit.processes.worker_processes",
 }
-"""Imported module: the module whose `install()` makes it work in a session."""
+"""Imported module, and the module whose `install()` patches it for a session."""
 
 LAB = "coursekit.lab"
-"""The module whose public names and magics a kernel of the course has before its first cell."""
+"""The module whose public names and magics a course kernel has before its first cell."""
 
 COMPILED_HOST = "nodes/compiled/host.py"
-"""The program that runs a compiled one, below the underlay."""
+"""The program that hosts a compiled one, below the underlay."""
 
 
 def load(place: str) -> Any:
-    """The object at 'package.module:name', or the module at 'package.module'."""
+    """Return the object at 'package.module:name', or the module at 'package.module'."""
     module, _, name = place.partition(":")
     found = importlib.import_module(module)
     return getattr(found, name) if name else found
 
 
 def command(name: str) -> Callable[..., int] | None:
-    """The function that carries out the program `name` inside of a session; None for other programs.
+    """Return the function that runs the program `name` inside a session; None for other programs.
 
     >>> command("ls") is None
     True

@@ -1,4 +1,4 @@
-"""Results of linters as files that `colcon test-result` counts, spelled as ament's linters spell them."""
+"""Linter results as files for `colcon test-result`, in the format of ament's linters."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from xml.sax.saxutils import escape, quoteattr
 def write_results(
     path: str | Path, cases: Sequence[tuple[str, str]], checked: Sequence[str], seconds: float, skipped: str = ""
 ) -> None:
-    """Write a file of results: each case is a name and what is wrong, '' for nothing; `skipped` is why nothing was checked.
+    """Write a results file: each case is a name and a message, '' for success; `skipped` is why nothing was checked.
 
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder:

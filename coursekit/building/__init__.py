@@ -1,1 +1,1 @@
-"""The steps when coursekit is built or installed: generated files of the underlay, and the students' chapters."""
+"""The build and install steps of coursekit: generated files of the underlay, and the students' chapters."""

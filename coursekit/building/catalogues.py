@@ -1,4 +1,4 @@
-"""Bring the catalogues of a language up to date with the English: `python -m coursekit.building.catalogues es`."""
+"""Update the catalogues of a language from the English texts: `python -m coursekit.building.catalogues es`."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from coursekit.grade.editions import catalogue_of, chapters, notebooks_folder, r
 
 
 def update(notebooks: Path, language: str) -> list[str]:
-    """Write the catalogue of every chapter; a line for each with what is left to translate."""
+    """Write the catalogue of every chapter; return a line for each with the number of untranslated entries."""
     said = []
     for chapter in chapters(notebooks):
         file = catalogue_of(chapter, language)
@@ -25,7 +25,7 @@ def update(notebooks: Path, language: str) -> list[str]:
 
 
 def main(words: Sequence[str] | None = None) -> int:
-    """Update the languages named; 2 where none is."""
+    """Update the languages given; return 2 if there are none."""
     languages = list(sys.argv[1:] if words is None else words)
     if not languages:
         print("Name a language by its code: python -m coursekit.building.catalogues es", file=sys.stderr)

@@ -1,7 +1,7 @@
-"""The executables of the underlay: what `ros2 run PACKAGE EXECUTABLE` starts.
+"""The executables of the underlay, for `ros2 run PACKAGE EXECUTABLE`.
 
-Each becomes a program in `coursekit/lib/PACKAGE` when coursekit is built or installed. A new one is a line here, and
-`python3 start.py setup` writes it. A new package also needs an entry in `share/ament_index` (tests/building/test_index.py).
+Each becomes a program in `coursekit/lib/PACKAGE` when coursekit is built or installed. To add one, add a line here and run
+`python3 start.py setup`. A new package also needs an entry in `share/ament_index` (tests/building/test_index.py).
 """
 
 EXECUTABLES: dict[str, dict[str, str]] = {
@@ -385,4 +385,4 @@ EXECUTABLES: dict[str, dict[str, str]] = {
         "xacro": "coursekit.cli.robot_commands:xacro",
     },
 }
-"""Package, executable: its module and function."""
+"""Module and function by package and executable."""

@@ -1,4 +1,4 @@
-"""Adds what is made to wheels, source archives and installations: files of the underlay, and the students' chapters."""
+"""Adds generated files to wheels, source archives and installations: files of the underlay, and the students' chapters."""
 
 import json
 import sys
@@ -13,7 +13,7 @@ class Hook(BuildHookInterface):  # type: ignore[type-arg]
     """Called by hatchling before it collects the files of a build."""
 
     def initialize(self, version: str, build_data: dict[str, Any]) -> None:
-        """Write the underlay's files; into what is built, but no checkout, chapters without solutions."""
+        """Write the underlay's files; add chapters without solutions to all builds except editable ones."""
         sys.path.insert(0, self.root)
         from coursekit.building.underlay import write
 
@@ -26,11 +26,11 @@ class Hook(BuildHookInterface):  # type: ignore[type-arg]
         from coursekit.grade.release import released
 
         self._folder = tempfile.TemporaryDirectory()
-        for source in sorted((Path(self.root) / "notebooks").glob("*.ipynb")):  # a source archive has them already
+        for source in sorted((Path(self.root) / "notebooks").glob("*.ipynb")):  # a source archive contains them already
             made = Path(self._folder.name) / source.name
             notebook = released(json.loads(source.read_text(encoding="utf-8")))
             made.write_text(json.dumps(notebook, indent=1) + "\n", encoding="utf-8")
             build_data["force_include"][str(made)] = f"coursekit/notebooks/{source.name}"
-        beside = (Path(self.root) / "notebooks").glob("*/*.*")  # translations, and the pictures of the texts
+        beside = (Path(self.root) / "notebooks").glob("*/*.*")  # translations and images
         for file in sorted(one for one in beside if one.suffix in (".po", ".svg")):
             build_data["force_include"][str(file)] = f"coursekit/{file.relative_to(self.root).as_posix()}"

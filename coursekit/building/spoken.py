@@ -1,4 +1,4 @@
-"""The words of panels and checks that are to be translated, found in the sources that say them."""
+"""The texts of panels and checks for translation, extracted from the sources."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ _MARKING = ("examiner", "handing_in", "repair", "choosing", "collector", "mark",
 _CODE = re.compile(
     r"(run|launch|ros2|from|import|colcon|action|padding|var\(|<|#|--|-r|%|\^)|.*(\\|\(\^|\.\*|\(\[|\(\?|surrogatepass)"
 )
-"""Texts that are no words: command lines, styles, patterns."""
+"""Texts that are not sentences: command lines, styles, patterns."""
 _PLAIN = ("BadArgument", "NotNow", "NotThere")
-"""Errors that a notebook shows as two lines in the course's language."""
+"""Exceptions that a notebook displays as two lines in the course's language."""
 
 
 def spoken() -> dict[str, str]:
-    """Every text that is said, with the file that says it first; a field that a program fills in is `{0}`, `{1}`, ..."""
+    """Return every text with the first file that contains it; the fields filled in at run time are `{0}`, `{1}`, ..."""
     found: dict[str, str] = {}
     for file, texts in _all():
         for text in texts:
@@ -40,7 +40,7 @@ def _all() -> Iterator[tuple[Path, Iterator[str]]]:
     judges += [*sorted(grade.glob("figures/*.py")), view / "scene_stage.py", view / "displays" / "silence.py"]
     judges += [PACKAGE / "suggestions.py"]
     for file in [*sorted(grade.glob("chapters/**/*.py")), *judges]:
-        yield file, _of_judge(ast.parse(read_text(file)))  # part of what is translated where it is shown
+        yield file, _of_judge(ast.parse(read_text(file)))  # parts of sentences that are translated when displayed
     yield grade / "statuses.py", iter(STATUSES)
     for file in sorted((PACKAGE / "lab").glob("*.py")):
         yield file, _of_errors(ast.parse(read_text(file)))
@@ -53,14 +53,14 @@ def _all() -> Iterator[tuple[Path, Iterator[str]]]:
 
 
 def _of_calls(tree: ast.Module) -> Iterator[str]:
-    """The texts that are given to gettext()."""
+    """Yield the texts passed to gettext()."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "gettext":
             yield from filter(_words, (template(one) for one in node.args if isinstance(one, (ast.Constant, ast.JoinedStr))))
 
 
 def _of_errors(tree: ast.Module) -> Iterator[str]:
-    """The words of the lab's errors, also where a constant of their file has them."""
+    """Yield the texts of the lab's exceptions, including constants of the same file."""
     constants = _constants(tree)
     for node in ast.walk(tree):
         if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call) and ast.unparse(node.exc.func) in _PLAIN:
@@ -75,7 +75,7 @@ def _constants(tree: ast.Module) -> dict[str, ast.expr]:
 
 
 def _of_judge(tree: ast.AST) -> Iterator[str]:
-    """The sentences in a judge's source, which are its texts with a space, and the words in some of them."""
+    """Yield the sentences in a judge's source: its texts with a space, and the words inserted into some of them."""
     silent = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}  # docstrings
     texts = [node for node in ast.walk(tree) if isinstance(node, (ast.Constant, ast.JoinedStr))]
     for node in sorted(texts, key=lambda one: (one.lineno, one.col_offset, isinstance(one, ast.Constant))):
@@ -92,7 +92,7 @@ def _words(text: str) -> bool:
 
 
 def _alternatives(node: ast.JoinedStr) -> Iterator[str]:
-    """The words between which a sentence chooses: `{'taken' if good else 'refused'}`, `{names or 'none'}`."""
+    """Yield the alternative words in a sentence: `{'taken' if good else 'refused'}`, `{names or 'none'}`."""
     for inner in ast.walk(node):
         choices = [inner.body, inner.orelse] if isinstance(inner, ast.IfExp) else []
         choices += inner.values if isinstance(inner, ast.BoolOp) else []
@@ -103,7 +103,7 @@ def _alternatives(node: ast.JoinedStr) -> Iterator[str]:
 
 
 def template(node: ast.Constant | ast.JoinedStr) -> str:
-    """A constant's text, or an f-string's with its fields numbered; empty for what is no text.
+    """Return a constant's text, or an f-string's with its fields numbered; '' for anything else.
 
     >>> template(ast.parse("f'{name} at {place!r} m'", mode="eval").body)
     '{0} at {1} m'
@@ -116,7 +116,7 @@ def template(node: ast.Constant | ast.JoinedStr) -> str:
 
 
 def update_words(language: str) -> str:
-    """Write the catalogue of a language's words: what is new without a translation, without what nobody says any more."""
+    """Update the catalogue of a language's texts: add new ones without a translation, drop unused ones."""
     file = catalogue_of(language)
     old = {one.msgid: one.msgstr for one in polib.pofile(str(file))} if file.is_file() else {}
     made = polib.POFile(wrapwidth=0)

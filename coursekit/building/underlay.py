@@ -1,7 +1,7 @@
-"""The files of the underlay that are made, not written: Python packages of interfaces, their type stubs, executables.
+"""The generated files of the underlay: Python packages of interfaces, their type stubs, executables.
 
-`python -m coursekit.building.underlay` writes them into this checkout; every build and installation does it, too. Git does
-not know them: .gitignore names them.
+`python -m coursekit.building.underlay` writes them into this checkout; every build and installation does so, too. They are
+not in Git: .gitignore lists them.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ _EXECUTABLE = 0o755
 
 
 def files() -> dict[str, str]:
-    """Return the text of each file that is made, by its path relative to the package.
+    """Return the text of each generated file, by its path relative to the package.
 
     >>> "ros/std_msgs/msg/__init__.py" in files(), "lib/demo_nodes_py/talker" in files()
     (True, True)
@@ -30,7 +30,7 @@ def files() -> dict[str, str]:
 
 
 def write(package: Path = UNDERLAY) -> list[Path]:
-    """Write what differs from what is there; the paths of all files that are made."""
+    """Write the files that have changed; return the paths of all generated files."""
     made = {package / name: text for name, text in files().items()}
     for path, text in made.items():
         if not path.is_file() or path.read_text(encoding="utf-8") != text:

@@ -1,7 +1,7 @@
-"""The course to read, as static pages with a search: `python -m coursekit.building.web FOLDER` (or `make web`).
+"""The course as static pages with a search, for reading: `python -m coursekit.building.web FOLDER` (or `make web`).
 
-Nothing runs there. Solutions and what they print are left out; pictures stand for panels. English is at the top of the
-folder, each other language in one of its own.
+Nothing can be run there. Solutions and their outputs are left out; images replace panels. English is at the top of the
+folder, each other language in its own folder.
 """
 
 from __future__ import annotations
@@ -30,17 +30,17 @@ myst_heading_anchors = 3
 suppress_warnings = ["misc.highlighting_failure"]
 """
 SHORT = 8
-"""Letters that a line has at least which gives a solution away."""
+"""Minimum length of a line that gives a solution away."""
 WORDS = {
     "en": ("ROS 2 in notebooks", "The chapters to read and to search. To run them, install coursekit: `make lab`."),
     "es": ("ROS 2 en cuadernos", "Los capítulos para leer y buscar. Para ejecutarlos instala coursekit: `make lab`."),
 }
-"""By language: the title of the pages, and the sentence below it."""
+"""The title of the pages and the sentence below it, by language."""
 NAMES = {"en": "English", "es": "Español"}
 
 
 def web_notebook(notebook: dict[str, Any]) -> dict[str, Any]:
-    """A chapter to read: stubs for solutions; outputs as stored, but for those of answers and checks, or that show one.
+    """Return a chapter for reading: stubs for solutions; stored outputs, except of answers and checks, or with a solution.
 
     >>> cell = {"cell_type": "code", "source": ["1 + 1"], "metadata": {}, "outputs": [{"output_type": "stream"}]}
     >>> len(web_notebook({"cells": [cell], "metadata": {}})["cells"][0]["outputs"])
@@ -57,12 +57,12 @@ def web_notebook(notebook: dict[str, Any]) -> dict[str, Any]:
 
 
 def _lines(notebook: dict[str, Any]) -> set[str]:
-    """The lines of all cells that say something."""
+    """Return the meaningful lines of all cells."""
     return {line for cell in notebook["cells"] for line in _telling("".join(cell["source"]))}
 
 
 def _words(output: dict[str, Any]) -> set[str]:
-    """The lines of an output that say something."""
+    """Return the meaningful lines of an output."""
     texts = [output.get("text", ""), output.get("data", {}).get("text/plain", "")]
     return {line for text in texts for line in _telling("".join(text))}
 
@@ -72,14 +72,14 @@ def _telling(text: str) -> Iterator[str]:
 
 
 def _still(output: dict[str, Any]) -> dict[str, Any]:
-    """An output without its widget: the picture or text beside it stays."""
+    """Return an output without its widget: the image or text beside it stays."""
     if WIDGET not in output.get("data", {}):
         return output
     return {**output, "data": {kind: data for kind, data in output["data"].items() if kind != WIDGET}}
 
 
 def write_sources(folder: Path, language: str, others: Sequence[str]) -> None:
-    """Write what the pages of one language are made from; the first page names the `others`."""
+    """Write the sources of the pages in one language; the first page links to the `others`."""
     title, sentence = WORDS.get(language, WORDS[ENGLISH])
     names = []
     for chapter in chapters(notebooks_folder(), language):
@@ -98,7 +98,7 @@ def _link(language: str, address: str) -> str:
 
 
 def build(out: Path) -> int:
-    """Make the pages of every language; Sphinx's exit code where one fails, 2 without Sphinx."""
+    """Build the pages of every language; return Sphinx's exit code if one fails, 2 without Sphinx."""
     try:
         from sphinx.cmd.build import main as sphinx
     except ImportError:
@@ -117,7 +117,7 @@ def build(out: Path) -> int:
 
 
 def main(words: Sequence[str] | None = None) -> int:
-    """Build into the folder that is named; 2 where none is."""
+    """Build into the given folder; return 2 if there is none."""
     named = list(sys.argv[1:] if words is None else words)
     if len(named) != 1:
         print("Name a folder: python -m coursekit.building.web build/web", file=sys.stderr)

@@ -1,5 +1,5 @@
-"""C++ programs: rclcpp's names over a link to the session, and the headers of interfaces.
+"""C++ programs: rclcpp's API over a link to the session, and the headers of interfaces.
 
-`include/` and `src/` are compiled into each program; `cmake/` takes ament's place in a CMakeLists.txt; `nodes/compiled`
-answers what a program asks. `packages/cmake_build` uses them for `colcon build`.
+`include/` and `src/` are compiled into each program; `cmake/` replaces ament in a CMakeLists.txt; `nodes/compiled`
+answers a program's requests. `packages/cmake_build` uses them for `colcon build`.
 """

@@ -1,4 +1,4 @@
-"""The packages that find_package() finds with another, as on a robot: those that its own headers need."""
+"""The packages that find_package() finds along with another, as on a robot: those that its headers need."""
 
 from __future__ import annotations
 
@@ -39,15 +39,15 @@ EXPORTED = {
     "rosbag2_compression": "rcpputils rcutils rosbag2_cpp rosbag2_storage",
     "rosbag2_transport": "rclcpp rosbag2_compression rosbag2_cpp rosbag2_storage",
 }
-"""By what upstream's packages export; a package of interfaces exports those that its own use: its package.xml says which."""
+"""The exports of upstream's packages; an interface package exports the dependencies in its package.xml."""
 HUMBLE = "16.0.11"
 """The version of rclcpp and its companions."""
 VERSIONS = dict.fromkeys(("rclcpp", "rclcpp_action", "rclcpp_components", "rclcpp_lifecycle"), HUMBLE) | {"OpenCV": "4.5.4"}
-"""Of packages that have no folder in the underlay's share, where others ask for a version."""
+"""The versions of packages without a folder in the underlay's share, for find_package() with a version."""
 
 
 def exported_by(name: str, share: Path) -> list[str]:
-    """The packages that are found with one.
+    """Return the packages that are found along with one.
 
     >>> from coursekit.interfaces.find import UNDERLAY
     >>> exported_by("nav_msgs", UNDERLAY / "share")
@@ -59,7 +59,7 @@ def exported_by(name: str, share: Path) -> list[str]:
 
 
 def version_of_package(name: str, share: Path) -> str:
-    """The version that a package says it has; an empty text where nothing says it.
+    """Return the version of a package; '' if it is not specified.
 
     >>> version_of_package("OpenCV", Path("share"))
     '4.5.4'

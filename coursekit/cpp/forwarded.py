@@ -1,4 +1,4 @@
-"""Headers that only say where their content is: upstream has a file for each class, coursekit fewer."""
+"""Headers that only include another: upstream has one file per class, coursekit fewer."""
 
 from __future__ import annotations
 
@@ -62,11 +62,11 @@ FORWARDED = {
     "libstatistics_collector/moving_average_statistics/moving_average.hpp": "moving_average_statistics/types",
     "pluginlib/class_loader.hpp": "class_desc",
 }
-"""Headers whose names are Humble's: by the header that has what is in them, in its package where none is named."""
+"""Humble's header names by the header with their content; without a folder they are in its package."""
 
 
 def write_forwarded(folder: Path) -> None:
-    """Write `folder/package/name.hpp` for each of them: a file that includes the header that has it all."""
+    """Write `folder/package/name.hpp` for each of them: a file that includes the header with the content."""
     for target, names in FORWARDED.items():
         package = target.partition("/")[0]
         for name in names.split():

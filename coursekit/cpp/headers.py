@@ -1,4 +1,4 @@
-"""Writes the C++ headers of interfaces: `python -m coursekit.cpp.headers FOLDER [PACKAGE ...]`, of all without a package."""
+"""Writes the C++ headers of interfaces: `python -m coursekit.cpp.headers FOLDER [PACKAGE ...]`, by default all of them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from coursekit.interfaces.registry import interface_of
 
 
 def write_headers(folder: Path, names: Iterable[str]) -> list[Path]:
-    """Write `folder/package/kind/name.hpp` for each interface; files that would not change stay untouched."""
+    """Write `folder/package/kind/name.hpp` for each interface; unchanged files are not rewritten."""
     written = []
     for full_name in names:
         package, kind, name = full_name.split("/")
@@ -32,12 +32,12 @@ def _write(path: Path, text: str) -> None:
 
 
 def names_in(package: str) -> list[str]:
-    """The full names of a package's interfaces."""
+    """Return the full names of a package's interfaces."""
     return [f"{package}/{kind}/{name}" for kind in KINDS for name in interfaces_of(package, kind)]
 
 
 def main(words: list[str]) -> int:
-    """Carry out a command line; its exit code."""
+    """Run a command line; return the exit code."""
     folder, *packages = words
     names = [name for package in packages for name in names_in(package)] if packages else known_interfaces()
     print(len(write_headers(Path(folder), names)))

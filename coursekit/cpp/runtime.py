@@ -1,6 +1,6 @@
-"""The files that every C++ program needs, made once and kept: the runtime, the interfaces' headers, packages' configs.
+"""The files that every C++ program needs, generated once and cached: the runtime, interface headers, package configs.
 
-Run as `python -m coursekit.cpp.runtime FOLDER` it makes them there.
+`python -m coursekit.cpp.runtime FOLDER` generates them there.
 """
 
 from __future__ import annotations
@@ -55,11 +55,11 @@ PACKAGES = (
     "rosidl_typesupport_fastrtps_c", "rosidl_typesupport_fastrtps_cpp", "rcl_logging_interface", "rcl_logging_spdlog",
     "rmw_cyclonedds_cpp",
 )  # fmt: skip
-"""The packages that are found here beside those that have a folder in the underlay's share."""
+"""The packages found here in addition to those with a folder in the underlay's share."""
 NOT_COMPILED = {
     "controller_interface", "gazebo_plugins", "gazebo_ros", "hardware_interface", "nav2_util",
 }  # fmt: skip
-"""Packages that come with coursekit, but without the C++ that others would include."""
+"""Packages that come with coursekit, but without C++ headers for others."""
 _MADE_OF = (".hpp", ".h", ".cpp", ".txt", ".msg", ".srv", ".action", ".py")
 SHARED = "COURSEKIT_SHARED"
 _CONFIG = """set(_coursekit_name "{name}")
@@ -80,9 +80,9 @@ endif()
 
 
 def runtime_folder(tools: Toolchain) -> Path:
-    """Where the runtime for these tools is, or will be: one for each compiler and each version of what it is made of.
+    """Return the runtime folder for these tools, existing or not: one per compiler and version of its sources.
 
-    On a server it may stand ready for all students in the folder that COURSEKIT_SHARED names.
+    On a server, the folder named by COURSEKIT_SHARED may contain one for all students.
     """
     seen = hashlib.sha256(version_of(tools.cxx).encode())
     globs = ("interfaces/cpp_*.py", "share/*/*/*", "share/*/package.xml")
@@ -99,7 +99,7 @@ def _files(folder: Path) -> list[Path]:
 
 
 def make_runtime(folder: Path, tools: Toolchain) -> None:
-    """Make the runtime in a folder that appears when it is whole; subprocess.CalledProcessError where a tool fails."""
+    """Build the runtime in a folder that appears only when complete; subprocess.CalledProcessError if a tool fails."""
     folder.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=".making-") as name:
         made = Path(name) / "runtime"
@@ -110,7 +110,7 @@ def make_runtime(folder: Path, tools: Toolchain) -> None:
         _build_library(made, Path(name) / "build", tools)
         try:
             made.rename(folder)
-        except OSError:  # another build was quicker
+        except OSError:  # another build was faster
             if not folder.is_dir():
                 raise
 
@@ -153,7 +153,7 @@ def _run(*command: str) -> None:
 
 
 def main(words: list[str]) -> int:
-    """Carry out a command line; its exit code."""
+    """Run a command line; return the exit code."""
     try:
         make_runtime(Path(words[0]), find_toolchain())
     except subprocess.CalledProcessError as error:

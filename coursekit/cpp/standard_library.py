@@ -1,7 +1,7 @@
-"""zig's C++ library with its names visible, so that a program can lend it to the libraries that it loads while it runs.
+"""zig's C++ library with its symbols visible: a program can then share it with the libraries that it loads at run time.
 
-zig links a C++ library of its own, with hidden names, into every program and every library. A type of exception then has two
-addresses, and what a loaded library throws is caught nowhere. With one copy, the program's, there is one address.
+zig links its own C++ library, with hidden symbols, into every program and every library. An exception type then has two
+addresses, and exceptions from a loaded library are never caught. With only the program's copy, there is one address.
 """
 
 from __future__ import annotations
@@ -21,17 +21,17 @@ _GLOBAL, _WEAK, _HIDDEN, _VISIBILITY = 1, 2, 2, 3
 
 
 def write_visible(folder: Path, tools: Toolchain) -> None:
-    """Write zig's libc++.a and libc++abi.a, made for these tools, with visible names into a folder.
+    """Write zig's libc++.a and libc++abi.a for these tools, with visible symbols, to a folder.
 
     Raises:
-        OSError, subprocess.CalledProcessError: when zig cannot link, or names no such library.
+        OSError, subprocess.CalledProcessError: when zig cannot link, or does not report these libraries.
     """
     for path in _linked_by(tools):
         (folder / path.name).write_bytes(visible_archive(read_bytes(path)))
 
 
 def _linked_by(tools: Toolchain) -> list[Path]:
-    """zig's own files of the library, which it makes when it links for the first time."""
+    """Return zig's own library files, which it builds when it links for the first time."""
     with tempfile.TemporaryDirectory() as name:
         source = Path(name, "empty.cpp")
         source.write_text("int main() {}\n", encoding="utf-8")
@@ -41,7 +41,7 @@ def _linked_by(tools: Toolchain) -> list[Path]:
 
 
 def _file_in(told: str, name: str) -> Path:
-    """The file of a name among the words of a command, which zig does not quote: a folder's name may have spaces."""
+    """Find a file by name in a command line that zig does not quote: folder names may contain spaces."""
     for end in (found.end() for found in re.finditer(rf"/{re.escape(name)}(?=\s|$)", told)):
         for start in reversed([found.start() for found in re.finditer(r"(?<!\S)/", told[:end])]):
             if (path := Path(told[start:end])).is_file():
@@ -50,7 +50,7 @@ def _file_in(told: str, name: str) -> Path:
 
 
 def visible_archive(data: bytes) -> bytes:
-    """An `ar` archive in whose 64-bit ELF members no global name is hidden any more.
+    """Return an `ar` archive with all hidden global symbols in its 64-bit ELF members made visible.
 
     >>> visible_archive(b"!<arch>\\n")
     b'!<arch>\\n'
@@ -68,7 +68,7 @@ def visible_archive(data: bytes) -> bytes:
 
 
 def _show_names(member: memoryview) -> None:
-    """Make the global names of an object file visible, in place."""
+    """Make the global symbols of an object file visible, in place."""
     sections, size, count = _number(member, 40, 8), _number(member, 58, 2), _number(member, 60, 2)
     for header in range(sections, sections + size * count, size):
         if _number(member, header + 4, 4) == _SYMBOLS:

@@ -1,4 +1,4 @@
-"""The tools that make programs of C++: a compiler, CMake and what runs the build, of the system or from `coursekit[cpp]`."""
+"""The tools that compile C++ programs: a compiler, CMake and a build tool, from the system or from `coursekit[cpp]`."""
 
 from __future__ import annotations
 
@@ -16,33 +16,33 @@ from coursekit.systems import which
 
 MISSING = "there is no {what} here: `pip install \"coursekit[cpp]\"` brings all that C++ needs"
 _SYSTEMS = {"windows": "Windows", "macos": "Darwin", "linux": "Linux"}
-"""CMake's names of systems, by zig's."""
+"""CMake's names of operating systems, by zig's."""
 _COMPILERS = (("g++", "gcc"), ("clang++", "clang"), ("c++", "cc"))
 _FOR_WINDOWS = "x86_64-windows-gnu"
 _LIBRARY = "<CMAKE_AR> ar rcs <TARGET> <LINK_FLAGS> <OBJECTS>"
-"""How zig makes a library and its index, in CMake's words: it is one program that has all tools in it."""
+"""zig's command to create a static library with its index, in CMake's syntax: all of zig's tools are in one program."""
 
 
 class NoToolchain(RuntimeError):
-    """C++ cannot be compiled here; the text says what to type."""
+    """C++ cannot be compiled here; the message gives the command to install the tools."""
 
 
 @dataclass(frozen=True)
 class Toolchain:
-    """Commands that compile C++ and C, put objects into libraries, configure and build."""
+    """Commands to compile C++ and C, create libraries, configure and build."""
 
     cxx: tuple[str, ...]
     cc: tuple[str, ...]
     archiver: str | None
-    """zig where it puts objects into libraries, too; None where CMake finds by itself what does."""
+    """zig if it also creates the libraries; None if CMake finds an archiver itself."""
     cmake: str
     ninja: str | None
-    """None where make does its work."""
+    """None if make is used instead."""
     system: str | None = None
-    """CMake's name of the system that the programs are for, where it is another than this one."""
+    """CMake's name of the target system, if it differs from this one."""
 
     def defines(self) -> dict[str, str]:
-        """CMake's variables for them."""
+        """Return CMake's variables for these tools."""
         told = {"CMAKE_CXX_COMPILER": _listed(self.cxx), "CMAKE_C_COMPILER": _listed(self.cc)}
         if self.archiver:
             told["CMAKE_AR"] = Path(self.archiver).as_posix()
@@ -55,32 +55,32 @@ class Toolchain:
 
     @property
     def ctest(self) -> str:
-        """The program beside CMake that runs tests."""
+        """The test runner beside CMake."""
         return str(Path(self.cmake).with_stem("ctest"))
 
     @property
     def lends_library(self) -> bool:
-        """Whether programs have to lend the libraries that they load their C++ library: zig's, on Linux."""
+        """Whether programs must share their C++ library with the libraries that they load: zig's, on Linux."""
         return self.archiver is not None and self.system is None and sys.platform == "linux"
 
     @property
     def generator(self) -> str:
-        """CMake's name for what runs the build."""
+        """CMake's name of the build tool."""
         return "Ninja" if self.ninja else "Unix Makefiles"
 
 
 @cache
 def find_toolchain() -> Toolchain:
-    """The tools of this computer: the system's compiler first, else zig's from PyPI; on Windows zig's alone.
+    """Return the tools of this computer: the system's compiler first, else zig's from PyPI; on Windows always zig's.
 
-    NoToolchain where some are missing.
+    Raises NoToolchain if any are missing.
     """
     cmake, ninja = _program("cmake", "CMAKE_BIN_DIR"), _program("ninja", "BIN_DIR")
     if cmake is None:
         raise NoToolchain(MISSING.format(what="CMake"))
     if ninja is None and (which.WINDOWS or shutil.which("make") is None):
         raise NoToolchain(MISSING.format(what="ninja" if which.WINDOWS else "ninja or make"))
-    for cxx, cc in () if which.WINDOWS else _COMPILERS:  # what is called g++ there may be anything
+    for cxx, cc in () if which.WINDOWS else _COMPILERS:  # a program named g++ there may be anything
         if found := shutil.which(cxx):
             return Toolchain((found,), (shutil.which(cc) or found,), None, cmake, ninja)
     zig = _zig()
@@ -90,7 +90,7 @@ def find_toolchain() -> Toolchain:
 
 
 def cross_toolchain(target: str) -> Toolchain:
-    """zig's tools that make programs for another computer, such as x86_64-windows-gnu or aarch64-macos; NoToolchain."""
+    """Return zig's tools for another target, such as x86_64-windows-gnu or aarch64-macos. Raises NoToolchain."""
     zig, cmake = _zig(), _program("cmake", "CMAKE_BIN_DIR")
     if zig is None or cmake is None:
         raise NoToolchain(MISSING.format(what="zig" if zig is None else "CMake"))
@@ -99,7 +99,7 @@ def cross_toolchain(target: str) -> Toolchain:
 
 
 def _own_target() -> str | None:
-    """zig's name of what this computer runs; None where it finds that by itself."""
+    """Return zig's name of this computer's target; None if zig detects it itself."""
     if which.WINDOWS:
         return _FOR_WINDOWS
     return f"{platform.machine()}-linux-gnu.2.28" if sys.platform == "linux" else None
@@ -107,12 +107,12 @@ def _own_target() -> str | None:
 
 def _of_zig(zig: str, cmake: str, ninja: str | None, target: str | None, system: str | None = None) -> Toolchain:
     flags = ["-target", target] if target else []
-    flags.append("-fno-sanitize=undefined")  # what would trap goes on under g++
+    flags.append("-fno-sanitize=undefined")  # code that would trap continues under g++
     return Toolchain((zig, "c++", *flags), (zig, "cc", *flags), zig, cmake, ninja, system)
 
 
 def _listed(command: tuple[str, ...]) -> str:
-    """A program and its words as CMake takes them.
+    """Format a program and its arguments for CMake.
 
     >>> _listed(("/opt/zig", "c++", "-g"))
     '/opt/zig;c++;-g'
@@ -121,7 +121,7 @@ def _listed(command: tuple[str, ...]) -> str:
 
 
 def _program(name: str, folder: str) -> str | None:
-    """A program of the system, else of the wheel of that name."""
+    """Return a program of the system, else of the wheel with that name."""
     found = shutil.which(name)
     if found is None and importlib.util.find_spec(name) is not None:
         module = importlib.import_module(name)
@@ -137,7 +137,7 @@ def _zig() -> str | None:
 
 
 def cache_folder() -> Path:
-    """The user's folder for what can be made again: COURSEKIT_CACHE, else where this system keeps such things."""
+    """Return the user's cache folder: COURSEKIT_CACHE, else the system's usual one."""
     told = os.environ.get("COURSEKIT_CACHE")
     if told:
         return Path(told)
@@ -150,7 +150,7 @@ def cache_folder() -> Path:
 
 @cache
 def version_of(command: tuple[str, ...]) -> str:
-    """A compiler's words about itself, to tell it from another."""
+    """Return a compiler's version text, to distinguish it from others."""
     done = subprocess.run([*command, "--version"], capture_output=True, encoding="utf-8", errors="replace", check=False)
     return f"{' '.join(command)}\n{done.stdout}"
 

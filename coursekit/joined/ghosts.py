@@ -1,7 +1,7 @@
-"""Stand-ins for what is in the other interpreter: they match like the real thing and pass on what they are given.
+"""Proxies for nodes and endpoints in the other interpreter: they match like real ones and forward their messages.
 
-A ghost needs no class of its interface, only its name: messages cross as CDR and are read where the real end is. Ghosts of
-publishers do not repeat deadlines and leases: those are watched where the publisher is.
+A ghost needs only the name of its interface, not its class: messages cross as CDR and are deserialized at the real
+endpoint. Ghosts of publishers do not check deadlines and leases: the publisher's own side does.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ from coursekit.core.topic import Publisher, Subscription
 from coursekit.interfaces import cdr
 
 Tell = Callable[[list[Any], bytes], None]
-"""Takes an event for the other side, and the bytes that belong to it."""
+"""Callback for an event to the other side, with its bytes."""
 NumberOf = Callable[[Any], int]
-"""Gives the number by which the other side knows one of ours."""
+"""Returns the number by which the other side knows a local node or endpoint."""
 
 
 @dataclass(frozen=True)
 class Named:
-    """An interface of which only the name is known."""
+    """An interface known only by its name."""
 
     _TYPE_NAME: str
 
@@ -34,19 +34,19 @@ class GhostNode(GraphNode):
 
 
 class GhostPublisher(Publisher):
-    """Delivers what the real one published to subscriptions on this side."""
+    """Delivers the messages of the remote publisher to local subscriptions."""
 
     def _watch_deadline(self) -> None:
-        """The real one is watched where it is."""
+        """Do nothing: the deadline is checked on the publisher's own side."""
 
     def deliver(self, target: Subscription, data: bytes, stamp: int) -> None:
-        """Give one subscription the message in CDR bytes."""
+        """Deliver a message in CDR bytes to one subscription."""
         msg = cdr.deserialize(data, target.msg_type)
         target.push((msg if target.reduce is None else target.reduce(msg), stamp, self))
 
 
 class GhostSubscription(Subscription):
-    """Passes on what is published on this side."""
+    """Forwards local messages to the remote subscription."""
 
     number: int
     number_of: NumberOf
@@ -57,36 +57,36 @@ class GhostSubscription(Subscription):
         self.reduce = cdr.serialize
 
     def push(self, entry: tuple[Any, int, Publisher]) -> None:
-        """Send the message to the real subscription."""
+        """Forward a message to the remote subscription."""
         data, stamp, publisher = entry
         self.tell(["message", self.number_of(publisher), self.number, stamp, len(data)], data)
 
     def _check_deadline(self) -> None:
-        """The real one is watched where it is."""
+        """Do nothing: the deadline is checked on the subscription's own side."""
 
 
 class GhostServer(Server):
-    """Passes on the requests of clients on this side."""
+    """Forwards the requests of local clients to the remote server."""
 
     number: int
     number_of: NumberOf
     tell: Tell
 
     def push(self, request: Any, request_id: RequestId) -> None:
-        """Send the request to the real server."""
+        """Forward a request to the remote server."""
         data = cdr.serialize(request)
         event = ["request", self.number_of(request_id.client), self.number, request_id.sequence_number, len(data)]
         self.tell(event, data)
 
 
 class GhostClient(Client):
-    """Passes on the responses of servers on this side."""
+    """Forwards the responses of local servers to the remote client."""
 
     number: int
     tell: Tell
 
     def push(self, sequence_number: int, response: Any) -> None:
-        """Send the response to the real client."""
+        """Forward a response to the remote client."""
         data = cdr.serialize(response)
         self.tell(["response", self.number, sequence_number, len(data)], data)
 

@@ -1,6 +1,6 @@
-"""Two interpreters on the wall clock that share one ROS graph, joined by a socket.
+"""Two interpreters on the wall clock that share one ROS graph, connected by a socket.
 
-What one side says is applied by the other as soon as it arrives, as over a network; neither waits for the other.
+Events from one side are applied by the other on arrival, as over a network; neither waits for the other.
 """
 
 from __future__ import annotations
@@ -17,16 +17,16 @@ from .mirror import Mirror
 from .pipe import Broken, SocketPipe
 
 HELLO_SECONDS = 2.0
-"""A neighbour that does not answer in this time is passed over: it is stopped, or is no neighbour [s]."""
+"""Timeout for a neighbour's greeting [s]; one that does not answer is stopped, or not a neighbour."""
 
 
 class Link:
-    """One side of the connection; made by both, one of them with `calling`.
+    """One side of the connection; created by both sides, by one of them with `calling`.
 
-    When it is made, each side knows the other's graph. `on_end(link)` is called once, when the other side is gone.
+    Once it is created, each side knows the other's graph. `on_end(link)` is called once, when the other side is gone.
 
     Raises:
-        Broken: when nobody answers at the other end.
+        Broken: when the other end does not answer.
     """
 
     def __init__(self, graph: Graph, peer: socket.socket, on_end: Callable[[Link], None], *, calling: bool) -> None:
@@ -38,18 +38,18 @@ class Link:
         self._ended = threading.Event()
         self.mirror = Mirror(graph, on_news=self._news.set)
         for step in (self._say, self._hear_first) if calling else (self._hear_first, self._say):
-            step()  # one speaks, the other listens: two long introductions at once would fill the socket
+            step()  # one side sends while the other receives: two long introductions at once would fill the socket
         for work in (self._keep_hearing, self._keep_saying):
             threading.Thread(target=work, name="coursekit-link", daemon=True).start()
 
     def flush(self, seconds: float) -> None:
-        """Wait until what was said before is on its way, at most `seconds`."""
+        """Wait until all earlier events are sent, at most `seconds`."""
         self._sent.clear()
         self._news.set()
         self._sent.wait(0.0 if self._ended.is_set() else seconds)
 
     def end(self) -> None:
-        """Hang up: the other side's nodes leave this graph."""
+        """Close the connection: the other side's nodes leave this graph."""
         if self._ended.is_set():
             return
         self._ended.set()
@@ -86,7 +86,7 @@ class Link:
             while True:
                 self._apply()
         except (Broken, OSError):
-            pass  # it ended
+            pass  # the connection ended
         except Exception as error:
             if not self._ended.is_set():
                 print(f"[coursekit] What another program sent made no sense, so it is left out: {error!r}", file=sys.stderr)

@@ -1,4 +1,4 @@
-"""Two virtual clocks as one: the leader says how far the follower may go, the follower says when it has something to say."""
+"""Two virtual clocks as one: the leader sets the follower's time limit, the follower stops when it has an event to send."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Events = list[list[Any]]
 
 
 class _Side:
-    """The part of both sides: `post` an event to the other, and hear its events by `on_event`."""
+    """The common part of both sides: `post` sends an event to the other side, `on_event` receives its events."""
 
     def __init__(self, clock: VirtualClock, graph: Graph, pipe: Pipe, on_event: Callable[[list[Any]], None]) -> None:
         self.clock = clock
@@ -26,20 +26,20 @@ class _Side:
         clock.partner = self
 
     def post(self, *event: Any) -> None:
-        """Send an event that is not about the graph: a word and values that JSON knows."""
+        """Send an event that does not concern the graph: a word and JSON values."""
         self.mirror.post(list(event))
 
     def _apply(self, events: Any, body: bytes) -> bool:
         try:
             for event in self.mirror.apply(events, body):
                 self.on_event(event)
-        except Exception as error:  # whatever the other side said, it made no sense
+        except Exception as error:  # any exception means that the other side's event was malformed
             raise Broken(f"it sent something malformed: {type(error).__name__}: {error}"[:200]) from None
         return bool(events)
 
 
 class Leader(_Side):
-    """The side whose clock rules. `on_broken(reason)` is called, and must not return, when the other side fails."""
+    """The side with the ruling clock. `on_broken(reason)` is called, and must not return, when the other side fails."""
 
     def __init__(
         self,
@@ -54,10 +54,10 @@ class Leader(_Side):
         self._on_broken = on_broken
         self._patience = patience
         self._next: int | None = 0
-        """When the follower has something planned [ns]; None for never."""
+        """Time of the follower's next scheduled event [ns]; None for none."""
 
     def meet(self, deadline: int | None) -> bool:
-        """Called when nothing is ready, before time goes on to `deadline`; whether the follower said something."""
+        """Called when nothing is ready, before time advances to `deadline`; return whether the follower sent an event."""
         events, body = self.mirror.collect()
         if not events and (self._next is None or (deadline is not None and self._next > deadline)):
             return False
@@ -81,7 +81,7 @@ class Leader(_Side):
 
 
 class Follower(_Side):
-    """The side that goes as far as it may. When the leader is gone, its interpreter ends."""
+    """The side that runs up to the leader's limit. When the leader is gone, its interpreter exits."""
 
     def __init__(self, clock: VirtualClock, graph: Graph, pipe: Pipe, on_event: Callable[[list[Any]], None]) -> None:
         super().__init__(clock, graph, pipe, on_event)
@@ -89,7 +89,7 @@ class Follower(_Side):
         self._owes = False
 
     def meet(self, deadline: int | None) -> bool:
-        """Called when nothing is ready, before time goes on to `deadline`; whether something came from the leader."""
+        """Called when nothing is ready, before time advances to `deadline`; return whether the leader sent an event."""
         try:
             if self._owes:
                 events, body = self.mirror.collect()

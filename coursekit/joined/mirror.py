@@ -1,4 +1,4 @@
-"""Keeps two graphs equal: tells the other side what appears and goes on this one, and makes ghosts of what it tells."""
+"""Keeps two graphs in step: sends local changes to the other side, and creates ghosts for remote nodes and endpoints."""
 
 from __future__ import annotations
 
@@ -17,24 +17,24 @@ from coursekit.interfaces import cdr
 from .ghosts import KINDS, GhostClient, GhostNode, GhostPublisher, Named
 
 MOST = 20_000
-"""Nodes and ends of topics that the other side may have."""
+"""Maximum number of the other side's nodes and endpoints."""
 
 
 class Mirror:
-    """One side's view: `collect` gives the events for the other side, `apply` carries out the other side's.
+    """One side's view: `collect` returns the events for the other side, `apply` processes the other side's events.
 
-    `on_news()` is called, from any thread, when `collect` has something to give.
+    `on_news()` is called, from any thread, when there are events to collect.
     """
 
     def __init__(self, graph: Graph, on_news: Callable[[], None] = lambda: None) -> None:
         self.graph = graph
         self._on_news = on_news
         self._lock = threading.RLock()
-        """Held for our own tables only, never while the graph is changed: who changes the graph may hold the graph's."""
+        """Protects this object's tables only. Never held during changes of the graph: their caller may hold its lock."""
         self._events: list[list[Any]] = []
         self._bodies: list[bytes] = []
         self._numbers: dict[Any, int] = {}
-        """Our nodes and ends that the other side knows, and under which number."""
+        """The numbers of the local nodes and endpoints that the other side knows."""
         self._ours: dict[int, Any] = {}
         self._theirs: dict[int, Any] = {}
         self._count = itertools.count(1)
@@ -49,7 +49,7 @@ class Mirror:
         self._on_news()
 
     def collect(self) -> tuple[list[list[Any]], bytes]:
-        """The changes that the other side does not know yet."""
+        """Return the changes that the other side does not know yet."""
         with self._lock:
             if self._stale:
                 self._stale = False
@@ -59,17 +59,17 @@ class Mirror:
         return events, body
 
     def end(self) -> None:
-        """The other side is gone, and what it had in this graph with it."""
+        """Remove the other side's nodes and endpoints from this graph, because it is gone."""
         self.graph.unwatch(self._note_change)
         for ghost in list(self._theirs.values()):
             ghost.close()
         self._theirs.clear()
 
     def apply(self, events: list[list[Any]], body: bytes) -> list[list[Any]]:
-        """Carry out the other side's events; those that are not about the graph are returned.
+        """Apply the other side's events; return those that do not concern the graph.
 
         Raises:
-            LookupError, TypeError, ValueError: for events that make no sense.
+            LookupError, TypeError, ValueError: for malformed events.
         """
         rest, at = [], 0
         for event in events:
@@ -86,18 +86,18 @@ class Mirror:
                 rest.append(event)
         return rest
 
-    # -- what happens here
+    # -- local changes
 
     def _note_change(self) -> None:
         self._stale = True
         self._on_news()
 
     def _number_of(self, one: Any) -> int:
-        """The number by which the other side knows one of ours; it is told of it first if it does not."""
+        """Return the number of a local node or endpoint; one that is new to the other side is announced first."""
         with self._lock:
             number = self._numbers.get(one)
             if number is None:
-                self._stale = True  # it may have left the graph since: looked at with the next exchange
+                self._stale = True  # it may have left the graph since: checked at the next exchange
                 number = self._numbers[one] = next(self._count)
                 self._ours[number] = one
                 self.post(self._told(one, number))
@@ -120,11 +120,11 @@ class Mirror:
 
     def _local(self) -> Iterator[Any]:
         for node in list(self.graph.nodes):
-            if not isinstance(node, GhostNode) and not node.remote:  # the other side joins the network itself, if it wants
+            if not isinstance(node, GhostNode) and not node.remote:  # the other side can join the network itself
                 yield node
                 yield from (*node.publishers, *node.subscriptions, *node.servers, *node.clients)
 
-    # -- what happened there
+    # -- remote changes
 
     def _on_node(self, number: int, name: str, namespace: str) -> None:
         if len(self._theirs) >= MOST or number in self._theirs:

@@ -1,7 +1,7 @@
 """The frames between two interpreters: a JSON header and the CDR bytes of messages, over two file descriptors
 or a socket.
 
-Nothing is unpickled, and every size is checked before a byte of it is read: the other side may be hostile.
+Nothing is unpickled, and every size is checked before its data is read: the other side may be hostile.
 """
 
 from __future__ import annotations
@@ -17,15 +17,15 @@ from coursekit.systems.pipes import readable, wait_readable
 
 _LENGTHS = struct.Struct("<II")
 HEADER, BODY = 16 << 20, 256 << 20
-"""The largest header and body [bytes]."""
+"""Maximum size of header and body [bytes]."""
 LATE = "it did not answer in time"
-"""The words of Broken when the other side does not give way."""
+"""The reason in Broken when the other side does not yield."""
 _now = time.monotonic  # the real one: in a process, time.monotonic() is the session's
-_dumps, _loads = json.dumps, json.loads  # as they are before any program runs
+_dumps, _loads = json.dumps, json.loads  # saved before any program can replace them
 
 
 class Broken(Exception):
-    """The other side ended, did not answer in time, or said what makes no sense."""
+    """The other side ended, did not answer in time, or sent malformed data."""
 
 
 class Pipe:
@@ -42,7 +42,7 @@ class Pipe:
         self._write = write
 
     def send(self, header: dict[str, Any], body: bytes = b"") -> None:
-        """Send one frame; Broken when nobody is there."""
+        """Send one frame; Broken when the other side is gone."""
         text = _dumps(header, separators=(",", ":")).encode()
         data = memoryview(_LENGTHS.pack(len(text), len(body)) + text + body)
         try:
@@ -52,7 +52,7 @@ class Pipe:
             raise Broken("it ended") from None
 
     def receive(self, seconds: float | None = None) -> tuple[dict[str, Any], bytes]:
-        """The next frame; Broken when there is none within so many real seconds, or it is malformed."""
+        """Return the next frame; Broken when there is none within so many real seconds, or it is malformed."""
         give_up = None if seconds is None else _now() + seconds
         header, body = _LENGTHS.unpack(self._exactly(_LENGTHS.size, give_up))
         if header > HEADER or body > BODY:
@@ -87,7 +87,7 @@ class Pipe:
 
 
 class SocketPipe(Pipe):
-    """One end that is a socket, which on Windows is no file."""
+    """One end of a socket, which is not a file descriptor on Windows."""
 
     def __init__(self, peer: socket.socket) -> None:
         self._peer = peer

@@ -1,1 +1,1 @@
-"""Packages: what colcon needs to build them without CMake, and how new ones are made."""
+"""Packages: colcon's extensions to build them without CMake, and the creation of new ones."""

@@ -1,4 +1,4 @@
-"""Whether what is installed of a package is what its sources say: the last build went well, and nothing changed since."""
+"""Whether the installed files of a package match its sources: the last build succeeded, and nothing has changed since."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from coursekit.files import read_bytes, read_text
 from coursekit.systems import copies
 
 _RULES = ("setup.py", "setup.cfg", "CMakeLists.txt")
-"""The files that a build reads; links to these change nothing before the next build."""
+"""The files that a build reads; changes of links to them have no effect before the next build."""
 _NOT_BUILT = re.compile(r"^\.|^__pycache__$|\.pyc$|\.egg-info$|\.md$|^LICENSE|^CHANGELOG|^tests?$|^build$|^install$|^log$")
 
 
 def build_fault(workspace: Path, package: str, of: Collection[str] = ()) -> str:
-    """Why `install/` is not what the sources of a package say; '' when it is, or when nothing tells.
+    """Return why `install/` does not match a package's sources; '' if it does, or if that is unknown.
 
-    `of` names the files that matter, without their endings, where not all do; those that say how to build always do.
-    What `--symlink-install` linked may change without a build, as may files that were changed and changed back.
+    `of` limits the check to files with these stems; the build files are always checked.
+    Files linked by `--symlink-install` may change without a build, as may files that were changed and changed back.
 
     >>> build_fault(Path("/nowhere"), "py_pubsub")
     ''
@@ -52,10 +52,10 @@ def _matters(path: Path, of: Collection[str]) -> bool:
 
 
 def package_folder(workspace: Path, package: str) -> Path | None:
-    """Where a package's sources are below `src/`; None when they are not there."""
+    """Return the folder of a package's sources below `src/`; None if there is none."""
     for folder, inner, files in os.walk(workspace / "src"):
         if "package.xml" in files:
-            inner.clear()  # no package lies in another
+            inner.clear()  # packages are not nested
             if _name(Path(folder) / "package.xml") == package:
                 return Path(folder)
         inner[:] = [one for one in inner if not one.startswith(".")]
@@ -76,7 +76,7 @@ def _sources(folder: Path) -> Iterator[Path]:
 
 
 def _linked(folders: list[Path]) -> set[Path]:
-    """The sources that links in these folders lead to."""
+    """Return the sources that links in these folders point to."""
     found = set()
     for folder in folders:
         for place, inner, files in os.walk(folder):

@@ -1,4 +1,4 @@
-"""Commands of a CMakeLists.txt that only CMake itself can carry out: they are never passed over in silence."""
+"""Commands of a CMakeLists.txt that only CMake itself can execute: they are never silently ignored."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ _COMMANDS = {
     "configure_file", "continue", "execute_process", "find_file", "find_path", "find_program", "get_directory_property",
     "get_filename_component", "get_property", "math", "separate_arguments", "set_property", "string", "while",
 }  # fmt: skip
-"""Commands on which the rest of a file may depend."""
+"""Commands that may affect the rest of a file."""
 _LISTS = {"APPEND", "PREPEND", "REMOVE_ITEM", "REMOVE_DUPLICATES"}
 _FILES = {"GLOB", "GLOB_RECURSE"}
 _MODULES = {"GNUInstallDirs", "CTest", "CMakePackageConfigHelpers"}
-"""Modules of CMake's that change nothing about what is installed here."""
+"""CMake modules that do not affect the installed files."""
 
 
 class NeedsCMake(CMakeError):
-    """A command that only CMake can carry out."""
+    """A command that only CMake can execute."""
 
     def __init__(self, command: Command, what: str) -> None:
         where = f"needs CMake itself, which is not here: {typed.install('coursekit[cpp]')} brings it"
@@ -26,7 +26,7 @@ class NeedsCMake(CMakeError):
 
 
 def demand(command: Command, words: list[str]) -> None:
-    """NeedsCMake where a command is one of those."""
+    """Raise NeedsCMake if a command is one of those."""
     name, first = command.name, (words or [""])[0]
     if name in _COMMANDS:
         raise NeedsCMake(command, f"{name}()")

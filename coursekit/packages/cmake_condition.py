@@ -29,7 +29,7 @@ _BINARY: dict[str, Callable[[str, str], bool]] = {
 
 
 def holds(words: list[str], variables: Mapping[str, str]) -> bool:
-    """Tell whether a condition holds; a name that is not set is false.
+    """Return whether a condition holds; a name that is not set is false.
 
     >>> holds(['NOT', 'BUILD_TESTING', 'AND', 'X', 'STREQUAL', 'a'], {'BUILD_TESTING': 'OFF', 'X': 'a'})
     True

@@ -1,6 +1,6 @@
-"""Carries out a CMakeLists.txt as far as files go: variables, conditions, loops, installs.
+"""Executes a CMakeLists.txt as far as files are concerned: variables, conditions, loops, installs.
 
-Nothing is compiled. What would be compiled is remembered as a target, so that it can be said.
+Nothing is compiled. Compiled targets are recorded, so that they can be reported.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _BLOCKS = {
 
 @dataclass(frozen=True)
 class Call:
-    """One command that matters, with its words after variables were put in, and its source folder."""
+    """A relevant command, with its expanded arguments and its source folder."""
 
     command: Command
     words: list[str]
@@ -45,7 +45,7 @@ class Reading:
     tests: list[Call] = field(default_factory=list)
     calls: list[Call] = field(default_factory=list)
     hooks: dict[str, str] = field(default_factory=dict)
-    """Scripts that sourcing the workspace runs, by the names of their files."""
+    """Scripts to run when the workspace is sourced, by file name."""
 
 
 _KEPT = (
@@ -74,13 +74,13 @@ _TESTS = (
 
 
 class _Returned(Exception):
-    """return() was met."""
+    """Raised by return()."""
 
 
 def read_project(folder: Path, *, testing: bool = False, strict: bool = False) -> Reading:
-    """Return what the CMakeLists.txt of a folder asks for, with its tests if asked; raises CMakeError.
+    """Read the CMakeLists.txt of a folder, optionally with its tests; raises CMakeError.
 
-    With `strict` it raises NeedsCMake for what cannot be carried out here; else that is passed over.
+    With `strict` it raises NeedsCMake for unsupported commands; otherwise they are ignored.
     """
     if not (folder / "CMakeLists.txt").is_file():
         raise CMakeError("there is no such file, but this is a CMake package", folder / "CMakeLists.txt", 1)
@@ -101,7 +101,7 @@ class _Runner:
         self.variables = Variables(folder)
 
     def run_file(self, file: Path) -> None:
-        """Carry out a file, up to its return()."""
+        """Execute a file, up to its return()."""
         try:
             self.run(read_commands(file))
         except _Returned:
@@ -173,7 +173,7 @@ class _Runner:
                 _ACTIONS[command.name](self, command, words)
 
     def _call(self, command: Command, words: list[str]) -> None:
-        """A function or macro of the file's own: what a function sets stays inside, what a macro sets does not."""
+        """Call a function or macro of the file: variables set by a function are local, those set by a macro are not."""
         if self.depth > 20:
             raise command.error(f"{command.name}() calls itself without an end")
         kind, parameters, body = self.functions[command.name]
@@ -185,7 +185,7 @@ class _Runner:
             self._run_inside(body, given)
         else:
             with self.variables.lent(given):
-                self.run(body)  # its return() is its caller's
+                self.run(body)  # a macro's return() returns from its caller
         self.depth -= 1
 
     def _run_inside(self, body: list[Command], given: dict[str, str]) -> None:
@@ -248,12 +248,12 @@ class _Runner:
             self.reading.hooks[name] = read_text(path) if name == path.name else self._filled_in(read_text(path))
 
     def _filled_in(self, template: str) -> str:
-        """A text with variables in the place of words between @, but for the prefix, which its installer knows."""
+        """Replace words between @ by variables, except for the prefix, which only the installer knows."""
         known = {**self.variables.values, "CMAKE_INSTALL_PREFIX": "@CMAKE_INSTALL_PREFIX@"}
         return re.sub(r"@(\w+)@", lambda word: known.get(word[1], ""), template)
 
     def lint_auto(self, command: Command, words: list[str]) -> None:
-        """A test with the packages that set(NAME_FOUND TRUE) says are found, without looking: their linters are left out."""
+        """Add a test with the packages that set(NAME_FOUND TRUE) marks without find_package(): their linters are skipped."""
         values = self.variables.values
         said = [name.removesuffix("_FOUND") for name in values if name.endswith("_FOUND") and holds([name], values)]
         self.reading.tests.append(Call(command, [name for name in said if name not in self.reading.found], self.folder))

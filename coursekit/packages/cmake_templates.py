@@ -114,7 +114,7 @@ def library_cpp(recipe: Recipe) -> str:
 
 
 def visibility_h(recipe: Recipe) -> str:
-    """Return the text of the header that says which symbols leave the library."""
+    """Return the text of the header that defines the exported symbols of the library."""
     upper = recipe.name.upper()
     guard = f"{upper}__VISIBILITY_CONTROL_H_"
     return (

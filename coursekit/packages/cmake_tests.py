@@ -1,4 +1,4 @@
-"""The tests in Python of a CMakeLists.txt, those of pytest and of launch_testing, for packages that CMake has not built."""
+"""The Python tests of a CMakeLists.txt (pytest and launch_testing), for packages that were not built by CMake."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from coursekit.packages.cmake_run import Call, Reading
 from coursekit.packages.cmake_text import CMakeError
 
 _LINTERS = {"copyright": "*", "flake8": "*.py", "pep257": "*.py"}
-"""Those that are here, with the files for which each is a test."""
+"""The available linters, with the files that each one checks."""
 _LINT_AUTO = "ament_lint_auto_find_test_dependencies"
 _LINTS = {_LINT_AUTO, *(f"ament_{kind}" for kind in _LINTERS)}
 _WITH_VALUE = ("TARGET", "TIMEOUT", "PYTHON_EXECUTABLE", "RUNNER", "WORKING_DIRECTORY", "LABELS")
@@ -22,7 +22,7 @@ _WITH_VALUE = ("TARGET", "TIMEOUT", "PYTHON_EXECUTABLE", "RUNNER", "WORKING_DIRE
 
 @dataclass(frozen=True)
 class TestCommand:
-    """A test: its name, the command that runs it, the file for its results (JUnit's XML), and the folder it runs in."""
+    """A test: its name, its command, the file for its results (JUnit XML), and its working directory."""
 
     name: str
     command: list[str]
@@ -31,9 +31,9 @@ class TestCommand:
 
 
 def commands(reading: Reading, results: Path, depends: Collection[str] = ()) -> list[TestCommand]:
-    """The tests that can be run here, with their results below a folder; CMakeError for a file that is not there.
+    """Return the tests that can be run here, with their results below a folder; CMakeError for a missing file.
 
-    The package's tests depend on the packages `depends`, linters among them.
+    `depends` are the test dependencies of the package, including linters.
     """
     folder = results / reading.project
     found = [_RUNNABLE[call.command.name](call, folder) for call in reading.tests if call.command.name in _RUNNABLE]
@@ -41,13 +41,13 @@ def commands(reading: Reading, results: Path, depends: Collection[str] = ()) -> 
 
 
 def left_out(reading: Reading) -> list[str]:
-    """The names of the tests that are not in Python: they need CMake."""
+    """Return the names of the tests that are not in Python: they need CMake."""
     known = {*_RUNNABLE, *_LINTS}
     return [call.words[0] for call in reading.tests if call.words and call.command.name not in known]
 
 
 def selection(words: Sequence[str]) -> Callable[[str], bool]:
-    """The tests that `--ctest-args` choose by their names, as ctest does; ValueError for a pattern that is none.
+    """Return the filter for test names in `--ctest-args`, as in ctest; ValueError for an invalid pattern.
 
     >>> chosen = selection(["-R", "map", "-E", "slow"])
     >>> [chosen(name) for name in ("test_map", "test_map_slow", "test_scan")]
@@ -86,7 +86,7 @@ def _launch_test(call: Call, results: Path) -> TestCommand:
 
 
 def _lints(call: Call, results: Path, depends: Collection[str]) -> list[TestCommand]:
-    """The linters that a call asks for, of those that are here: one, or all on which the package's tests depend."""
+    """Return the requested linters that are available: one, or all among the package's test dependencies."""
     kinds = [call.command.name.removeprefix("ament_")]
     if call.command.name == _LINT_AUTO:
         asked = {f"ament_cmake_{kind}" for kind in _LINTERS} if "ament_lint_common" in depends else set(depends)
@@ -101,7 +101,7 @@ def _lint(kind: str, folder: Path, results: Path) -> TestCommand:
 
 
 def _arguments(words: Sequence[str]) -> list[str]:
-    """The words behind ARGS, up to the next keyword."""
+    """Return the words after ARGS, up to the next keyword."""
     given = list(words[words.index("ARGS") + 1 :]) if "ARGS" in words else []
     ends = [given.index(word) for word in given if word in _WITH_VALUE]
     return given[: min(ends, default=len(given))]

@@ -1,4 +1,4 @@
-"""Reads CMakeLists.txt as a list of commands; knows nothing of what they mean."""
+"""Parses CMakeLists.txt to a list of commands, without interpreting them."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _TOKEN = re.compile(
 
 
 class CMakeError(ValueError):
-    """A CMakeLists.txt that cannot be read or carried out; carries file and line."""
+    """A CMakeLists.txt that cannot be parsed or executed; carries file and line."""
 
     def __init__(self, message: str, file: Path, line: int) -> None:
         super().__init__(f"{file}:{line}: {message}")
@@ -32,7 +32,7 @@ class CMakeError(ValueError):
 
 @dataclass(frozen=True)
 class Argument:
-    """One argument; a quoted one stays one even when it is empty or holds ';'."""
+    """One argument; a quoted one is not split, even when it is empty or contains ';'."""
 
     text: str
     quoted: bool = False
@@ -40,7 +40,7 @@ class Argument:
 
 @dataclass(frozen=True)
 class Command:
-    """`name(arguments)`; the name in small letters."""
+    """`name(arguments)`; the name is in lower case."""
 
     name: str
     arguments: tuple[Argument, ...]
@@ -48,12 +48,12 @@ class Command:
     line: int
 
     def error(self, message: str) -> CMakeError:
-        """Return an error that names the place of this command."""
+        """Return an error with the location of this command."""
         return CMakeError(message, self.file, self.line)
 
 
 def read_commands(file: Path) -> list[Command]:
-    """Return the commands of a CMakeLists.txt; raises CMakeError for text that is none."""
+    """Return the commands of a CMakeLists.txt; raises CMakeError for invalid text."""
     return parse_commands(read_text(file, errors="replace"), file)
 
 

@@ -1,4 +1,4 @@
-"""The variables of a CMakeLists.txt: their scopes, and the commands that put words in and take them out."""
+"""The variables of a CMakeLists.txt: their scopes, their expansion, and the commands that change them."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from coursekit.packages.cmake_text import Command
 
 _REFERENCE = re.compile(r"\$(ENV)?\{([^${}]*)\}")
 _DEEPEST = 20
-"""How often a variable's text may name another one."""
+"""Maximum depth of nested variable references."""
 
 
 def _parts(text: str) -> list[str]:
-    """The words of a list.
+    """Return the elements of a list.
 
     >>> _parts("a;;b")
     ['a', 'b']
@@ -25,7 +25,7 @@ def _parts(text: str) -> list[str]:
 
 
 class Variables:
-    """What the variables of the running folder and function hold.
+    """The variables in the current folder and function.
 
     >>> variables = Variables(Path("robot"))
     >>> variables.set_command(["NODES", "talker", "listener"])
@@ -53,11 +53,11 @@ class Variables:
             "ROS_DISTRO": "humble",
         }
         self._outer: list[dict[str, str]] = []
-        """The values of those who called the functions that run, and of the folders above."""
+        """The variables of the calling functions and parent folders."""
 
     @contextmanager
     def inside(self, given: dict[str, str]) -> Iterator[None]:
-        """A scope of its own, as functions and folders have: what is set in it is gone behind it."""
+        """Open a scope, as functions and folders do: variables set in it are dropped at its end."""
         self._outer.append(self.values)
         self.values = self.values | given
         yield
@@ -65,14 +65,14 @@ class Variables:
 
     @contextmanager
     def lent(self, given: dict[str, str]) -> Iterator[None]:
-        """The arguments of a macro, which has no scope of its own: they alone are gone behind it."""
+        """Set the arguments of a macro, which has no scope of its own: only they are dropped at its end."""
         before = {name: self.values.get(name) for name in given}
         self.values |= given
         yield
         self.values = {**self.values, **{name: value or "" for name, value in before.items()}}
 
     def words(self, command: Command) -> list[str]:
-        """The words of a command with variables put in; unquoted lists become several words."""
+        """Return the arguments of a command with variables expanded; unquoted lists become several arguments."""
         words: list[str] = []
         for argument in command.arguments:
             text = self.expand(argument.text)
@@ -80,7 +80,7 @@ class Variables:
         return words
 
     def expand(self, text: str) -> str:
-        """A text with variables put in; an unknown one is empty."""
+        """Expand the variables in a text; an unknown one is empty."""
         for _ in range(_DEEPEST):
             replaced = _REFERENCE.sub(self._value, text)
             if replaced == text:
@@ -92,7 +92,7 @@ class Variables:
         return os.environ.get(match[2], "") if match[1] else self.values.get(match[2], "")
 
     def elements(self, name: str) -> list[str]:
-        """The words that a variable's list has."""
+        """Return the elements of a list variable."""
         return _parts(self.values.get(name, ""))
 
     def set_command(self, words: list[str]) -> None:

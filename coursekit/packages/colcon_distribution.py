@@ -1,4 +1,4 @@
-"""`source install/setup.bash` says which ROS this is, also in a shell that nobody prepared."""
+"""`source install/setup.bash` sets the ROS distribution, even in a shell without other setup."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ TOLD = ("ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION")
 
 
 class Distribution(EnvironmentExtensionPoint):  # type: ignore[misc]
-    """Gives each package hooks that set ROS_DISTRO and its like: on a robot the sourced ROS below does it."""
+    """Adds hooks to each package that set ROS_DISTRO and similar variables: on a robot the sourced underlay does it."""
 
     def __init__(self) -> None:
         super().__init__()
         satisfies_version(EnvironmentExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
 
     def create_environment_hooks(self, prefix_path: Path, pkg_name: str) -> list[Path]:
-        """Return the files that were made: one for each variable and kind of shell that has such files."""
+        """Return the files created: one for each variable and each kind of shell that supports it."""
         made = []
         for shell in _shells():
-            with contextlib.suppress(NotImplementedError):  # PowerShell's, which reads what is written for dsv
+            with contextlib.suppress(NotImplementedError):  # PowerShell's extension, which uses the dsv files
                 for name in TOLD:
                     made.append(shell.create_hook_set_value(name.lower(), prefix_path, pkg_name, name, DISTRIBUTION[name]))
         return made
 
 
 def _shells() -> list[ShellExtensionPoint]:
-    """Those whose scripts all others use."""
+    """Return the primary shells, whose scripts all others use."""
     ranks = get_shell_extensions().items()
     return [one for rank, shells in ranks if rank > ShellExtensionPoint.PRIORITY for one in shells.values()]

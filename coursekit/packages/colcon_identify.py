@@ -1,4 +1,4 @@
-"""Gives CMake packages to our build step where there is no real ROS, and shows bad package.xml files."""
+"""Assigns CMake packages to our build step where there is no real ROS, and reports invalid package.xml files."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ _CMAKE_TYPES = ("ros.ament_cmake", "ros.cmake", "ros.catkin", "cmake")
 
 
 def real_ros_is_sourced() -> bool:
-    """Tell whether a sourced ROS can build CMake packages itself."""
+    """Return whether a sourced ROS can build CMake packages itself."""
     paths = os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
     return any(path and (Path(path) / "share" / "ament_cmake" / "cmake").is_dir() for path in paths)
 
 
 class FilesAugmentation(PackageAugmentationExtensionPoint):  # type: ignore[misc]
-    """After all is known of a package: give it to our build step."""
+    """Assigns a package to our build step, once everything is known of it."""
 
     PRIORITY = 50  # after colcon-ros
 
@@ -34,8 +34,8 @@ class FilesAugmentation(PackageAugmentationExtensionPoint):  # type: ignore[misc
         satisfies_version(PackageAugmentationExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
 
     def augment_package(self, desc: Any, *, additional_argument_names: Any = None) -> None:
-        """Change the type of a CMake package and note its groups."""
-        building = additional_argument_names is not None  # `colcon list` and `info` show the type as it is
+        """Change the type of a CMake package and store its groups."""
+        building = additional_argument_names is not None  # `colcon list` and `info` show the original type
         if not building or desc.type not in _CMAKE_TYPES or real_ros_is_sourced():
             return
         if (desc.path / "package.xml").is_file():
@@ -48,7 +48,7 @@ class FilesAugmentation(PackageAugmentationExtensionPoint):  # type: ignore[misc
 
 
 class ManifestIdentification(PackageIdentificationExtensionPoint):  # type: ignore[misc]
-    """Says what is wrong in a package.xml that colcon-ros would pass over without a word."""
+    """Reports errors in a package.xml that colcon-ros would silently ignore."""
 
     PRIORITY = 160  # before colcon-ros
 
@@ -57,10 +57,10 @@ class ManifestIdentification(PackageIdentificationExtensionPoint):  # type: igno
         satisfies_version(PackageIdentificationExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
 
     def identify(self, desc: Any) -> None:
-        """Warn; identify nothing."""
+        """Only warn; identify nothing."""
         path = str(desc.path)
         if not (desc.path / "package.xml").is_file() or has_ros_schema_reference(path):
-            return  # colcon-ros warns itself where the file names ROS's schema
+            return  # colcon-ros itself warns if the file names ROS's schema
         try:
             parse_package(path)
         except (AssertionError, InvalidPackage) as error:

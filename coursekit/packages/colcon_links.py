@@ -1,8 +1,8 @@
-"""colcon's build of Python packages, without questions whose answers are known, and without links where they are refused.
+"""colcon's build of Python packages, without queries whose answers are known, and without links where they are refused.
 
-Most accounts on Windows may make no links, and `colcon build --symlink-install` needs none: Python modules are read from
+Most accounts on Windows may not create links. `colcon build --symlink-install` needs none: Python modules are read from
 the source, whose folder comes first on PYTHONPATH, as the folder with the links does elsewhere. Data files are copied, and
-copied again by whoever looks their package up: coursekit.systems.copies.
+copied again when their package is looked up: coursekit.systems.copies.
 """
 
 from __future__ import annotations
@@ -28,28 +28,28 @@ from coursekit.systems.links import can_link
 from .outdated import outdate
 
 _OWNERS = ("colcon_core.task.python.build", "colcon_ros.task.ament_python.build")
-"""The modules in which colcon finds its build of Python packages."""
+"""The modules in which colcon looks up its build of Python packages."""
 _COMMANDS = {"build", "build_py", "develop", "egg_info", "install", "install_data", "symlink_data"}
-"""Of setuptools' commands, and colcon's own, those that colcon asks about or calls."""
+"""The commands of setuptools and colcon that colcon queries or calls."""
 _EDITABLE_UNTIL = 80
-"""The first setuptools whose `develop` has no --editable."""
+"""The first version of setuptools whose `develop` has no --editable."""
 _stands_for_links = False
 
 
 def stands_for_links() -> bool:
-    """Whether links were asked for in this build and cannot be made."""
+    """Whether links were requested in this build and cannot be created."""
     return _stands_for_links
 
 
 class LinksWherePossible(ArgumentParserDecoratorExtensionPoint):  # type: ignore[misc]
-    """Looks at the parsed command line of every verb."""
+    """Inspects the parsed command line of every verb."""
 
     def __init__(self) -> None:
         super().__init__()
         satisfies_version(ArgumentParserDecoratorExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
 
     def decorate_argument_parser(self, *, parser: Any) -> Any:
-        """Return the parser with the look behind it."""
+        """Return the parser, wrapped to inspect its result."""
         return _Looking(parser)
 
 
@@ -70,7 +70,7 @@ def _prepare(parsed: argparse.Namespace) -> None:
 
 
 class PythonBuild(PythonBuildTask):  # type: ignore[misc]
-    """colcon's build of a Python package, which notes copies that stand for links and starts setup.py less often."""
+    """colcon's build of a Python package, which records copies made instead of links and starts setup.py less often."""
 
     async def build(self, *, additional_hooks: list[Any] | None = None) -> int:
         """Return the exit code of the build."""
@@ -81,16 +81,16 @@ class PythonBuild(PythonBuildTask):  # type: ignore[misc]
         return int(done or 0)
 
     async def _get_available_commands(self, path: str, env: Any) -> set[str]:
-        """colcon starts setup.py to ask for them: of one by setuptools they are known, which spares every build a start."""
+        """Return the commands; for setuptools they are known, which saves colcon a start of setup.py in every build."""
         return _COMMANDS if _is_by_setuptools(path) else await super()._get_available_commands(path, env)
 
     async def _get_available_options(self, path: str, env: Any, command: str) -> set[str]:
-        """The same for a command's options."""
+        """Return the options of a command, likewise."""
         known = command == "develop" and _is_by_setuptools(path)
         return {"--editable"} if known else await super()._get_available_options(path, env, command)
 
     async def _undo_develop(self, pkg: Any, args: Any, env: Any) -> Any:
-        """colcon's step before it copies, when the environment of the build is known and scripts are not yet written."""
+        """Extend colcon's step before copying, when the build environment is known and scripts are not written yet."""
         undone = await super()._undo_develop(pkg, args, env)
         outdate(Path(args.build_base), Path(args.install_base))
         if not undone and _stands_for_links:
@@ -105,7 +105,7 @@ class PythonBuild(PythonBuildTask):  # type: ignore[misc]
         if all(one.exists() for one in modules):
             hook = ("pythonpath_develop", Path(args.build_base), name, "PYTHONPATH", str(folder))
             self._hooks += create_environment_hook(*hook, mode="prepend")
-        else:  # `package_dir` gives them other names than their folders have
+        else:  # `package_dir` maps them to differently named folders
             modules = []
             print(f"{name} is copied: build it again after every change of a Python file", flush=True)
         files = get_data_files_mapping(setup.get("data_files") or [])
@@ -114,14 +114,14 @@ class PythonBuild(PythonBuildTask):  # type: ignore[misc]
 
 
 def _is_by_setuptools(folder: str) -> bool:
-    """Whether a setup.py gets its commands from the setuptools that coursekit asks for."""
+    """Whether a setup.py uses the setuptools version that coursekit requires."""
     major = int(importlib.metadata.version("setuptools").partition(".")[0])
     text = read_text(Path(folder, "setup.py"), errors="replace")
     return major < _EDITABLE_UNTIL and bool(re.search(r"^\s*(from|import)\s+setuptools\b", text, re.MULTILINE))
 
 
 def _modules(setup: dict[str, Any]) -> list[str]:
-    """The folders and files that hold a package's modules, as their names say."""
+    """Return the folders and files of a package's modules, derived from their names."""
     folders = [one for one in setup.get("packages") or [] if "." not in one]
     return folders + [one.replace(".", os.sep) + ".py" for one in setup.get("py_modules") or []]
 

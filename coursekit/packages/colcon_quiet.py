@@ -1,4 +1,4 @@
-"""Warnings that a build on a robot does not give: newer setuptools' deprecations, coursekit's folder without setup files."""
+"""Suppresses warnings that robots do not give: newer setuptools' deprecations, coursekit's folder without setup files."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ NOT_HUMBLE_S = (
     "pkg_resources is deprecated",
     "Requirements should be satisfied by a PEP 517 installer",
 )
-"""How warnings begin that Humble's setuptools does not give, or says in a line."""
+"""The beginnings of warnings that Humble's setuptools does not print, or prints in one line."""
 
 
 class Quiet(ArgumentParserDecoratorExtensionPoint):  # type: ignore[misc]
-    """Has every Python that colcon starts leave these warnings out; what the user asks of warnings comes first."""
+    """Adds filters for these warnings for every Python process of colcon; the user's own filters take precedence."""
 
     PRIORITY = 150
 
@@ -34,17 +34,17 @@ class Quiet(ArgumentParserDecoratorExtensionPoint):  # type: ignore[misc]
         satisfies_version(ArgumentParserDecoratorExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
 
     def decorate_argument_parser(self, *, parser: Any) -> Any:
-        """Return the parser as it is."""
+        """Return the parser unchanged."""
         said = os.environ.get("PYTHONWARNINGS", "")
         filters = [f"ignore:{one}" for one in NOT_HUMBLE_S]
-        os.environ["PYTHONWARNINGS"] = ",".join([*filters, *filter(None, [said])])  # of several the last counts
+        os.environ["PYTHONWARNINGS"] = ",".join([*filters, *filter(None, [said])])  # the last matching one applies
         _as_if_warned_of(str(UNDERLAY))
         return parser
 
 
 def _as_if_warned_of(prefix: str) -> None:
-    """Have colcon say nothing of a prefix without setup files: it says so once of each, and remembers of which."""
-    with contextlib.suppress(ImportError, AttributeError):  # a newer colcon-ros may keep that elsewhere: then it warns
+    """Suppress colcon's warning about a prefix without setup files: it warns once for each, and remembers them."""
+    with contextlib.suppress(ImportError, AttributeError):  # a newer colcon-ros may store them elsewhere: then it warns
         from colcon_ros.prefix_path import ament
 
         ament._get_ament_prefix_path_warnings.add(prefix)

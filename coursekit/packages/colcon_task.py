@@ -1,6 +1,6 @@
-"""colcon's build step for CMake packages: by CMake and a compiler, where a package needs them and they are here.
+"""colcon's build step for CMake packages: with CMake and a compiler, if a package needs them and they are available.
 
-Other packages, and those with C++ where there is no compiler, are read by coursekit: files and interfaces are installed.
+Other packages, and those with C++ without a compiler, are read by coursekit: files and interfaces are installed.
 """
 
 from __future__ import annotations
@@ -40,18 +40,18 @@ _INDEX = "share/ament_index/resource_index"
 
 
 class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
-    """Build a CMake package: install what needs no compiler, say what was left out."""
+    """Build a CMake package: install what needs no compiler, and report what was left out."""
 
     def __init__(self) -> None:
         super().__init__()
         satisfies_version(TaskExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
 
     async def build(self) -> int:
-        """Return 0, or 1 when a file is missing or an interface is wrong."""
+        """Return 0, or 1 when a file is missing or an interface is invalid."""
         package = self.context.pkg.name
         if "manifest_error" in self.context.pkg.metadata:
             return self._fail([ValueError(self.context.pkg.metadata["manifest_error"])])
-        if not _NAME.fullmatch(package):  # it becomes the name of folders and of a Python package
+        if not _NAME.fullmatch(package):  # it is used as the name of folders and of a Python package
             return self._fail([ValueError(f"{package!r} is no package name: use small letters, digits and _")])
         self._installed: list[str] = []
         self._copied: dict[str, Path] = {}
@@ -69,7 +69,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         return await self._compile(tools)
 
     async def _hand_to_cmake(self, error: NeedsCMake) -> int:
-        """Leave the package to CMake; without it that is an error, and nothing is left out in silence."""
+        """Build the package with CMake; if CMake is missing, fail instead of silently leaving files out."""
         try:
             tools = await prepared_toolchain()
         except NoToolchain:
@@ -79,7 +79,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         return await self._compile(tools)
 
     def _refusal(self) -> str:
-        """Why CMake cannot build here; empty when it can."""
+        """Return why CMake cannot build here; empty when it can."""
         args = self.context.args
         return cpp_refusal(*map(Path, (args.path, args.build_base, args.install_base)), ROOM, cache_folder())
 
@@ -120,7 +120,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
 
     def _fail(self, problems: list[Exception]) -> int:
         for problem in problems:
-            self.context.put_event_into_queue(StderrLine(f"{problem}\n".encode()))  # colcon wants bytes
+            self.context.put_event_into_queue(StderrLine(f"{problem}\n".encode()))  # colcon expects bytes
         return 1
 
     def _groups(self) -> list[str]:
@@ -131,7 +131,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         files = interface_rules.interface_files(reading)
         for path in files:
             target = f"share/{package}/{path.suffix[1:]}/{path.name}"
-            if is_translated(path):  # it goes with this interpreter
+            if is_translated(path):  # it is deleted with this interpreter
                 self._create(target, read_text(path))
             else:
                 self._copy(path, target)
@@ -154,11 +154,11 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         if not reading.targets:
             config = cmake_build.package_config(package, interface_rules.exported_dependencies(reading))
             self._create(f"share/{package}/cmake/{package}Config.cmake", config)
-        if reading.targets:  # so that `ros2 run` can say why an executable is missing
+        if reading.targets:  # for `ros2 run` to explain why an executable is missing
             self._create(f"{_INDEX}/coursekit_skipped/{package}", "".join(f"{t}\n" for t in reading.targets))
 
     def _note_copies(self, package: str) -> None:
-        """Where links were asked for and refused, the copies are renewed without a build."""
+        """Record copies made instead of refused links, to update them without a build."""
         prefix = Path(self.context.args.install_base)
         if stands_for_links():
             copies.note(prefix, package, self._copied)
@@ -203,7 +203,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
             print(f"Skipped C++ of {package}: {names} ({why}; the rest is installed{instead})", flush=True)
 
     def _forget_old(self) -> None:
-        """Remove what the last build installed and this one did not."""
+        """Remove files installed by the last build but not by this one."""
         manifest = Path(self.context.args.build_base) / "coursekit_install_manifest.txt"
         manifest.parent.mkdir(parents=True, exist_ok=True)
         old = read_text(manifest).splitlines() if manifest.is_file() else []

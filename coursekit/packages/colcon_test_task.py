@@ -1,4 +1,4 @@
-"""colcon's test step for CMake packages: by ctest where CMake has built them; else their tests in Python are run."""
+"""colcon's test step for CMake packages: with ctest if CMake has built them; otherwise only their Python tests are run."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ from coursekit.packages.prepare_cpp import prepared_toolchain
 
 
 class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
-    """Test a CMake package; a test that cannot be run here is named."""
+    """Test a CMake package; tests that cannot be run here are reported."""
 
     def __init__(self) -> None:
         super().__init__()
         satisfies_version(TaskExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
 
     async def test(self) -> int:
-        """Return 0, also when tests fail, which their results tell; another code when the package is not read or built."""
+        """Return 0, even when tests fail (their results show it); another code when the package cannot be read or built."""
         if (Path(self.context.args.build_base) / "CMakeCache.txt").is_file():
             try:
                 return await self._ctest(await prepared_toolchain())
@@ -51,7 +51,7 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
         return 0
 
     async def _ctest(self, tools: Toolchain) -> int:
-        """Build what CMake finds with BUILD_TESTING, and have ctest run it."""
+        """Build the package with BUILD_TESTING, and run ctest."""
         args = self.context.args
         build = Path(args.build_base)
         env = cmake_build.completed(await get_command_environment("build", str(build), self.context.dependencies), tools)
@@ -67,7 +67,7 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
         return int(await task.test() or 0)
 
     async def _build(self, command: list[str], env: dict[str, str]) -> int:
-        """Compile; where that fails, the compiler's words are told, with hints."""
+        """Compile; on failure, print the compiler's messages with hints."""
         listening = cmake_build.ErrorsAside(self.context)
         done = await run(listening, command, cwd=self.context.args.build_base, env=env)
         if done.returncode:
@@ -80,16 +80,16 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
         return int((await run(self.context, command, cwd=where, env=env)).returncode)
 
     async def _run(self, test: cmake_tests.TestCommand, env: dict[str, str]) -> int:
-        """Run a test as ctest would: it leaves a result in any case."""
+        """Run a test like ctest: it leaves a result in any case."""
         runner = [sys.executable, "-m", "coursekit.packages.run_test", str(test.results)]
         command = [*runner, "--package-name", test.results.parent.name, "--command", *test.command]
         return await self._done(command, env, test.folder)
 
     def _results(self) -> Path:
-        """The folder of the results of tests, in which every package has one; `--test-result-base` names it, too."""
+        """Return the folder of all packages' test results; `--test-result-base` may set it."""
         args = self.context.args
         if args.test_result_base:
-            return Path(args.test_result_base).parent  # colcon has put the package's name behind it
+            return Path(args.test_result_base).parent  # colcon has appended the package's name
         return Path(os.path.abspath(args.build_base)) / "test_results"
 
     def _tell_skipped(self, names: list[str]) -> None:

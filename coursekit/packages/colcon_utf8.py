@@ -1,4 +1,4 @@
-"""colcon in UTF-8: it writes paths into Python files, which no Python reads where the code page wrote them."""
+"""colcon in UTF-8: it writes paths into Python files, which Python cannot read if they are in the code page's encoding."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ from coursekit.systems.children import with_utf8
 
 
 class InUtf8(ArgumentParserDecoratorExtensionPoint):  # type: ignore[misc]
-    """On Windows colcon goes on as a colcon in Python's UTF-8 mode: a folder `José` would be no folder to setup.py."""
+    """On Windows, restarts colcon in Python's UTF-8 mode: otherwise setup.py could not find a folder `José`."""
 
-    PRIORITY = 200  # before the others have begun
+    PRIORITY = 200  # before all others
 
     def __init__(self) -> None:
         super().__init__()
         satisfies_version(ArgumentParserDecoratorExtensionPoint.EXTENSION_POINT_VERSION, "^1.0")
 
     def decorate_argument_parser(self, *, parser: Any) -> Any:
-        """Return the parser; where colcon has to begin again, end with that one's exit code."""
+        """Return the parser; if colcon has to restart, exit with the new process's exit code."""
         if which.WINDOWS and not sys.flags.utf8_mode:
             command = [sys.executable, "-X", "utf8", "-m", "colcon", *sys.argv[1:]]
             raise SystemExit(subprocess.call(command, env=with_utf8(os.environ)))

@@ -1,4 +1,4 @@
-"""Advice for the commonest mistakes in C++ and CMakeLists.txt: a sentence for each, behind the tools' own words."""
+"""Hints for the most common mistakes in C++ and CMakeLists.txt: one sentence each, after the tools' own messages."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _STANDARD = {
 }  # fmt: skip
 _Q = "['‘’`\"]"
 _BEFORE, _BEHIND = r"(?:[^'’(\n]* )?", r"(?=[<('’\s]|$)"
-"""A linker names a function with what it returns before it, and what it takes behind it."""
+"""A linker prints a function with its return type before the name, and its parameters after it."""
 Mending = Callable[[re.Match[str]], str]
 
 
@@ -56,12 +56,12 @@ _NAMES = "|".join(_STANDARD)
 
 
 def _undeclared(names: str) -> str:
-    """How g++ and clang say that a name is not declared."""
+    """Return the pattern of g++'s and clang's messages about undeclared names."""
     return rf"{_Q}(?P<name>{names}){_Q} was not declared|undeclared identifier '(?P<other>{names})'"
 
 
 def _name(found: re.Match[str]) -> str:
-    """The name that one of the compilers gives."""
+    """Return the name in either compiler's message."""
     groups = found.groupdict()
     return next(filter(None, map(groups.get, ("name", "other", "member"))))
 
@@ -115,13 +115,13 @@ _RULES: tuple[tuple[str, str | Mending], ...] = (
 
 
 def with_hints(lines: list[bytes]) -> list[bytes]:
-    """A compiler's lines, and behind them what to do about them."""
+    """Return a compiler's lines, followed by hints."""
     said = b"".join(lines).decode(errors="replace")
     return [*lines, *(f"hint: {one}\n".encode() for one in hints(said))]
 
 
 def hints(text: str) -> list[str]:
-    """Advice for an output of CMake or a compiler: at most three sentences, for the first mistakes.
+    """Return hints for the output of CMake or a compiler: at most three sentences, for the first mistakes.
 
     >>> hints("a.cpp:2:25: error: expected ‘;’ before ‘}’ token")
     ['a.cpp:2: a statement ends with ; and the one above this place has none.']
@@ -138,13 +138,13 @@ def _found(text: str) -> Iterator[tuple[int, str]]:
     for pattern, mending in _RULES:
         for match in re.finditer(pattern, text):
             line = text.count("\n", 0, match.start())
-            if line not in taken:  # the first rule that knows a line tells it
+            if line not in taken:  # the first matching rule wins
                 taken.add(line)
                 yield match.start(), mending if isinstance(mending, str) else mending(match)
 
 
 def _place(text: str, at: int) -> str:
-    """File and line of what was found, as far as its own or an earlier line tells."""
+    """Return file and line of a match, from its own or an earlier line."""
     lines = text[: text.find("\n", at) if "\n" in text[at:] else len(text)].splitlines()
     for line in reversed(lines[-6:]):
         place = re.match(r"(?:CMake Error at )?([^\s:]+):(\d+)", line)

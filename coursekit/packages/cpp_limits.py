@@ -1,4 +1,4 @@
-"""Whether C++ failed to build because coursekit lacks something that a robot has, and not by a mistake of its author."""
+"""Whether a C++ build failed because coursekit lacks something that a robot has, not because of an author's mistake."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ _NOT_YET = re.compile(
     r"|parameter_client|parameter_event_\w+|serialization|loaned_message|node_interfaces|executors|strategies|experimental|topic_\w+"
     r"|contexts|graph_listener|message_info|parameter_events_filter|subscription_\w+|waitable|type_support_decl))(/|\.hpp|\.h)"
 )
-"""Headers of Humble's that coursekit does not have."""
+"""Headers of Humble that coursekit does not have."""
 NO_EIGEN = "there is no Eigen for C++ here: `pip install cmeel-eigen` brings it"
 
 _OF_THE_SYSTEM = re.compile(r"([\w+-]+) is not\s+here:\s+(sudo\s+apt\s+install(?:(?: |\n {2})[\w+-]+)+)")
-"""What CMake files of ours say of a library that only the system can bring; CMake breaks their lines."""
+"""The message of our CMake files about a library that only the system can provide; CMake breaks its lines."""
 
 
 def reason(text: str, depends: Collection[str], stood_for: bool) -> str:
-    """Why the C++ of a package is skipped, from what CMake and the compiler said; '' where its author is to mend it.
+    """Return why a package's C++ is skipped, from the output of CMake and the compiler; '' if the mistake is the author's.
 
-    `depends` are the packages that its package.xml names; `stood_for` tells that coursekit has programs in its place.
+    `depends` are the dependencies in its package.xml; `stood_for` means that coursekit has programs that replace it.
 
     >>> reason("a.cpp:1:10: fatal error: tf2_bullet/tf2_bullet.hpp: No such file or directory", [], False)
     'tf2_bullet/tf2_bullet.hpp is not among what C++ has here'

@@ -1,4 +1,4 @@
-"""Makes a new package, as `ros2 pkg create` does."""
+"""Creates a new package, as `ros2 pkg create` does."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def add_create_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def create(args: argparse.Namespace) -> int:
-    """Make the package; print every step; return 0, or 1 after saying why it was not made."""
+    """Create the package and print every step; return 0, or 1 after printing why it was not created."""
     if args.license == "?":
         print("Supported licenses:\n" + "\n".join(licenses.NAMES))
         return 0
@@ -106,7 +106,7 @@ def _refusal(recipe: Recipe, destination: str) -> str | None:
         cure = "use small letters, digits and underscores, as in my_package"
         return f"Aborted! '{recipe.name}' is no package name: {cure}"
     for name in filter(None, (recipe.node_name, recipe.library_name, *recipe.dependencies)):
-        if not _PART.fullmatch(name):  # it is written into programs
+        if not _PART.fullmatch(name):  # it is written into source code
             cure = "use letters, digits, underscores and hyphens, as in my_node"
             return f"Aborted! {name!r} is no name of a node, a library or a package: {cure}"
     path = os.path.join(destination, recipe.name)
@@ -138,7 +138,7 @@ def _announce(recipe: Recipe, destination: str) -> None:
 
 
 class _Maker:
-    """Writes the files and says so."""
+    """Writes the files and prints their names."""
 
     def __init__(self, recipe: Recipe, destination: str) -> None:
         self.recipe = recipe

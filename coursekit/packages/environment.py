@@ -12,7 +12,7 @@ from coursekit.processes.process import DISTRIBUTION
 
 
 def source_underlay(environ: MutableMapping[str, str]) -> None:
-    """Set ROS_DISTRO and its like, and put the underlay and our commands on their paths."""
+    """Set ROS_DISTRO and similar variables, and add the underlay and our commands to their paths."""
     for name, value in DISTRIBUTION.items():
         environ.setdefault(name, value)
     with_underlay(environ)

@@ -1,4 +1,4 @@
-"""Names of folders that a workspace cannot have."""
+"""Folder names that a workspace cannot have."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _SHOWN = {"\n": "a line break", "\r": "a line break"}
 
 
 def refusal(folder: Path) -> str:
-    """Why no workspace can be in a folder, and what to do; '' where it can.
+    """Return why a folder cannot contain a workspace, with the remedy; '' if it can.
 
     >>> refusal(Path("/home/ada/ros2:ws"))
     "No workspace can be in '/home/ada/ros2:ws': ':' separates folders in PATH, ... Rename the folder without it."
@@ -31,7 +31,7 @@ def refusal(folder: Path) -> str:
 
 
 def cpp_refusal(*folders: Path) -> str:
-    """Why no C++ can be compiled in one of these folders, and what to do; '' where it can.
+    """Return why no C++ can be compiled in one of these folders, with the remedy; '' if it can.
 
     >>> print(cpp_refusal(Path("/home/ada/src"), Path('/home/ada/my "build"')))
     no C++ can be compiled in '/home/ada/my "build"': CMake does not read '"' in the name of a folder, so rename it

@@ -1,8 +1,8 @@
-"""The program that rosidl_generate_interfaces() in a CMakeLists.txt runs.
+"""The program run by rosidl_generate_interfaces() in a CMakeLists.txt.
 
 `python -m coursekit.packages.generate_interfaces PACKAGE FOLDER --dependencies ... --files ...` writes FOLDER/include (the
-C++ headers), FOLDER/python (the Python package), FOLDER/share (what was written in IDL, as .msg, .srv and .action) and
-FOLDER/index (the ament index); where ROS would refuse, it says why.
+C++ headers), FOLDER/python (the Python package), FOLDER/share (IDL files translated to .msg, .srv and .action) and
+FOLDER/index (the ament index). Where ROS would fail, it prints the reason.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from coursekit.packages import interface_rules
 
 
 def main(words: list[str]) -> int:
-    """Carry out a command line; its exit code."""
+    """Run a command line; return the exit code."""
     args = _parsed(words)
     prefixes = [Path(one) for one in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
     try:
@@ -45,7 +45,7 @@ def _parsed(words: list[str]) -> argparse.Namespace:
 
 
 def generate(package: str, folder: Path, files: list[Path]) -> None:
-    """Write the headers, the Python package and the entry of the index for a package's definition files."""
+    """Write the headers, the Python package and the index entry for a package's definition files."""
     for name, text in interface_rules.cpp_files(package, files).items():
         _write(folder / "include" / name, text)
     made = {**interface_rules.python_files(package, files), **package_stubs(package, files)}

@@ -10,7 +10,7 @@ from coursekit.processes.session import Session
 
 
 def main(words: list[str]) -> int:
-    """Run it to its end; its exit code."""
+    """Run it to its end; return its exit code."""
     program = Path(words[0])
     with (session := Session(virtual=False)).use():
         process = session.launch(make_process(session, program, words[1:], name=program.name))

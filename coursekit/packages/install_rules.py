@@ -1,4 +1,4 @@
-"""install(...) and its relatives: which files go where."""
+"""install(...) and related commands: which files are installed where."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Copy:
 
 
 def copies(reading: Reading, package: str, site_packages: str) -> Iterator[Copy]:
-    """Yield every file the package installs; raises CMakeError for files that are not there."""
+    """Yield every file that the package installs; raises CMakeError for missing files."""
     for call in reading.calls:
         if call.command.name == "install":
             yield from _install(call)

@@ -1,4 +1,4 @@
-"""rosidl_generate_interfaces(...): definition files, checked, and the Python package that stands for them."""
+"""rosidl_generate_interfaces(...): its definition files, checked, and the Python package for them."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ __getattr__, __dir__, __all__ = expose(__name__, __file__)
 
 
 def interface_files(reading: Reading) -> list[Path]:
-    """Return the definition files a package generates from; raises CMakeError for missing ones."""
+    """Return the definition files of a package's interfaces; raises CMakeError for missing ones."""
     files = []
     for call in _calls(reading):
         if not _listed(call):
@@ -47,7 +47,7 @@ def interface_files(reading: Reading) -> list[Path]:
 
 
 def _definition(call: Call, name: str) -> Path:
-    """The file of a path, which is relative, or a folder's absolute path, a colon and a path in that folder."""
+    """Return the file of a path: relative, or an absolute folder, a colon and a path in that folder."""
     base, _, inner = name.rpartition(":")
     is_tuple = os.path.isabs(base)
     if os.path.isabs(name) and not is_tuple:
@@ -72,12 +72,12 @@ def _listed(call: Call) -> list[str]:
 
 
 def dependencies(reading: Reading) -> list[str]:
-    """The packages that a package's interfaces depend on."""
+    """Return the packages on which a package's interfaces depend."""
     return [name for call in _calls(reading) for name in _dependencies(call)]
 
 
 def exported_dependencies(reading: Reading) -> list[str]:
-    """The packages that others find with this one."""
+    """Return the packages that find_package() finds along with this one."""
     exports = [call for call in reading.calls if call.command.name == "ament_export_dependencies"]
     return list(dict.fromkeys([*dependencies(reading), *(word for call in exports for word in call.words)]))
 
@@ -91,7 +91,7 @@ def _dependencies(call: Call) -> list[str]:
 
 
 def check(package: str, reading: Reading, groups: Iterable[str], prefixes: Iterable[Path]) -> list[Exception]:
-    """Return all that would keep real ROS from generating these interfaces."""
+    """Return all reasons why real ROS would not generate these interfaces."""
     calls = _calls(reading)
     if not calls:
         return []
@@ -102,7 +102,7 @@ def check(package: str, reading: Reading, groups: Iterable[str], prefixes: Itera
 def field_problems(
     package: str, files: Iterable[Path], dependencies: Iterable[str], prefixes: Iterable[Path]
 ) -> list[Exception]:
-    """The faults in a package's definition files, given the packages that it names as dependencies."""
+    """Return the errors in a package's definition files, given its declared dependencies."""
     files, named, places = list(files), set(dependencies), [*prefixes, UNDERLAY]
     own = {f"{package}/msg/{path.stem}" for path in files if path.suffix == ".msg"}
     problems: list[Exception] = []
@@ -125,9 +125,9 @@ def _package_problems(reading: Reading, call: Call, groups: Iterable[str]) -> li
 
 
 def _not_found(reading: Reading, prefixes: Iterable[Path]) -> list[Exception]:
-    """Dependencies that no find_package() has found, by itself or with another package."""
+    """Return dependencies that no find_package() has found, directly or through another package."""
     if any(call.command.name == "ament_auto_find_build_dependencies" for call in reading.calls):
-        return []  # all that package.xml names
+        return []  # it finds all dependencies in package.xml
     found, places = set(reading.found), [*prefixes, UNDERLAY]
     waiting = list(found)
     while waiting:
@@ -171,7 +171,7 @@ def _unknown(base: str, message: Message, own: set[str], named: set[str], prefix
 
 
 def python_files(package: str, files: Iterable[Path]) -> dict[str, str]:
-    """Return the files of the Python package, relative to site-packages, with their text."""
+    """Return the files of the Python package with their text, by path relative to site-packages."""
     kinds = {path.suffix[1:] for path in files}
     made = {f"{package}/__init__.py": _docstring(f"Interfaces of {package}.") + "\n", f"{package}/py.typed": ""}
     for kind, what in (("msg", "Messages"), ("srv", "Services"), ("action", "Actions")):
@@ -182,7 +182,7 @@ def python_files(package: str, files: Iterable[Path]) -> dict[str, str]:
 
 
 def cpp_files(package: str, files: Iterable[Path]) -> dict[str, str]:
-    """Return the C++ headers of the definition files, relative to the folder that is searched for them, with their text."""
+    """Return the C++ headers of the definition files with their text, by path relative to the include folder."""
     made: dict[str, str] = {}
     for path in files:
         kind = path.suffix[1:]
@@ -192,6 +192,6 @@ def cpp_files(package: str, files: Iterable[Path]) -> dict[str, str]:
 
 
 def _docstring(text: str) -> str:
-    """The source of a docstring; a name in it may hold quotes and backslashes."""
+    """Return the source of a docstring; a name in it may contain quotes and backslashes."""
     plain = not {'"', "\\"} & set(text) and text.isprintable()
     return f'"""{text}"""' if plain else repr(text)

@@ -1,4 +1,4 @@
-"""The scripts `local_setup.*` of a package: they bring that package alone, as ament's do."""
+"""The scripts `local_setup.*` of a package: they set up that package alone, as ament's do."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ _BY_PLACE = {
     "bat": '@call "%~dp0package.bat"\n',
     "dsv": "source;share/{package}/package.dsv\n",
 }
-"""What each says: a shell that knows where its script lies finds the other there."""
+"""The content of each script: a shell that knows its script's path finds the other one relative to it."""
 
 
 def local_setup_files(prefix: Path, package: str) -> dict[str, str]:
-    """The scripts for the shells for which colcon has made one, by their paths below the prefix, with their text.
+    """Return the scripts with their text, by path below the prefix, for the shells for which colcon created one.
 
     >>> local_setup_files(Path("nowhere"), "k_map")
     {}
@@ -27,7 +27,7 @@ def local_setup_files(prefix: Path, package: str) -> dict[str, str]:
 
 
 def _text(kind: str, prefix: Path, package: str) -> str:
-    if kind == "sh":  # it cannot tell where it lies
+    if kind == "sh":  # it cannot find its own path
         path = prefix / "share" / package / "package.sh"
         return f". {shlex.quote(str(path))}\n"  # noqa: TID251 - a POSIX shell reads it
     return _BY_PLACE.get(kind, "").replace("{package}", package)

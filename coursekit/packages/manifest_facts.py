@@ -1,4 +1,4 @@
-"""`python -m coursekit.packages.manifest_facts package.xml`: what a manifest says, as CMake's variables."""
+"""`python -m coursekit.packages.manifest_facts package.xml`: the contents of a manifest as CMake variables."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _DEPENDENCIES = {
 
 
 def facts(package: Any) -> Iterator[str]:
-    """The lines of CMake for a package that catkin_pkg has read."""
+    """Yield the CMake lines for a package parsed by catkin_pkg."""
     yield _set("_AMENT_PACKAGE_NAME", [package.name])
     yield _set(f"{package.name}_VERSION", [package.version])
     yield _set(f"{package.name}_MAINTAINER", [", ".join(map(str, package.maintainers))])
@@ -42,7 +42,7 @@ def _set(variable: str, values: Iterable[str]) -> str:
 
 
 def main(words: list[str]) -> int:
-    """Print the facts of a manifest; 1, and why, where it is none."""
+    """Print the facts of a manifest; for an invalid one, print the reason and return 1."""
     try:
         package = parse_package(Path(words[0]))
     except (InvalidPackage, OSError) as error:

@@ -1,6 +1,6 @@
-"""Has setuptools install every module again: it compares times in whole seconds.
+"""Makes setuptools install every module again, since it compares times in whole seconds.
 
-A cell that changes a file may run in the same second as the one before it; bytecode is known by the second, and by the size.
+A cell that changes a file may run in the same second as the one before; bytecode is identified by second and size.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from coursekit.files import read_text
 
 
 def outdate(build: Path, install: Path) -> None:
-    """Make what the last build of a package installed look old, and take its bytecode away.
+    """Make the files installed by the last build of a package look old, and remove their bytecode.
 
     Args:
-        build: the package's folder below build/; setuptools has written there what it installed.
-        install: the package's folder below install/; what lies elsewhere stays as it is.
+        build: the package's folder below build/, with setuptools' list of installed files.
+        install: the package's folder below install/; files elsewhere are not changed.
     """
     try:
         installed = read_text(build / "install.log").splitlines()

@@ -10,9 +10,9 @@ from coursekit.files import read_text
 
 
 def overlay_environment(install: Path, env: Mapping[str, str]) -> dict[str, str]:
-    """`env` as it is after `source INSTALL/setup.bash`.
+    """Return `env` as it would be after `source INSTALL/setup.bash`.
 
-    Packages come in the order of their dependencies, so that one that is built on another is found first.
+    Packages come in the order of their dependencies, so that dependent packages are found first.
     """
     result = dict(env)
     for package, prefix in _packages_in_order(install):

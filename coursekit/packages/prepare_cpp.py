@@ -1,4 +1,4 @@
-"""Makes the tools for C++ ready, once: the first build that needs them waits for the runtime and says so."""
+"""Prepares the C++ tools, once: the first build that needs them waits for the runtime and prints a message."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ _FAILED = "C++ could not be prepared, for the reason above"
 
 
 async def prepared_toolchain() -> Toolchain:
-    """The tools with their runtime made; NoToolchain where there are none, or where they cannot make it."""
-    if "COURSEKIT_GRADING" in os.environ:  # no point is for C++, and half a minute of a copy's time is much
+    """Return the tools with their runtime built; NoToolchain if there are none, or if the runtime cannot be built."""
+    if "COURSEKIT_GRADING" in os.environ:  # no points are given for C++, and it would take half a minute of a copy's time
         raise NoToolchain("C++ is not compiled while a copy is marked")
     tools = find_toolchain()
     async with _locks.setdefault(asyncio.get_running_loop(), asyncio.Lock()):
-        if runtime_folder(tools) in _failed:  # another package has said so
+        if runtime_folder(tools) in _failed:  # another package has reported it
             raise NoToolchain(_FAILED)
         if not runtime_folder(tools).is_dir():
             await _prepare(tools)

@@ -96,6 +96,6 @@ def setup_py(recipe: Recipe) -> str:
 
 
 def setup_cfg(recipe: Recipe) -> str:
-    """Return the text of setup.cfg: executables go where `ros2 run` looks for them."""
+    """Return the text of setup.cfg: executables go where `ros2 run` finds them."""
     where = f"$base/lib/{recipe.name}"
     return f"[develop]\nscript_dir={where}\n[install]\ninstall_scripts={where}\n"

@@ -1,4 +1,4 @@
-"""A new package: the answers to all questions of `ros2 pkg create`."""
+"""A new package: the settings of `ros2 pkg create`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _SCHEMA = "http://download.ros.org/schema/package_format{}.xsd"
 
 @dataclass(frozen=True)
 class Recipe:
-    """Name, people, build type and parts of a new package."""
+    """Name, maintainer, build type and contents of a new package."""
 
     name: str
     description: str
@@ -29,13 +29,13 @@ class Recipe:
         return f"{self.maintainer_name} <{self.maintainer_email}>"
 
     def buildtools(self) -> list[str]:
-        """Return the build tools the package depends on."""
+        """Return the build tools on which the package depends."""
         if self.build_type != "ament_cmake":
             return []
         return ["ament_cmake_ros"] if self.library_name else ["ament_cmake"]
 
     def test_dependencies(self) -> list[str]:
-        """Return what the package's tests depend on."""
+        """Return the test dependencies of the package."""
         if self.build_type == "ament_cmake":
             return ["ament_lint_auto", "ament_lint_common"]
         if self.build_type == "ament_python":

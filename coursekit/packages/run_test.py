@@ -16,11 +16,11 @@ from xml.sax.saxutils import quoteattr
 from coursekit.files import read_text
 
 _LIBRARIES = {"win32": "PATH", "darwin": "DYLD_LIBRARY_PATH"}
-"""The variable of the paths of libraries, elsewhere LD_LIBRARY_PATH."""
+"""The environment variable with library paths; elsewhere LD_LIBRARY_PATH."""
 
 
 def main(words: list[str]) -> int:
-    """Run the test; 0 when its results hold no failure, else the command's code, or 1."""
+    """Run the test; return 0 if its results contain no failure, else the command's exit code, or 1."""
     args = _parser().parse_args(words)
     args.result.parent.mkdir(parents=True, exist_ok=True)
     if args.skip_test:
@@ -58,7 +58,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _run(args: argparse.Namespace) -> tuple[int, str]:
-    """The command's code and what it printed, which is passed on as it comes."""
+    """Return the command's exit code and its output, which is also printed as it arrives."""
     print(f"-- run_test: {' '.join(args.command)}", flush=True)
     try:
         started = subprocess.Popen(
@@ -90,7 +90,7 @@ def _environment(args: argparse.Namespace) -> dict[str, str]:
 
 
 def _same(path: Path, before: os.stat_result) -> bool:
-    """Whether nobody has written the file since, which may be gone, too."""
+    """Whether the file has not been written since; it may also be gone."""
     if not path.is_file():
         return True
     after = path.stat()
@@ -98,7 +98,7 @@ def _same(path: Path, before: os.stat_result) -> bool:
 
 
 def _name_package(args: argparse.Namespace) -> None:
-    """Put the package's name before the classes of results that lack it, as gtest's do."""
+    """Put the package's name before the class names in results without it, such as gtest's."""
     if not (package := args.package_name):
         return
     text = read_text(args.result, errors="replace")
@@ -111,7 +111,7 @@ def _problem(kind: str, text: str) -> str:
 
 
 def _write(args: argparse.Namespace, inner: str, *, failures: int = 0, errors: int = 0, skipped: int = 0) -> None:
-    """A result with one test in it, as JUnit's XML."""
+    """Write a result with a single test as JUnit XML."""
     package, name = quoteattr(args.package_name), quoteattr(f"{args.result.stem}.missing_result")
     counts = f'tests="1" failures="{failures}" errors="{errors}" skipped="{skipped}" time="0.0"'
     args.result.write_text(

@@ -1,7 +1,7 @@
-"""Setup scripts that colcon writes, made right for folders of any name: a shell runs no part of a name.
+"""Corrects colcon's setup scripts for folders with any name: a shell executes no part of a name.
 
-colcon fills its templates by `expand_template`. In this process that is ours, so nothing it writes for a shell is read
-before it is quoted, also not what runs during a build.
+colcon fills its templates with `expand_template`. In this process that function is replaced by ours, so everything written
+for a shell is quoted before it is read, including scripts that run during a build.
 """
 
 from __future__ import annotations
@@ -44,7 +44,7 @@ _PATH_ALONE = re.compile(
 _COMMAND = re.compile(r'^(\s*|.*"\$\()(\$_colcon_python_executable) ', re.M)
 _EXPORT = r"eval export $_listname=\"$_all_values\""
 _SAFE_EXPORT = r'eval "export $_listname=\"\$_all_values\""'
-"""`eval` sees the name of the variable instead of its value, which would be read as a program."""
+"""`eval` gets the name of the variable instead of its value, which would be executed."""
 
 _PRINTED = re.compile(r"^(FORMAT_STR_(?:SET_ENV_VAR|INVOKE_SCRIPT) = )('.*')", re.M)
 _FIRST_FORMAT = "FORMAT_STR_COMMENT_LINE = "
@@ -67,36 +67,36 @@ _QUOTING = '''class Quoting(str):
 _LETTERS_OF_POWERSHELL = """''.join(
             chr(one) if one < 128 else '$([char]0x%04X)' % one for one in memoryview(quoted.encode('utf-16-le')).cast('H')
         )"""
-"""Letters by their numbers: PowerShell reads what Python prints in the console's code page, which may have other letters."""
+"""Characters by their codes: PowerShell decodes Python's output with the console's code page, which may lack them."""
 
 
 class QuotingShell(ShellExtensionPoint):  # type: ignore[misc]
-    """No shell: it sees to it that those that write scripts quote what they would leave bare."""
+    """Not a shell: it makes the other shell extensions quote what they would leave unquoted."""
 
-    PRIORITY = 10  # below the default: it is asked for no scripts that others need
+    PRIORITY = 10  # below the default: others do not need its scripts
 
     def __init__(self) -> None:
         super().__init__()
         satisfies_version(ShellExtensionPoint.EXTENSION_POINT_VERSION, "^2.2")
         for name in _WRITERS:
-            with contextlib.suppress(ModuleNotFoundError):  # PowerShell's is there on Windows only
+            with contextlib.suppress(ModuleNotFoundError):  # PowerShell's exists on Windows only
                 importlib.import_module(name).expand_template = expand_quoted  # type: ignore[attr-defined]
         if which.WINDOWS:
-            subprocess.escape_shell_argument = word_for_cmd  # colcon's doubles a single quotation mark as a shell's
+            subprocess.escape_shell_argument = word_for_cmd  # colcon's function doubles single quotes as for a Unix shell
 
     def create_prefix_script(self, prefix_path: Path, merge_install: bool) -> list[Path]:
-        """Write none."""
+        """Write nothing."""
         return []
 
     def create_package_script(self, prefix_path: Path, pkg_name: str, hooks: Any) -> list[Path]:
-        """Write none."""
+        """Write nothing."""
         return []
 
 
 def expand_quoted(template_path: Path, destination_path: Path, data: dict[str, Any]) -> None:
-    """Do what colcon's `expand_template` does, and quote what is written for a shell.
+    """Call colcon's `expand_template`, and quote the result if it is for a shell.
 
-    RuntimeError, which colcon tells in one sentence, for a folder that no setup script can name.
+    Raises RuntimeError, which colcon reports in one sentence, for a folder that no setup script can name.
     """
     why = refusal(destination_path.parent)
     if why:
@@ -108,7 +108,7 @@ def expand_quoted(template_path: Path, destination_path: Path, data: dict[str, A
 
 
 def quoted(script: str) -> str:
-    """A script in which every path is between single quotation marks, and `eval` is given no values.
+    """Quote every path in a script with single quotes, and pass no values to `eval`.
 
     >>> print(quoted("_colcon_prefix=/home/José Luis/ws\\n$_colcon_python_executable \\"$x\\""))
     _colcon_prefix='/home/José Luis/ws'
@@ -119,14 +119,14 @@ def quoted(script: str) -> str:
 
 
 def _quoted_utility(program: str, use: str = "$", escape: str = r"\\", signs: str = r'\\"$`', spelt: str = "quoted") -> str:
-    """The program whose output setup scripts run by `eval`: what it prints of paths is quoted."""
+    """Quote the paths that this program prints, because setup scripts execute its output with `eval`."""
     quoting = _QUOTING.replace("USE", use).replace("ESCAPE", escape).replace("SIGNS", signs).replace("SPELT", spelt)
     program = program.replace(_FIRST_FORMAT, quoting + _FIRST_FORMAT, 1)
     return _PRINTED.sub(r"\1Quoting(\2)", program)
 
 
 def _quoted_utility_of_powershell(program: str) -> str:
-    """Likewise: `Invoke-Expression` runs what it prints, where a backquote makes the next sign one of the text."""
+    """Likewise: `Invoke-Expression` executes its output, in which a backquote escapes the next character."""
     return _quoted_utility(program, "$env:", "`", '`$"', _LETTERS_OF_POWERSHELL)
 
 
@@ -137,4 +137,4 @@ _CHANGES: dict[str, Callable[[str], str]] = {
     _UTILITY: _quoted_utility,
     _UTILITY_OF_POWERSHELL: _quoted_utility_of_powershell,
 }
-"""The repair of each file, by its name or its ending."""
+"""The correction of each file, by its name or its suffix."""

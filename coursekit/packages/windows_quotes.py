@@ -1,11 +1,11 @@
-"""Setup scripts for Windows' shells, made right for folders of any name: PowerShell runs no part of one."""
+"""Corrects setup scripts of Windows' shells for folders with any name: PowerShell executes no part of one."""
 
 from __future__ import annotations
 
 import re
 
 QUOTES = "'\u2018\u2019\u201a\u201b"
-"""The marks that end a word between single quotation marks in PowerShell: curly marks count as straight ones."""
+"""The characters that end a single-quoted string in PowerShell: curly quotes count as straight ones."""
 _ABSOLUTE = r"(?:[A-Za-z]:|\\\\|/).*"
 _ALONE = re.compile(
     r"""^(\s*(?:\$_colcon_python_executable=|\.\ |_colcon_prefix_chain_powershell_source_script\ ))"""
@@ -23,7 +23,7 @@ _CMD_PYTHON = re.compile(rf'^(\s*set "_colcon_python_executable=)({_ABSOLUTE})"$
 
 
 def word_for_cmd(word: str) -> str:
-    r"""A word of a command line of cmd, which knows no quotation marks but double ones, and no command of its own in them.
+    r"""Quote an argument for cmd, which knows only double quotes; its own commands and operators stay unquoted.
 
     >>> print(word_for_cmd(r"C:\Users\Tim O'Neil\setup.bat"), word_for_cmd("&&"), word_for_cmd("set"))
     "C:\Users\Tim O'Neil\setup.bat" && set
@@ -32,7 +32,7 @@ def word_for_cmd(word: str) -> str:
 
 
 def powershell_quote(text: str) -> str:
-    """A word in which PowerShell replaces nothing.
+    """Quote a word so that PowerShell expands nothing in it.
 
     >>> print(powershell_quote("C:/Tim's $(calc)"))
     'C:/Tim''s $(calc)'
@@ -41,7 +41,7 @@ def powershell_quote(text: str) -> str:
 
 
 def quoted_for_powershell(script: str) -> str:
-    r"""A script of colcon's in which every path stands for itself, and a folder elsewhere is not sought below the prefix.
+    r"""Quote every path in a script of colcon's, and do not look for absolute folders below the prefix.
 
     >>> print(quoted_for_powershell('. "C:\\$(calc)\\package.ps1"'))
     . 'C:\$(calc)\package.ps1'
@@ -52,9 +52,9 @@ def quoted_for_powershell(script: str) -> str:
 
 
 def quoted_for_cmd(script: str) -> str:
-    r"""A batch file of colcon's in which a percent sign or a caret of a path is one.
+    r"""Escape percent signs and carets in the paths of a batch file of colcon's.
 
-    `call` reads its line twice, so it is given the name of a variable instead of the path.
+    `call` parses its line twice, so it gets the name of a variable instead of the path.
 
     >>> print(quoted_for_cmd('call:colcon_prepend_unique_value PYTHONPATH "C:\\100%d"'))
     set "_colcon_path=C:\100%%d"
@@ -66,12 +66,12 @@ def quoted_for_cmd(script: str) -> str:
 
 
 def as_bytes(script: str, ending: str) -> bytes:
-    """A script as its shell reads it: cmd wants Windows' line ends and its code page, PowerShell a mark of UTF-8."""
+    """Encode a script for its shell: cmd needs Windows line ends and its code page, PowerShell a UTF-8 byte order mark."""
     if ending == ".bat":
         lines = script.replace("\n", "\r\n")
         try:
             return lines.encode("oem")
-        except (LookupError, UnicodeEncodeError):  # not on Windows, or a letter that no page of this computer has
+        except (LookupError, UnicodeEncodeError):  # not on Windows, or a character that is not in this computer's code page
             return lines.encode()
     return script.encode("utf-8-sig" if ending == ".ps1" and not script.isascii() else "utf-8")
 

@@ -1,6 +1,6 @@
-"""`atexit` of each process: what a program registers runs when it ends, not when the interpreter does.
+"""`atexit` per process: functions registered by a program run when it ends, not when the interpreter does.
 
-What libraries register (weakref's finalizers, say) concerns the interpreter, whichever process happened to load them.
+Functions registered by libraries (such as weakref's finalizers) belong to the interpreter, whichever process loaded them.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ _OF_ALL = tuple(f"{Path(folder).resolve()}{os.sep}" for folder in (*_LIBRARIES, 
 
 
 def _is_program(globals_of_caller: dict[str, Any]) -> bool:
-    """Whether code is a program's own: neither Python's, nor a library's, nor ours."""
+    """Whether code belongs to a program: neither to Python, nor to a library, nor to coursekit."""
     file = globals_of_caller.get("__file__")
     return file is None or not str(Path(file).resolve()).startswith(_OF_ALL)
 
 
 def register(func: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Callable[..., Any]:
-    """`atexit.register`, of the process whose program asks."""
+    """`atexit.register` for the process of the calling program."""
     process = current_process()
     if process is None or not _is_program(sys._getframe(1).f_globals):
         return _register(func, *args, **kwargs)
@@ -37,7 +37,7 @@ def register(func: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Callable
 
 
 def unregister(func: Callable[..., Any], /) -> None:
-    """`atexit.unregister`, of the process that asks and of the interpreter."""
+    """`atexit.unregister` for the calling process and for the interpreter."""
     process = current_process()
     _unregister(func)
     if process is not None:

@@ -1,4 +1,4 @@
-"""The common parts of every process of a session, in this interpreter or a child of the system."""
+"""The common parts of all processes of a session, whether in this interpreter or as system processes."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ class BaseProcess(ABC):
         self.parent = parent
         self.exit_code: int | None = None
         self.abandoned = False
-        """Whether it could not be ended, and was cut off."""
+        """Whether it could not be ended, and was detached."""
         self.out = Output()
         self.tty = False
-        """Whether its streams say that they are a terminal's."""
+        """Whether its streams claim to be a terminal."""
         self._ended = session.clock.new_event()
         self._exit_listeners: list[Callable[[Any], None]] = []
 
-    # -- what others see
+    # -- inspection
 
     @property
     def state(self) -> str:
@@ -44,22 +44,22 @@ class BaseProcess(ABC):
 
     @property
     def output(self) -> str:
-        """Its output to stdout and stderr, in order."""
+        """Its output on stdout and stderr, in order."""
         return self.out.text()
 
     def on_output(self, callback: Callable[[str, str], None]) -> None:
-        """Call `callback(stream, text)` for all that it writes from now on."""
+        """Call `callback(stream, text)` for all output from now on."""
         self.out.listeners.append(callback)
 
     def on_exit(self, callback: Callable[[Any], None]) -> None:
-        """Call `callback(process)` when it has ended, at once if it has already."""
+        """Call `callback(process)` when it has ended, or at once if it has already."""
         if self.exit_code is not None:
             callback(self)
         else:
             self._exit_listeners.append(callback)
 
     def wait(self, timeout_sec: float | None = None) -> int | None:
-        """Wait for its end, at most `timeout_sec` seconds; the exit code, None if it still runs."""
+        """Wait for its end, at most `timeout_sec` seconds; return the exit code, or None if it is still running."""
         self._ended.wait(timeout_sec)
         return self.exit_code
 
@@ -67,7 +67,7 @@ class BaseProcess(ABC):
         ended = "" if self.exit_code is None else f" {self.exit_code}"
         return f"<Process {self.pid} {self.name!r} {self.state}{ended}>"
 
-    # -- what others do to it
+    # -- control
 
     @abstractmethod
     def begin(self) -> None:
@@ -75,18 +75,18 @@ class BaseProcess(ABC):
 
     @abstractmethod
     def write_stdin(self, text: str) -> None:
-        """Type `text` into its standard input."""
+        """Write `text` to its standard input."""
 
     @abstractmethod
     def close_stdin(self) -> None:
-        """End its standard input, as Ctrl-D does."""
+        """Close its standard input, as Ctrl-D does."""
 
     @abstractmethod
     def send_signal(self, signum: int) -> None:
         """Deliver a signal to it."""
 
     def interrupt(self) -> None:
-        """Press Ctrl-C."""
+        """Send Ctrl-C (SIGINT)."""
         self.send_signal(signal.SIGINT)
 
     def terminate(self) -> None:
@@ -94,13 +94,13 @@ class BaseProcess(ABC):
         self.send_signal(signal.SIGTERM)
 
     def kill(self) -> None:
-        """End it whatever it does; if it cannot be ended, it is cut off and `abandoned` is set."""
+        """End it unconditionally; if it cannot be ended, it is detached and `abandoned` is set."""
         self.send_signal(9)
 
     # -- its end
 
     def _tell_of_end(self) -> None:
-        """Leave the session and call those who asked; `exit_code` is set."""
+        """Leave the session and call the listeners; `exit_code` is set."""
         self.session.forget(self)
         for listener in self._exit_listeners:
             listener(self)

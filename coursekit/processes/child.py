@@ -1,4 +1,4 @@
-"""Programs of the system that run as children, behind the interface of a process of the session."""
+"""System programs that run as child processes, with the interface of a session's process."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ if TYPE_CHECKING:
 
 
 class ChildProcess(BaseProcess):
-    """A real child process behind the interface of a process.
+    """A child process with the interface of a session's process.
 
-    On the virtual clock time passes as on the wall while it lives, or, where `takes_time` is False, not at all. With
-    `one_stream` its errors come among its other output in the order in which it wrote them, as in a terminal. With
+    On the virtual clock time passes as on the wall while it runs, or not at all if `takes_time` is False. With
+    `one_stream` its stderr is merged into its stdout in the order in which it was written, as in a terminal. With
     `tty` set before it begins, it writes to terminals.
     """
 
@@ -47,7 +47,7 @@ class ChildProcess(BaseProcess):
         self._child: subprocess.Popen[str] | None = None
 
     def begin(self) -> None:
-        """Start it, and threads that read what it writes."""
+        """Start it, with threads that read its output."""
         terminals = [open_terminal() if self.tty else None for _ in ("stdout", "stderr")]
         ends = [one[1] if one else subprocess.PIPE for one in terminals]
         try:
@@ -98,26 +98,26 @@ class ChildProcess(BaseProcess):
         self.exit_code = code
         self._tell_of_end()
         self._ended.set()
-        self._count_child(-1)  # last: from here on virtual time may run, and whoever waits has been woken
+        self._count_child(-1)  # last: from here on virtual time may run, and all waiters have been woken
 
     def write_stdin(self, text: str) -> None:
-        """Type `text` into its standard input."""
+        """Write `text` to its standard input."""
         if self._child is not None and self._child.stdin is not None:
             self._child.stdin.write(text)
             self._child.stdin.flush()
 
     def close_stdin(self) -> None:
-        """End its standard input."""
+        """Close its standard input."""
         if self._child is not None and self._child.stdin is not None:
             self._child.stdin.close()
 
     def send_signal(self, signum: int) -> None:
         """Deliver a signal to it."""
         if self._child is not None and self.exit_code is None:
-            children.send_signal(self._child, signum)  # to what it started too, as a terminal's Ctrl-C goes
+            children.send_signal(self._child, signum)  # also to its children, like Ctrl-C in a terminal
 
     def command_line(self) -> str:
-        """The command line as one would type it."""
+        """Return the command line as typed in a shell."""
         return join_words(self.argv)
 
 

@@ -1,4 +1,4 @@
-"""Python's `time` in a process: the time of its session's clock."""
+"""Python's `time` in a process, on the session's clock."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .current_process import current_process
 CLOCKS = ("time", "monotonic", "perf_counter", "time_ns", "monotonic_ns", "perf_counter_ns")
 _real_clocks = {name: getattr(time, name) for name in CLOCKS}
 _COMPILER = "numba"
-"""It reads the time to measure itself, thousands of times for each function: no loop that waits."""
+"""It measures itself with thousands of clock readings per function, which must not count as polling."""
 
 
 def _reader(name: str) -> Callable[[], Any]:
@@ -38,5 +38,5 @@ monotonic = _readers["monotonic"]
 
 
 def clock_reader(name: str) -> Callable[[Any], Any]:
-    """The function in place of `time.NAME`, for the session's clock."""
+    """Return the replacement of `time.NAME`, which reads the session's clock."""
     return lambda _real: _readers[name]

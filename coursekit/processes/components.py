@@ -1,4 +1,4 @@
-"""Components: which Python executable stands for a C++ class that a container would load."""
+"""Components: finds the Python executable that replaces a C++ class in a container."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ _FIRST_NODE = "what the first node is given"
 
 
 class ComponentNotFound(LookupError):
-    """No executable stands for a component; begins as Humble's text does and says what there is."""
+    """There is no executable for a component; the message begins as Humble's does and lists the available ones."""
 
 
 def registered() -> dict[str, dict[str, Path]]:
-    """By package, the executables of the components that packages list in the ament index, by their class."""
+    """Return the executables of components registered in the ament index, by package and class."""
     found: dict[str, dict[str, Path]] = {}
     for prefix in prefixes():
         folder = prefix / "share" / "ament_index" / "resource_index" / "rclcpp_components"
@@ -38,7 +38,7 @@ def _listed(prefix: Path, entry: Path) -> dict[str, Path]:
 
 
 def candidate_names(plugin: str) -> list[str]:
-    """Return the names of executables that may stand for a component that its package does not list.
+    """Return the names of executables that may replace a component not registered by its package.
 
     >>> candidate_names('demo::TalkerNode')
     ['talker_node', 'talker']
@@ -49,7 +49,7 @@ def candidate_names(plugin: str) -> list[str]:
 
 
 def find_component(package: str, plugin: str) -> Path:
-    """The executable of a component: as the package lists it, or by the name of the class.
+    """Return the executable of a component: as registered by the package, or derived from the class name.
 
     Raises:
         ComponentNotFound: when there is no such package, or it has no such executable.
@@ -81,18 +81,18 @@ def _reason(package: str, plugin: str, listed: dict[str, Path]) -> str:
 
 @dataclass(frozen=True)
 class Given:
-    """The arguments of a component's node in place of its process's: words of a command line, and parameters."""
+    """The arguments for a component's node, instead of its process's: command-line words and parameters."""
 
     arguments: Sequence[str]
     parameters: Sequence[Any]
 
 
 def give_to_first_node(process: Any, given: Given) -> None:
-    """Let the first node that a process makes be the component's node."""
+    """Make the first node created by a process the component's node."""
     process.locals[_FIRST_NODE] = given
 
 
 def take_for_first_node() -> Given | None:
-    """The argument of `give_to_first_node` for the calling code's process; None without one, or a second time."""
+    """Return the argument of `give_to_first_node` for the calling code's process; None without one, or on a second call."""
     process = current_process()
     return None if process is None else process.locals.pop(_FIRST_NODE, None)

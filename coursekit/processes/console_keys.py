@@ -1,4 +1,4 @@
-"""msvcrt for the standard input of a process: programs of Windows read single keys with it, teleop nodes among them."""
+"""msvcrt for the standard input of a process: programs on Windows, such as teleop nodes, read single keys with it."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ except ImportError:  # Linux and macOS: programs read keys with termios there
     _msvcrt = None  # type: ignore[assignment]
 
 CTRL_Z = "\x1a"
-"""msvcrt's answer where nothing more comes."""
+"""msvcrt's result at the end of input."""
 _NAMES = ("getwch", "getwche", "getch", "getche", "kbhit")
 _real: dict[str, Any] = {name: getattr(_msvcrt, name, None) for name in _NAMES}
 _left: weakref.WeakKeyDictionary[Process, list[str]] = weakref.WeakKeyDictionary()
-"""Of a key with two codes, the second."""
+"""The second code of a key with two codes."""
 
 
 def getwch() -> str:
-    """The next code; waits for a key."""
+    """Return the next code; wait for a key."""
     process = current_process()
     return _real["getwch"]() if process is None else _next(process)
 
 
 def getwche() -> str:
-    """Likewise, and it is shown."""
+    """Like `getwch`, with echo."""
     process = current_process()
     if process is None:
         return str(_real["getwche"]())
@@ -39,22 +39,22 @@ def getwche() -> str:
 
 
 def getch() -> bytes:
-    """`getwch` as bytes."""
+    """Like `getwch`, as bytes."""
     return _real["getch"]() if current_process() is None else getwch().encode("latin-1", "replace")
 
 
 def getche() -> bytes:
-    """`getwche` as bytes."""
+    """Like `getwche`, as bytes."""
     return _real["getche"]() if current_process() is None else getwche().encode("latin-1", "replace")
 
 
 def kbhit() -> bool:
-    """Whether there is a code to be had without waiting."""
+    """Return whether a code is available without waiting."""
     process = current_process()
     if process is None:
         return bool(_real["kbhit"]())
     _want(process)
-    process.session.clock.poll()  # a loop that only asks lets time pass
+    process.session.clock.poll()  # a polling loop lets time pass
     return bool(_left.get(process)) or process.stdin.has_keys()
 
 

@@ -1,4 +1,4 @@
-"""The process whose code is running, kept in a context variable."""
+"""The process of the running code, stored in a context variable."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ owner: contextvars.ContextVar[Process | None] = contextvars.ContextVar("courseki
 
 
 def current_process() -> Process | None:
-    """The process in which the calling code runs; None in the interpreter's own code."""
+    """Return the process of the calling code; None in the interpreter's own code."""
     return owner.get()
 
 
 def outside(function: Callable[..., Any], *args: Any) -> Any:
-    """The result of a function that is carried out as the interpreter's own code.
+    """Call a function as the interpreter's own code, and return its result.
 
-    Threads that it starts belong to no process: a process that ends does not wait for them.
+    Threads started by it belong to no process: a process does not wait for them at its end.
     """
     return contextvars.Context().run(function, *args)

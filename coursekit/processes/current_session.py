@@ -1,4 +1,4 @@
-"""The present session of the interpreter, below the session itself: streams and threads ask for it all the time."""
+"""The interpreter's current session, separate from `session`: streams and threads need it all the time."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ _OF_THE_KERNEL = ("IPython", "anywidget", "asyncio", "comm", "ipykernel", "ipywi
 _OF_PYTHON = ("concurrent", "coursekit", "queue", "threading")
 
 session: Session | None = None
-"""The one that is in use; `coursekit.processes.session` sets it."""
+"""The session in use; `coursekit.processes.session` sets it."""
 
 
 def virtual_session_here() -> Session | None:
-    """The session whose virtual clock runs the calling execution context; None for code that the clock does not run."""
+    """Return the session whose virtual clock runs the calling execution context; None for code outside of it."""
     process = current_process()
     here = process.session if process is not None else session
     if here is None or not is_virtual_thread(here.clock):
@@ -29,7 +29,7 @@ def virtual_session_here() -> Session | None:
 
 
 def waiting_session() -> Any:
-    """The virtual session on whose clock the caller waits; None for a kernel's own libraries, which wait for real."""
+    """Return the virtual session on whose clock the caller waits; None for the kernel's libraries, which wait for real."""
     session = virtual_session_here()
     if session is None or not session.embedded or current_process() is not None:
         return session
@@ -37,7 +37,7 @@ def waiting_session() -> Any:
 
 
 def starting_session() -> Any:
-    """The virtual session on whose clock a thread runs; None for one in which IPython waits for a program of the system."""
+    """Return the virtual session for a new thread's clock; None while IPython waits for a system program."""
     session = virtual_session_here()
     if session is None or not session.embedded or current_process() is not None:
         return session
@@ -45,7 +45,7 @@ def starting_session() -> Any:
 
 
 def _caller() -> str:
-    """The library that called, past those of Python and our own."""
+    """Return the calling library, skipping Python's own and ours."""
     frame: Any = sys._getframe(2)
     while frame is not None:
         top = str(frame.f_globals.get("__name__", "")).partition(".")[0]

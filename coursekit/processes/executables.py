@@ -1,4 +1,4 @@
-"""Executables of packages: where they are, and how they become processes."""
+"""Executables of packages: finding them, and running them as processes."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ if TYPE_CHECKING:
     from .session import Session
 
 _PROGRAMS = (b"\x7fELF", b"\xcf\xfa\xed\xfe", b"MZ")
-"""How programs begin: Linux's, those of a Mac, Windows'."""
+"""The first bytes of programs: on Linux, on a Mac, on Windows."""
 _LINK = b"COURSEKIT_LINK"
-"""The runtime's word for its address, which only programs hold that are linked with it."""
+"""The runtime's name for its address, contained only in programs linked with it."""
 _HOW = (
     "a Python node needs a line under console_scripts in setup.py, a C++ node "
     "install(TARGETS ... DESTINATION lib/${PROJECT_NAME}) in CMakeLists.txt, both a build"
@@ -35,7 +35,7 @@ _HOW = (
 
 
 class PackageNotFound(LookupError):
-    """No such package in any prefix; the text names close ones."""
+    """No such package in any prefix; the message suggests similar names."""
 
     def __init__(self, package: str, known: Sequence[str]) -> None:
         why = remark(package)
@@ -44,7 +44,7 @@ class PackageNotFound(LookupError):
 
 
 class ExecutableNotFound(LookupError):
-    """The package has no such executable; the text names those that it has."""
+    """The package has no such executable; the message lists those that it has."""
 
     def __init__(self, package: str, executable: str, known: Sequence[str]) -> None:
         names = ", ".join(known) or f"none ({_HOW})"
@@ -55,19 +55,19 @@ class ExecutableNotFound(LookupError):
 
 
 def why_missing(package: str, executable: str) -> str:
-    """Why a package lacks an executable, when that is known: `colcon build` passed over it, or it is not for here."""
+    """Return why a package lacks an executable, if known: `colcon build` skipped it, or it is not available here."""
     return why_skipped(package, executable) or remark_on_executable(package, executable)
 
 
 def why_skipped(package: str, executable: str) -> str:
-    """Why `colcon build` passed over an executable; empty for those that it did not pass over."""
+    """Return why `colcon build` skipped an executable; empty if it did not."""
     if any(executable in skipped_of(package, prefix) for prefix in prefixes()):
         return f"'{executable}' is written in C++, which the last build of '{package}' skipped: `colcon build` shows why"
     return ""
 
 
 def skipped_of(package: str, prefix: Path) -> list[str]:
-    """The targets in C++ that `colcon build` passed over when it installed the package into `prefix`."""
+    """Return the C++ targets that `colcon build` skipped when it installed the package into `prefix`."""
     listed = _index(prefix).parent / "coursekit_skipped" / package
     return read_text(listed).splitlines() if listed.is_file() else []
 
@@ -77,7 +77,7 @@ def _index(prefix: Path) -> Path:
 
 
 def packages() -> dict[str, Path]:
-    """Every package and its prefix; the first prefix that has one wins."""
+    """Return every package with its prefix; the first prefix with a package wins."""
     found: dict[str, Path] = {}
     for prefix in prefixes():
         folder = _index(prefix)
@@ -87,7 +87,7 @@ def packages() -> dict[str, Path]:
 
 
 def prefix_of(package: str) -> Path:
-    """The prefix of a package; raises PackageNotFound."""
+    """Return the prefix of a package; raises PackageNotFound."""
     for prefix in prefixes():
         if (_index(prefix) / package).exists():
             copies.renew(prefix, package)
@@ -96,9 +96,9 @@ def prefix_of(package: str) -> Path:
 
 
 def executables_of(package: str) -> list[Path]:
-    """The executables of a package, sorted; raises PackageNotFound.
+    """Return the executables of a package, sorted; raises PackageNotFound.
 
-    Where C++ was passed over, coursekit's programs of that package answer under its names.
+    For skipped C++ executables, coursekit's own programs of that package are included.
     """
     prefix = prefix_of(package)
     found = {path.name: path for path in stand_ins(package)} if skipped_of(package, prefix) else {}
@@ -107,7 +107,7 @@ def executables_of(package: str) -> list[Path]:
 
 
 def stand_ins(package: str) -> list[Path]:
-    """The programs that coursekit has of a package itself."""
+    """Return coursekit's own programs of a package."""
     return _programs(package, UNDERLAY)
 
 
@@ -123,7 +123,7 @@ def _runs(path: Path, prefix: Path) -> bool:
 
 
 def find(package: str, executable: str) -> Path:
-    """The file of an executable; raises PackageNotFound or ExecutableNotFound.
+    """Return the file of an executable; raises PackageNotFound or ExecutableNotFound.
 
     >>> find("demo_nodes_py", "talkr")
     Traceback (most recent call last):
@@ -138,7 +138,7 @@ def find(package: str, executable: str) -> Path:
 
 
 def is_python(path: Path) -> bool:
-    """Whether a file is a Python program, or what setuptools makes of one on Windows."""
+    """Whether a file is a Python program, or setuptools' .exe for one on Windows."""
     path = layout.python_script(path)
     if path.suffix == ".py" or UNDERLAY in path.parents:
         return True
@@ -148,7 +148,7 @@ def is_python(path: Path) -> bool:
 
 
 def is_compiled_here(path: Path) -> bool:
-    """Whether a file is a C++ program that was built here: it asks the session for all that rclcpp does."""
+    """Whether a file is a C++ program that was built here: its rclcpp calls go to the session."""
     if UNDERLAY in path.parents:
         return False
     with open(path, "rb") as file:
@@ -159,12 +159,12 @@ def is_compiled_here(path: Path) -> bool:
 
 
 def has_compiled_here(command: Sequence[str]) -> bool:
-    """Whether a command runs a C++ program that was built here, perhaps under a debugger: `gdb -ex run --args PATH`."""
+    """Whether a command runs a C++ program that was built here, possibly under a debugger: `gdb -ex run --args PATH`."""
     return any(is_compiled_here(Path(word)) for word in command if os.path.isfile(word))
 
 
 def python_folders(env: Mapping[str, str]) -> list[str]:
-    """The folders that PYTHONPATH and the prefixes of `env` add to Python's path, without those of the interpreter."""
+    """Return the folders that PYTHONPATH and the prefixes of `env` add to Python's path, without the interpreter's own."""
     folders = [one for one in env.get("PYTHONPATH", "").split(os.pathsep) if one]
     for prefix in env.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
         if prefix and Path(prefix) != UNDERLAY:
@@ -182,7 +182,7 @@ def make_process(
     env: Mapping[str, str] | None = None,
     cwd: str | os.PathLike[str] | None = None,
 ) -> Any:
-    """A process that runs the file: inside this interpreter if it is Python, else a child of the system."""
+    """Return a process that runs the file: in this interpreter if it is Python, else as a child process."""
     name = name or path.name
     if not path.exists():
         raise FileNotFoundError(f"'{path}' does not exist, so it cannot be run. Was its package built?")
@@ -202,7 +202,7 @@ def make_process(
 
 
 def _program(path: Path) -> Callable[[], Any]:
-    """The effect of `python PATH`."""
+    """Return a function equivalent to `python PATH`."""
 
     def main() -> None:
         module = ModuleType("__main__")

@@ -1,4 +1,4 @@
-"""At an import: some libraries need a hand in a session (OpenCV has no windows there), some are said to be elsewhere."""
+"""Import hooks: some libraries are patched for a session (OpenCV has no windows there), missing packages are explained."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .unavailable_packages import remark
 
 
 class _Loader(importlib.abc.Loader):
-    """Loads as the real loader does, then calls the helper."""
+    """Loads a module with the real loader, then calls the helper."""
 
     def __init__(self, real: Any, helper: str) -> None:
         self._real = real
@@ -35,7 +35,7 @@ class _Loader(importlib.abc.Loader):
 
 
 class _Finder(importlib.abc.MetaPathFinder):
-    """Looks out for the modules of IMPORT_HOOKS and for the helpers; finding them is left to the others."""
+    """Detects imports of the modules in IMPORT_HOOKS and of the helpers; the other finders find them."""
 
     def find_spec(
         self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
@@ -52,7 +52,7 @@ class _Finder(importlib.abc.MetaPathFinder):
 
 
 class _Elsewhere(importlib.abc.MetaPathFinder):
-    """Comes last: a ROS package that no one has found, and that coursekit knows to be elsewhere, is told with the reason."""
+    """The last finder: it explains the absence of ROS packages that no other finder has found."""
 
     def find_spec(self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None) -> None:
         why = "" if path is not None else remark(fullname)
@@ -66,25 +66,25 @@ _elsewhere = _Elsewhere()
 
 def _help(helper: str) -> None:
     install = getattr(importlib.import_module(helper), "install", None)
-    if install is not None:  # else the helper is being imported, and helps when it has been
+    if install is not None:  # else the helper is being imported, and helps afterwards
         install()
 
 
 def watch_imports(_nothing: object = None) -> Callable[[], None]:
-    """Lend a hand to what will be imported; returns what ends it."""
+    """Patch libraries when they are imported; return the function that ends this."""
     sys.meta_path.insert(0, _finder)
     return lambda: _remove(_finder)
 
 
 def lend_to_imported() -> None:
-    """Lend a hand to what has been imported already; harmless when that is done."""
+    """Patch libraries that have been imported already; harmless when that is done."""
     for name, helper in IMPORT_HOOKS.items():
         if is_imported(name):
             _help(helper)
 
 
 def tell_elsewhere(_nothing: object = None) -> Callable[[], None]:
-    """Tell of packages that are elsewhere; returns what ends it."""
+    """Explain missing ROS packages; return the function that ends this."""
     sys.meta_path.append(_elsewhere)
     return lambda: _remove(_elsewhere)
 

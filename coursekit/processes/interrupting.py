@@ -1,4 +1,4 @@
-"""How signals reach a process: in its own main execution context, as the system would deliver them."""
+"""Delivery of signals to a process: in its own main execution context, as the system would."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 
 
 RETRY_NS = 2_000_000
-"""When it is tried again to reach a thread that was importing."""
+"""Retry interval for a thread that was importing [ns]."""
 
 
 class Interruptible(BaseProcess):
-    """The part of a process in this interpreter that others interrupt, terminate and kill."""
+    """The part of a process in this interpreter that handles interrupt, terminate and kill."""
 
     stdin: Input
     _main: Callable[[], Any]
@@ -35,10 +35,10 @@ class Interruptible(BaseProcess):
         super().__init__(session, name, argv, parent)
         self.handlers: dict[int, Any] = {}
         self.on_signal: list[Callable[[int], bool]] = []
-        """Called in the main execution context when a signal arrives; True means that it has been dealt with."""
+        """Called in the main execution context when a signal arrives; True means that it is handled."""
 
     def send_signal(self, signum: int) -> None:
-        """Deliver a signal the way the system would, in the process's own main execution context."""
+        """Deliver a signal as the system would, in the process's own main execution context."""
         if self.exit_code is not None:
             return
         if signum == 9:
@@ -64,7 +64,7 @@ class Interruptible(BaseProcess):
 
     def _deliver(self, action: Callable[[], None]) -> None:
         context = self._main_context
-        if context is None:  # not begun: it is interrupted as soon as it does
+        if context is None:  # not begun: it is interrupted as soon as it begins
             self._main = action
             return
         context.post(action)
@@ -78,12 +78,12 @@ class Interruptible(BaseProcess):
             self.session.clock.spawn(lambda: self._reach_busy(context), f"signals of {self.name}")
 
     def _reach_busy(self, context: ExecutionContext) -> None:
-        """The context has not waited since: call the handler here, as the process; its code gets what that raises."""
+        """Call the handler here, as the process, because the context has not waited; an exception is raised in its code."""
         try:
             action = context.pending.popleft()
         except IndexError:
             return
-        owner.set(self)  # type: ignore[arg-type] # what a handler prints is the program's
+        owner.set(self)  # type: ignore[arg-type] # a handler's output belongs to the program
         try:
             action()
         except BaseException as error:
@@ -91,7 +91,7 @@ class Interruptible(BaseProcess):
 
     def _raise(self, context: ExecutionContext, kind: type[BaseException]) -> None:
         if self.exit_code is not None or raise_in_thread(context.ident, kind):
-            return  # it has ended, and another thread may have its number by now
+            return  # it has ended, and another thread may have its id by now
         clock = self.session.clock
         clock.call_at(clock.steady() + RETRY_NS, lambda: self._raise(context, kind))
 
@@ -115,11 +115,11 @@ class Interruptible(BaseProcess):
 
     @abstractmethod
     def _end(self, code: int) -> None:
-        """Let it have ended, with this exit code."""
+        """Mark it as ended, with this exit code."""
 
 
 def _like(error: BaseException) -> type[BaseException]:
-    """A class whose instances, made without arguments, are like the error: Python makes one in the other thread."""
+    """Return a class whose instances, created without arguments, equal the error: Python creates one in the other thread."""
     kind = type(error)
 
     def again(self: BaseException) -> None:
@@ -135,10 +135,10 @@ def raise_killed() -> None:
 
 
 def raise_in_thread(ident: int, kind: type[BaseException]) -> bool:
-    """Raise `kind` in a thread that runs Python code, at its next bytecode; False, and not now, when it is importing.
+    """Raise `kind` in a thread that runs Python code, at its next bytecode; return False without raising during an import.
 
-    In the import system's own code (not in that of the module that is imported) it would leave the interpreter's import
-    lock taken, and no thread could ever import again.
+    In the import system's own code (not in that of the imported module) the exception would leave the import lock acquired,
+    and no thread could ever import again.
     """
     frame = sys._current_frames().get(ident)
     if frame is not None and frame.f_code.co_filename.startswith("<frozen importlib"):

@@ -1,4 +1,4 @@
-"""termios, tty, select and fcntl for the standard input of a process: a program that wants single keys gets them."""
+"""termios, tty, select and fcntl for the standard input of a process, for programs that read single keys."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ except ImportError:  # Windows: programs read keys with msvcrt there
     fcntl = termios = tty = None  # type: ignore[assignment]
 
 STDIN = 0
-"""The number of standard input."""
+"""The file descriptor of standard input."""
 _LFLAG = 3
 _real_select: Any = select.select
 _real_fcntl: Any = getattr(fcntl, "fcntl", None)
@@ -27,13 +27,13 @@ _real_tcsetattr: Any = getattr(termios, "tcsetattr", None)
 
 
 def _typed_at(file: Any) -> Process | None:
-    """The process whose standard input `file` is; None for every other file."""
+    """Return the process whose standard input `file` is; None for every other file."""
     process = current_process()
     return process if process is not None and (file is sys.stdin or file is process.stdin or file == STDIN) else None
 
 
 def _settings(process: Process) -> list[Any]:
-    """The settings of its terminal; a line at a time, echo and Ctrl-C at first."""
+    """Return the settings of its terminal; initially line mode, with echo and Ctrl-C."""
     cooked = termios.ICANON | termios.ECHO | termios.ISIG | termios.IEXTEN
     first = [termios.ICRNL, termios.OPOST, termios.CS8, cooked, termios.B38400, termios.B38400, [b"\0"] * 32]
     return process.stdin.settings or first

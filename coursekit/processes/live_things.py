@@ -1,4 +1,4 @@
-"""The things of a session that others draw: simulators, windows, boards; the drawers hear of each change."""
+"""The objects of a session that are drawn: simulators, windows, boards; their drawers are notified of each change."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ T = TypeVar("T")
 
 
 class LiveThings(Generic[T]):
-    """The running things of one kind, each with its `session`, and those who listen.
+    """The running objects of one kind, each with its `session`, and their listeners.
 
     >>> from types import SimpleNamespace
     >>> from coursekit.processes.session import Session
@@ -24,32 +24,32 @@ class LiveThings(Generic[T]):
         self._listeners: list[Callable[[T], Any]] = []
 
     def running(self, session: Any) -> list[T]:
-        """Those of a session, in the order of their start."""
+        """Return the objects of a session, in the order of their start."""
         return list(self._of(session))
 
     def add(self, thing: T) -> bool:
-        """Enter one that has started; whether somebody draws it."""
+        """Add an object that has started; return whether it is drawn."""
         self._of(thing.session).append(thing)  # type: ignore[attr-defined]
         return self.tell(thing)
 
     def remove(self, thing: T) -> None:
-        """Take one out that has ended; harmless when it is out."""
+        """Remove an object that has ended; harmless when it is already removed."""
         there = self._of(thing.session)  # type: ignore[attr-defined]
         if thing in there:
             there.remove(thing)
             self.tell(thing)
 
     def tell(self, thing: T) -> bool:
-        """It has started, changed or ended; whether somebody draws it."""
-        drawn = [listener(thing) for listener in list(self._listeners)]  # all of them hear of it
+        """Notify the listeners of a start, change or end; return whether the object is drawn."""
+        drawn = [listener(thing) for listener in list(self._listeners)]  # notifies all of them
         return any(drawn)
 
     def watch(self, listener: Callable[[T], Any]) -> None:
-        """Call `listener(thing)` at every start, change and end; it must not block. A true value says that it draws it."""
+        """Call `listener(thing)` at every start, change and end; it must not block. A true result means that it draws it."""
         self._listeners.append(listener)
 
     def unwatch(self, listener: Callable[[T], Any]) -> None:
-        """Take a listener back."""
+        """Remove a listener."""
         if listener in self._listeners:
             self._listeners.remove(listener)
 

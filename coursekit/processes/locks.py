@@ -1,5 +1,5 @@
-"""Locks and conditions of the virtual clock: whatever waits for one lets the other greenlets run, instead of blocking the
-only thread there is. Event, Queue and Future are made of them.
+"""Locks and conditions of the virtual clock: waiting for one lets the other greenlets run, instead of blocking their
+only thread. Event, Queue and Future are built on them.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from .current_session import virtual_session_here, waiting_session
 _condition_wait = threading.Condition.wait
 _RealLock = threading.Lock
 PythonQueue = queue._PySimpleQueue  # type: ignore[attr-defined]
-"""`queue.SimpleQueue` as Python has it written in itself: it waits by the locks below."""
+"""Python's pure implementation of `queue.SimpleQueue`: it waits with the locks below."""
 
 
 class _Released:
-    """The lock that `Condition.notify` releases for an execution context that waits."""
+    """The lock that `Condition.notify` releases for a waiting execution context."""
 
     def __init__(self, clock: Any) -> None:
         self._waiter = clock.new_waiter()
@@ -31,7 +31,7 @@ class _Released:
 
 
 def condition_wait(self: threading.Condition, timeout: float | None = None) -> bool:
-    """`Condition.wait`, on the session's clock where the caller is an execution context or a process."""
+    """`Condition.wait`, on the session's clock if the caller is an execution context or a process."""
     process, session = current_process(), waiting_session()
     session = session or (process.session if process is not None else None)
     if session is None:
@@ -53,7 +53,7 @@ def condition_wait(self: threading.Condition, timeout: float | None = None) -> b
 
 
 class VirtualLock:
-    """`threading.Lock` for greenlets: one that has to wait lets the others run."""
+    """`threading.Lock` for greenlets: waiting for it lets the others run."""
 
     def __init__(self) -> None:
         self._lock = _RealLock()
@@ -72,7 +72,7 @@ class VirtualLock:
             waiter = session.clock.new_waiter()
             self._waiters.append(waiter)
             try:
-                if self._lock.acquire(False):  # opened by a real thread that saw nobody wait
+                if self._lock.acquire(False):  # released by a real thread that saw no waiter
                     return True
                 waiter.wait(deadline)
             finally:
@@ -99,7 +99,7 @@ class VirtualLock:
 
 
 class VirtualRLock:
-    """`threading.RLock` for greenlets: owned by one of them, not by the thread that they share."""
+    """`threading.RLock` for greenlets: owned by one of them, not by their common thread."""
 
     def __init__(self) -> None:
         self._block = VirtualLock()
@@ -130,7 +130,7 @@ class VirtualRLock:
             self._block.release()
 
     def locked(self) -> bool:
-        return self._block.locked()  # Python 3.14 asks it
+        return self._block.locked()  # Python 3.14 calls it
 
     def _at_fork_reinit(self) -> None:
         self._block._at_fork_reinit()

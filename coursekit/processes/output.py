@@ -1,4 +1,4 @@
-"""A process's output, and its input from the keyboard."""
+"""A process's output, and its keyboard input."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
 
 CTRL_C = "\x03"
 OUTPUT_LIMIT = 2_000_000
-"""Characters of output that a process remembers; older ones are dropped and counted."""
+"""Maximum length of the stored output in characters; older output is dropped and counted."""
 
 
 class Output:
-    """A process's newest `OUTPUT_LIMIT` characters, and the listeners to them."""
+    """A process's newest `OUTPUT_LIMIT` characters of output, and its listeners."""
 
     def __init__(self) -> None:
         self._parts: deque[tuple[str, str]] = deque()
@@ -27,7 +27,7 @@ class Output:
         self.listeners: list[Callable[[str, str], None]] = []
 
     def write(self, stream: str, text: str) -> None:
-        """Keep `text` and tell the listeners, outside of the process: what they print is not its output."""
+        """Store `text` and call the listeners, outside of the process: their output is not the process's."""
         self._parts.append((stream, text))
         self._size += len(text)
         while self._size > OUTPUT_LIMIT and len(self._parts) > 1:
@@ -43,7 +43,7 @@ class Output:
                 owner.reset(token)
 
     def text(self, stream: str | None = None) -> str:
-        """All that is remembered, or what went to one stream."""
+        """Return all stored output, or that of one stream."""
         return "".join(part for name, part in list(self._parts) if stream in (None, name))
 
 
@@ -56,32 +56,32 @@ class Input(io.TextIOBase):
         self._closed_by_writer = False
         self._changed = session.clock.new_event()
         self.settings: list[Any] = []
-        """The terminal's settings by the program, in termios' form; empty before."""
+        """The terminal settings made by the program, in termios' format; initially empty."""
         self.by_keys = False
-        """Whether it has ever wanted single keys."""
+        """Whether it has ever requested single keys."""
         self.ctrl_c_is_a_key = False
         self.blocking = True
-        """Whether reading waits; if not, it returns what is there, which may be nothing."""
+        """Whether reading blocks; if not, it returns the available text, possibly none."""
 
     def fileno(self) -> int:
         return 0
 
     def take_ctrl_c(self) -> bool:
-        """Have Ctrl-C typed, for a program that wants it so; False when it is to be a signal, or is not read."""
+        """Enter Ctrl-C as a key for a program that reads it; False if it must be a signal, or an earlier one is unread."""
         if not self.ctrl_c_is_a_key or CTRL_C in self._text:
             return False
         self.feed(CTRL_C)
         return True
 
     def wait_for_keys(self, timeout_sec: float | None) -> bool:
-        """Wait until something can be read, at most `timeout_sec` seconds; whether it can."""
+        """Wait until something can be read, at most `timeout_sec` seconds; return whether it can."""
         self._changed.clear()
         if not self._text and not self._closed_by_writer:
             self._changed.wait(timeout_sec)
         return self.has_keys()
 
     def has_keys(self) -> bool:
-        """Whether something can be read without waiting."""
+        """Return whether something can be read without waiting."""
         return bool(self._text) or self._closed_by_writer
 
     def feed(self, text: str) -> None:
@@ -93,7 +93,7 @@ class Input(io.TextIOBase):
         self._changed.set()
 
     def wake(self) -> None:
-        """End the present wait for keys: there is something else to look at."""
+        """End the current wait for keys: there is something else to check."""
         self._changed.set()
 
     def readable(self) -> bool:

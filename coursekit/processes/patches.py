@@ -1,7 +1,7 @@
 """The table of all replacements in Python and its libraries, each with its reason and its test.
 
-Libraries' patches are lent when the library is imported (`coursekit.view.highgui`, `coursekit.view.plots`). The
-document docs/patches.md is made from this table: `python -m tests.processes.patch_table`.
+Patches of libraries are added when the library is imported (`coursekit.view.highgui`, `coursekit.view.plots`). The
+document docs/patches.md is generated from this table: `python -m tests.processes.patch_table`.
 """
 
 from __future__ import annotations

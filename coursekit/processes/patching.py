@@ -1,6 +1,6 @@
-"""How something of Python or of a library is replaced while sessions are open, and put back after the last one.
+"""Replacing parts of Python and of libraries while sessions are open, and restoring them after the last one.
 
-All replacements are in the table of `coursekit.processes.patches`; no other module assigns to what is not its own.
+All replacements are in the table of `coursekit.processes.patches`; no other module assigns to foreign names.
 """
 
 from __future__ import annotations
@@ -17,17 +17,17 @@ _MISSING: Any = object()
 IMPORTS, PROCESSES, VIRTUAL, PRIVATE = "any session", "processes", "virtual clock", "private modules"
 KERNEL = "kernel"
 HELD = "_coursekit_patches"
-"""The attribute of `sys` that has the manager while anything is patched."""
+"""The attribute of `sys` that holds the manager while anything is patched."""
 GROUPS = (IMPORTS, PROCESSES, VIRTUAL, PRIVATE)
-"""While what a patch is in place: any session; one with processes; a virtual clock; processes with modules of their own.
+"""When a patch is active: in any session; in one with processes; on a virtual clock; for processes with private modules.
 
-Those of KERNEL mend a notebook's kernel for as long as it runs; the patch_manager does not look after them.
+Patches of KERNEL fix a notebook's kernel for as long as it runs; the patch_manager does not manage them.
 """
 
 
 @dataclass(eq=False)
 class Patch:
-    """One name of Python's or of a library's, and its replacement while sessions are open.
+    """One name in Python or a library, and its replacement while sessions are open.
 
     >>> import string
     >>> patch = Patch("string.digits", lambda real: real[::-1], "an example", "tests/processes/test_patches.py")
@@ -39,22 +39,22 @@ class Patch:
 
     target: str
     make: Callable[[Any], Any]
-    """Gives the replacement, made from the original."""
+    """Creates the replacement from the original."""
     reason: str
     test: str
-    """The test file that shows what it is for."""
+    """The test file that demonstrates its purpose."""
     group: str = PROCESSES
     versions: str = "3.10 to 3.14"
     only_on: str = ""
-    """The value of sys.platform without which there is no such name."""
+    """The value of sys.platform to which the name is limited."""
     bare: Callable[[Any], Any] = field(default=lambda value: value, repr=False)
-    """A value without a replacement around it that came back in the meantime."""
+    """Unwraps a value that was wrapped in a replacement in the meantime."""
     _owner: Any = field(default=_MISSING, init=False, repr=False)
     _found: Any = field(default=_MISSING, init=False, repr=False)
     _ours: Any = field(default=_MISSING, init=False, repr=False)
 
     def put(self) -> None:
-        """Replace; harmless when it is replaced, or when this system does not have the name."""
+        """Replace; harmless when it is already replaced, or when this system lacks the name."""
         owner, name = self._place()
         present = vars(owner).get(name, _MISSING) if owner is not None else _MISSING
         if present is _MISSING or present is self._ours:
@@ -64,12 +64,12 @@ class Patch:
         setattr(owner, name, self._ours)
 
     def put_once(self) -> None:
-        """Replace, unless that was done: what somebody else has put there since stays."""
+        """Replace once: a later assignment by other code is kept."""
         if self._ours is _MISSING:
             self.put()
 
     def take_back(self) -> None:
-        """Put back what was found; what somebody else has put there since stays."""
+        """Restore the original; a later assignment by other code is kept."""
         if self._ours is _MISSING:
             return
         owner, name = self._place()
@@ -85,17 +85,17 @@ class Patch:
         if self._owner is _MISSING:
             self._owner = None
             if self.only_on in ("", sys.platform):
-                with contextlib.suppress(ImportError, AttributeError):  # another system's module
+                with contextlib.suppress(ImportError, AttributeError):  # a module of another system
                     self._owner = pkgutil.resolve_name(path)
         return self._owner, name
 
 
 @dataclass(eq=False)
 class Change(Patch):
-    """A change that is no assignment to a name: `make` does it, and returns what undoes it."""
+    """A change other than an assignment to a name: `make` applies it, and returns the function that undoes it."""
 
     def put(self) -> None:
-        """Do it; harmless when it is done."""
+        """Apply it; harmless when it is already applied."""
         if self._ours is _MISSING:
             self._ours = self.make(None)
 
@@ -107,12 +107,12 @@ class Change(Patch):
 
 
 def always(replacement: Any) -> Callable[[Any], Any]:
-    """A `make` for a replacement that does not depend on what it replaces."""
+    """Return a `make` for a replacement that does not depend on the original."""
     return lambda _found: replacement
 
 
 class PatchManager:
-    """Which patches are in place, and for which sessions."""
+    """The active patches, and the sessions that need them."""
 
     def __init__(self) -> None:
         self._lock = threading.RLock()
@@ -120,18 +120,18 @@ class PatchManager:
         self._own: list[Patch] = []
         self._lent: list[Patch] = []
         self.on_open: list[Callable[[], None]] = []
-        """Called when a session wants patches for the first time."""
+        """Called when a session needs patches for the first time."""
 
     def register(self, *patches: Patch) -> None:
-        """Add the patches that sessions always want."""
+        """Add patches that sessions always need."""
         self._own += patches
 
     def table(self) -> list[Patch]:
-        """All patches: those that are registered, and those lent for libraries that have been imported."""
+        """Return all patches: the registered ones, and those added for imported libraries."""
         return [*self._own, *self._lent]
 
     def enter(self, session: Any, *groups: str) -> None:
-        """Put the patches of `groups` in place until `session` closes; also those that somebody has overwritten."""
+        """Activate the patches of `groups` until `session` closes, including overwritten ones."""
         with self._lock:
             self._replace_a_forgotten_one()
             is_new = session not in self._wanted[IMPORTS]
@@ -140,26 +140,26 @@ class PatchManager:
                     self._wanted[group].append(session)
             self.renew()
         if is_new:
-            for listener in self.on_open:  # outside of the lock: it imports, and who imports a library may wait to lend
+            for listener in self.on_open:  # outside of the lock: it imports, and an importing thread may wait in `lend`
                 listener()
 
     def _replace_a_forgotten_one(self) -> None:
-        """Take back what an earlier copy of this module has patched: pytest's pytester forgets modules after each test."""
+        """Undo the patches of an earlier copy of this module: pytest's pytester forgets modules after each test."""
         earlier = vars(sys).get(HELD)
         if earlier is not None and earlier is not self:
             earlier.leave_all()
         vars(sys)[HELD] = self
 
     def leave_all(self) -> None:
-        """Take back everything, whoever wants it."""
+        """Undo everything, for all sessions."""
         with self._lock:
             for session in {id(one): one for group in self._wanted.values() for one in group}.values():
                 self.leave(session)
 
     def renew(self) -> None:
-        """Put in place again what is wanted, and has been overwritten: pytest gives each test streams of its own.
+        """Apply overwritten patches again: pytest gives each test its own streams.
 
-        What a program has put into a library stays: it may have a camera of its own.
+        Values that a program has put into a library are kept: it may have its own camera.
         """
         with self._lock:
             for patch in self.table():
@@ -167,14 +167,14 @@ class PatchManager:
                     patch.put_once() if patch in self._lent else patch.put()
 
     def put_at_once(self, target: str) -> None:
-        """Put one patch in place before any session wants it; it goes when the last session does."""
+        """Apply one patch before any session needs it; it is undone with the last session."""
         with self._lock:
             for patch in self.table():
                 if patch.target == target:
                     patch.put()
 
     def leave(self, session: Any) -> None:
-        """Take back what no other session wants: after the last one Python is as it was found."""
+        """Undo the patches that no other session needs: after the last one Python is in its original state."""
         with self._lock:
             for sessions in self._wanted.values():
                 if session in sessions:
@@ -188,7 +188,7 @@ class PatchManager:
                 del vars(sys)[HELD]
 
     def lend(self, *patches: Patch) -> None:
-        """Add the patches of a library that has been imported; harmless when they are there."""
+        """Add the patches of an imported library; harmless when they are already added."""
         with self._lock:
             known = {patch.target for patch in self._lent}
             self._lent += [patch for patch in patches if patch.target not in known]
@@ -197,7 +197,7 @@ class PatchManager:
                     patch.put_once()
 
     def is_open(self) -> bool:
-        """Whether any session wants patches."""
+        """Whether any session needs patches."""
         return any(self._wanted.values())
 
 
@@ -205,6 +205,6 @@ patch_manager = PatchManager()
 
 
 def is_imported(module: str) -> bool:
-    """Whether a module has been imported whole."""
+    """Whether a module is completely imported."""
     spec = getattr(sys.modules.get(module), "__spec__", None)
     return spec is not None and not getattr(spec, "_initializing", False)

@@ -1,4 +1,4 @@
-"""Pickles of a program's own classes: pickle looks them up in sys.modules, where a process's modules are not."""
+"""Pickles of a program's own classes: pickle looks classes up in sys.modules, which lacks a process's private modules."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .private_modules import private_of_process
 
 
 def with_own_modules(real: Callable[..., Any]) -> Callable[..., Any]:
-    """A function of pickle's that finds the modules of the process that calls it."""
+    """Wrap a function of pickle so that it finds the modules of the calling process."""
 
     @functools.wraps(real)
     def call(*args: Any, **kwargs: Any) -> Any:

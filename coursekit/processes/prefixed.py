@@ -1,4 +1,4 @@
-"""Commands with something before an executable of a package: `nice -n 5 PATH`, `gdb --args PATH`."""
+"""Commands with a prefix before an executable of a package: `nice -n 5 PATH`, `gdb --args PATH`."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _OUT_OF_REACH = ("chrt", "ionice", "nice", "stdbuf", "taskset", "time")
 
 
 def is_package_executable(path: str) -> bool:
-    """Whether a path is `<prefix>/lib/<package>/<executable>` of a prefix with an ament index."""
+    """Whether a path is `<prefix>/lib/<package>/<executable>` in a prefix with an ament index."""
     if not os.path.isabs(path) or not os.path.isfile(path):
         return False
     folder = Path(path).parent
@@ -25,11 +25,11 @@ def is_package_executable(path: str) -> bool:
 
 
 def prefixed(command: Sequence[str]) -> list[str]:
-    """The command as it can be carried out here.
+    """Return the command in a form that can be executed here.
 
-    A Python executable of a package runs inside the session, where a priority or a buffer of the system's processes
-    cannot be set: that goes. What else comes before it (a debugger, a profiler) is given the interpreter too, where the
-    file does not name one.
+    A Python executable of a package runs inside the session, where priorities and buffers of system processes cannot be
+    set: such prefixes are dropped. With any other prefix (a debugger, a profiler) the interpreter is inserted if the file
+    does not name one.
 
     >>> prefixed(["nice", "-n", "3", "ls"])
     ['nice', '-n', '3', 'ls']

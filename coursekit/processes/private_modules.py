@@ -1,4 +1,4 @@
-"""Fresh modules for each process: two runs of a program share no globals, and a rebuilt package is read anew."""
+"""Fresh modules for each process: two runs of a program share no globals, and a rebuilt package is read again."""
 
 from __future__ import annotations
 
@@ -20,28 +20,28 @@ from .process import Process, current_process
 _real_import = builtins.__import__
 _real_import_module = importlib.import_module
 _lock = threading.RLock()
-if hasattr(os, "register_at_fork"):  # a copy of this interpreter has none of the threads that may hold it
+if hasattr(os, "register_at_fork"):  # a forked interpreter lacks the threads that may hold it
     os.register_at_fork(after_in_child=_lock._at_fork_reinit)  # type: ignore[attr-defined]
 _path_lock = threading.Lock()
 _added: set[str] = set()
-"""Folders of sys.path that are there for processes."""
+"""Folders added to sys.path for processes."""
 _KEY = "coursekit.modules"
 _NEVER = ("__pycache__", "coursekit")
 
 
 class PrivateModules:
-    """The modules that one process has for itself: those of the workspace packages on its path."""
+    """The private modules of one process: those of the workspace packages on its path."""
 
     def __init__(self, folders: Sequence[str]) -> None:
         self.folders = list(folders)
         self.names = {name for folder in folders for name in top_level_names(Path(folder))}
         self.modules: dict[str, ModuleType] = {}
         self.main: ModuleType | None = None
-        """The program itself, which calls itself `__main__`."""
+        """The program itself, whose `__name__` is `__main__`."""
         self._depth = 0
 
     def find(self, name: str, wanted: Sequence[str]) -> ModuleType | None:
-        """A module that the process has already, if it has all that is wanted from it."""
+        """Return a module already imported by the process, if it has all the wanted attributes."""
         module = self.modules.get(name)
         if module is None or any(not hasattr(module, one) for one in wanted if one != "*"):
             return None
@@ -49,7 +49,7 @@ class PrivateModules:
 
     @contextmanager
     def in_place(self) -> Iterator[None]:
-        """Make sys.modules show this process's modules."""
+        """Make sys.modules contain this process's modules."""
         with _lock:
             if self._depth:
                 yield
@@ -58,7 +58,7 @@ class PrivateModules:
             others = self._take_out()
             sys.modules.update(self.modules)
             importlib.invalidate_caches()
-            # Bytecode of a source that a cell changes again within the same second would be taken for the new one's.
+            # Bytecode of a source that a cell changes again within the same second would look up to date.
             keep, sys.dont_write_bytecode = sys.dont_write_bytecode, True
             try:
                 yield
@@ -70,7 +70,7 @@ class PrivateModules:
 
     @contextmanager
     def in_place_with_main(self) -> Iterator[None]:
-        """Make sys.modules show the program itself, too: what it has defined is looked up there."""
+        """Make sys.modules contain the program itself, too, for look-ups of its definitions."""
         with self.in_place():
             others = sys.modules["__main__"]
             sys.modules["__main__"] = self.main or others
@@ -85,10 +85,10 @@ class PrivateModules:
 
 
 def top_level_names(folder: Path) -> list[str]:
-    """Modules and packages that can be imported from a folder, in order.
+    """Return the modules and packages that can be imported from a folder, in order.
 
-    A folder without an __init__.py is no package where the real one can be imported: the `launch` folder of a package
-    built with --symlink-install must not hide ROS's launch, nor a folder `numpy` numpy. Coursekit is never anyone's own.
+    A folder without an __init__.py does not count if a real module has that name: the `launch` folder of a package built
+    with --symlink-install must not hide ROS's launch, nor a folder `numpy` numpy. Coursekit is never private.
     """
     names: list[str] = []
     bare: list[str] = []
@@ -97,7 +97,7 @@ def top_level_names(folder: Path) -> list[str]:
             names.append(entry.stem)
         elif entry.is_dir() and entry.name.isidentifier() and entry.name not in _NEVER:
             (names if (entry / "__init__.py").exists() else bare).append(entry.name)
-    if bare:  # few folders have any, and each place on the path costs a look at the disk
+    if bare:  # few folders have any, and each entry of the path costs disk access
         here = folder.resolve()
         beside = [place for place in sys.path if Path(place or ".").resolve() != here]
         names += [name for name in bare if not _is_elsewhere(name, beside)]
@@ -105,27 +105,27 @@ def top_level_names(folder: Path) -> list[str]:
 
 
 def _is_elsewhere(name: str, beside: Sequence[str]) -> bool:
-    """Whether Python would import something else by this name, from the places `beside` the folder that has it."""
+    """Whether Python would import another module of this name from the folders `beside` the one that contains it."""
     found = importlib.machinery.PathFinder.find_spec(name, beside)
     return name in sys.builtin_module_names or (found is not None and found.origin is not None)
 
 
 def use_private_modules(process: Process, folders: Sequence[str]) -> None:
-    """Give `process` fresh modules of the packages in `folders`, which also come first on sys.path."""
+    """Give `process` fresh modules of the packages in `folders`, which also move to the front of sys.path."""
     patch_manager.enter(process.session, PRIVATE)
     _put_first(folders)
     process.locals[_KEY] = PrivateModules(folders)
 
 
 def _put_first(folders: Sequence[str]) -> None:
-    """Into a new list: another process that looks through the old one must not miss a folder that moves meanwhile."""
+    """Replace the list: another process that iterates over the old one must not miss a folder that is being moved."""
     with _path_lock:
         _added.update(folder for folder in folders if folder not in sys.path)
         sys.path = list(dict.fromkeys([*folders, *sys.path]))
 
 
 def private_of_process() -> PrivateModules | None:
-    """The modules that the calling process has for itself, if it has any."""
+    """Return the private modules of the calling process, if it has any."""
     process = current_process()
     private: PrivateModules | None = process.locals.get(_KEY) if process is not None else None
     return private
@@ -166,7 +166,7 @@ def import_module(name: str, package: str | None = None) -> ModuleType:
 
 
 def own_path(_nothing: object = None) -> Callable[[], None]:
-    """Remember sys.path; returns what puts it back, without the folders of processes and with what others have added."""
+    """Store sys.path; return the function that restores it, without folders of processes but with others' additions."""
     found, before = sys.path, list(sys.path)
 
     def undo() -> None:

@@ -32,7 +32,7 @@ _PACKAGE = os.path.dirname(os.path.dirname(__file__)) + os.sep
 DISTRIBUTION = {
     "ROS_DISTRO": "humble", "ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3", "LD_LIBRARY_PATH": f"{_PACKAGE}lib",
 }  # fmt: skip
-"""The variables that sourcing ROS sets; launch files and nodes ask for them."""
+"""The variables set by sourcing ROS; launch files and nodes read them."""
 
 
 class Process(Interruptible):
@@ -61,39 +61,39 @@ class Process(Interruptible):
         self.cwd: str = above if cwd is None else os.fspath(cwd)
         self.started = session.clock.steady()
         self.locals: dict[Any, Any] = {}
-        """Other rooms' objects per process: the default rclpy context, log levels, ..."""
+        """Data of other packages per process: the default rclpy context, log levels, ..."""
         self.cleanups: list[Callable[[], None]] = []
         self.before_join: list[Callable[[], None]] = []
-        """Called when its main() has ended, before its threads are waited for: pools let go of those without work."""
+        """Called when its main() has ended, before its threads are joined: pools release their idle threads."""
         self.at_exit: list[functools.partial[Any]] = []
         self.stdin = Input(session)
         self.on_wants_keys: Callable[[], None] | None = None
-        """Called when it wants each key as it is typed, not whole lines; set by who types."""
+        """Called when it needs each key at once instead of whole lines; set by the source of its input."""
         self.stdin_to: Any = None
-        """A process that gets what is typed, as the program in the foreground of a shell does."""
+        """A process that receives its input instead, like a shell's foreground program."""
         self.threads: list[threading.Thread] = []
-        """Its non-daemon threads: it ends when they have."""
+        """Its non-daemon threads: it ends after them."""
         self.contexts: list[ExecutionContext] = []
         self._main = main
         self._main_context: ExecutionContext | None = None
 
-    # -- what is typed to it
+    # -- keyboard input
 
     def write_stdin(self, text: str) -> None:
-        """Type `text` into its standard input."""
+        """Write `text` to its standard input."""
         if self.stdin_to is not None:
             self.stdin_to.write_stdin(text)
         else:
             self.stdin.feed(text)
 
     def want_keys(self) -> None:
-        """Ask whoever types for each key at once: what a terminal calls raw mode."""
+        """Request each key at once from the source of the input: a terminal's raw mode."""
         for process in (self, self.parent):
             if process is not None and process.on_wants_keys is not None:
                 process.on_wants_keys()
 
     def close_stdin(self) -> None:
-        """End its standard input, as Ctrl-D does."""
+        """Close its standard input, as Ctrl-D does."""
         if self.stdin_to is not None:
             self.stdin_to.close_stdin()
         else:
@@ -109,7 +109,7 @@ class Process(Interruptible):
 
     def _run(self) -> None:
         self._main_context = self.session.execution_context()
-        if not self.session.clock.virtual:  # threads that it makes are, as a main thread's, no daemons
+        if not self.session.clock.virtual:  # threads that it creates are not daemons, like a main thread's
             threading.current_thread()._daemonic = False  # type: ignore[attr-defined]
         code = 1
         try:
@@ -140,7 +140,7 @@ class Process(Interruptible):
             return 1
 
     def _join_threads(self) -> None:
-        """Python waits for a program's non-daemon threads; so does a process."""
+        """Wait for the program's non-daemon threads, as Python does."""
         try:
             for thread in list(self.threads):
                 thread.join()
@@ -155,17 +155,17 @@ class Process(Interruptible):
                 self._report(sys.exc_info())
 
     def _report(self, error: tuple[Any, Any, TracebackType | None]) -> None:
-        """Print the traceback from the program's first line on, without the frames that started it."""
+        """Print the traceback from the program's first frame on, without the frames that started it."""
         kind, value, trace = error
         while trace is not None and trace.tb_frame.f_code.co_filename.startswith(_ROOM):
             trace = trace.tb_next
         if kind is KeyboardInterrupt and (trace is None or trace.tb_frame.f_code.co_filename.startswith(_PACKAGE)):
-            return  # a program of ours, or one that had not begun: the inside helps nobody
+            return  # one of our programs, or one that had not begun: the internals are of no use
         self.out.write("stderr", "".join(traceback.format_exception(kind, value, trace)))
 
     def _end(self, code: int) -> None:
         if self.exit_code is not None:
-            return  # it was cut off before
+            return  # it was detached before
         self._call_all(reversed(self.cleanups))
         self.exit_code = code
         for context in self.contexts:
@@ -178,7 +178,7 @@ class Process(Interruptible):
 
 
 def exit_status(result: Any, process: Process) -> int:
-    """The exit code that `sys.exit(result)` gives; a text is printed to stderr and gives 1."""
+    """Return the exit code of `sys.exit(result)`; a text is printed to stderr and gives 1."""
     if result is None:
         return 0
     if isinstance(result, int):
@@ -188,7 +188,7 @@ def exit_status(result: Any, process: Process) -> int:
 
 
 def enter_folder(folder: str) -> None:
-    """Give the calling thread a working folder of its own, where the system can (Linux)."""
+    """Give the calling thread its own working folder, where the system supports it (Linux)."""
     if sys.platform != "linux" or thread_context().ident == threading.main_thread().ident:
         return
     clone_fs = 0x200

@@ -1,9 +1,9 @@
-"""Python programs that are started by path: `python3 node.py` in a terminal or a launch file.
+"""Python programs started by path: `python3 node.py` in a terminal or a launch file.
 
-They join the session that runs for the same user and ROS domain, so that they share its graph, as on a robot every
-program does. Where none runs, or under pytest, a debugger or `python -m`, a program has a session of its own, and its
-nodes meet those of the other programs (`coursekit.cli.neighbours`). So has a program that starts other interpreters by
-multiprocessing: they are to be copies of an interpreter that runs nothing else.
+They join the running session of the same user and ROS domain, so that they share its graph, as all programs on a robot
+do. If there is none, or under pytest, a debugger or `python -m`, a program has its own session, and its nodes discover
+those of other programs (`coursekit.cli.neighbours`). A program that starts other interpreters by multiprocessing also
+has its own session: they must be copies of an interpreter that runs nothing else.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _READ = 1_000_000
 
 
 def names_python(word: str) -> bool:
-    """Whether a word of a command is the interpreter.
+    """Whether a word of a command is the Python interpreter.
 
     >>> names_python("/usr/bin/python3.11"), names_python("plain.py")
     (True, False)
@@ -35,7 +35,7 @@ def names_python(word: str) -> bool:
 
 
 def joins() -> Path | None:
-    """The program that this interpreter was started for, if it should join a session."""
+    """Return the program for which this interpreter was started, if it should join a session."""
     main = sys.modules.get("__main__")
     path = Path(getattr(main, "__file__", None) or "")
     if getattr(main, "__spec__", None) is not None or path.suffix != ".py" or current_process() is not None:
@@ -47,10 +47,10 @@ def joins() -> Path | None:
 
 
 def join() -> None:
-    """Have the running session carry out this interpreter's program, and end with its exit code.
+    """Run this interpreter's program in the running session, and exit with its exit code.
 
-    Called when rclpy or rosbag2_py is imported, which programs do before anything else; returns where there is
-    nothing to join.
+    Called when rclpy or rosbag2_py is imported, usually a program's first action; returns if there is no session to
+    join.
     """
     path = joins()
     code = None if path is None else load(JOIN)(path, sys.argv[1:])
@@ -61,7 +61,7 @@ def join() -> None:
 
 
 def of_command(cmd: Sequence[str], folder: str | None) -> tuple[Path, list[str]] | None:
-    """The program and arguments of a command `python3 [-u] FILE.py ...` whose file uses ROS; None for others."""
+    """Return program and arguments of a command `python3 [-u] FILE.py ...` whose file uses ROS; None for others."""
     if not names_python(cmd[0]):
         return None
     words = [word for at, word in enumerate(cmd[1:]) if not (at == 0 and word == "-u")]

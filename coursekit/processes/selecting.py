@@ -1,4 +1,4 @@
-"""Waiting for files, as asyncio's loops do: by the session's clock, and Ctrl-C ends it."""
+"""Waiting for files, as asyncio's loops do: on the session's clock, and interruptible by Ctrl-C."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from coursekit.core.clock import waited_ns
 from .current_process import current_process
 
 STEP = 0.02
-"""Seconds between two looks at the files."""
+"""Polling interval for the files [s]."""
 
 
 def patient(real: Callable[..., Any]) -> Callable[..., Any]:
-    """Such a `select` for a process of a session: on the virtual clock the others go on while it waits."""
+    """Wrap a selector's `select` for a process of a session: on the virtual clock the others run while it waits."""
 
     def select(self: Any, timeout: float | None = None) -> Any:
         process = current_process()

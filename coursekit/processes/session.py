@@ -1,7 +1,7 @@
 """The session: one clock, its processes, and the graphs (one per ROS domain) that they share.
 
-An interpreter has one current session, made on first use: on the wall clock, or on the virtual one when
-COURSEKIT_TIME=virtual. COURSEKIT_STOP_AFTER=SECONDS presses Ctrl-C in everything after that much session time.
+An interpreter has one current session, created on first use: on the wall clock, or on the virtual one when
+COURSEKIT_TIME=virtual. COURSEKIT_STOP_AFTER=SECONDS sends Ctrl-C to everything after that much session time.
 """
 
 from __future__ import annotations
@@ -33,13 +33,13 @@ from .process import Process, current_process
 _making = threading.RLock()
 
 NETWORK_VARIABLE = "COURSEKIT_NETWORK"
-"""The variable of the environment that holds the address of a network to join."""
+"""The environment variable with the address of a network to join."""
 ALONE = ("COURSEKIT_ALONE", "COURSEKIT_STOP_AFTER")
-"""Variables of the environment that have an interpreter's nodes meet nobody."""
+"""Environment variables that isolate an interpreter's nodes from those of other programs."""
 
 
 class Session:
-    """Everything that runs together in one interpreter.
+    """All programs that run together in one interpreter.
 
     >>> session = Session(virtual=True)
     >>> with session.use():
@@ -53,15 +53,15 @@ class Session:
         self.environ: Mapping[str, str] = os.environ if environ is None else environ
         self.processes: list[Process] = []
         self.embedded = False
-        """Set where the interpreter is a Jupyter kernel: then only cells and processes run on the virtual clock."""
+        """Set if the interpreter is a Jupyter kernel: then only cells and processes run on the virtual clock."""
         self.in_cell = False
         self.meets = False
-        """Set where its nodes meet those of other programs on this computer: in a plain interpreter on the wall clock."""
+        """Set if its nodes discover those of other programs on this computer: in a plain interpreter on the wall clock."""
         self.cut_off: list[int] = []
         """Threads of processes that could not be ended."""
         self.graphs: dict[int, Graph] = {}
         self.locals: dict[Any, Any] = {}
-        """Other rooms' objects per session; for the interpreter's own code also those per process."""
+        """Data of other packages per session; for the interpreter's own code also the data per process."""
         self.on_start: list[Callable[[Process], None]] = []
         self.on_close: list[Callable[[], object]] = []
         self._pids = itertools.count(1000)
@@ -70,7 +70,7 @@ class Session:
         self._stop_planned = False
 
     def open(self) -> None:
-        """Give each process its own view of what Python keeps once (streams, signals, time, ...), until `close`."""
+        """Give each process its own view of interpreter-wide state (streams, signals, time, ...), until `close`."""
         patch_manager.enter(self, IMPORTS, PROCESSES, *([VIRTUAL] if self.clock.virtual else []))
 
     # -- processes
@@ -86,11 +86,11 @@ class Session:
         on_output: Callable[[str, str], None] | None = None,
         tty: bool = False,
     ) -> Process:
-        """Run `main()` as a process of its own.
+        """Run `main()` in its own process.
 
         Its sys.argv is `[name, *argv]`; `env` replaces its environment, `cwd` its working folder; `on_output(stream,
-        text)` is called with all that it prints; with `tty` its streams say that they are a terminal's. What `main`
-        returns, or gives to `sys.exit`, is its exit code.
+        text)` is called with all its output; with `tty` its streams claim to be a terminal. The return value of `main`,
+        or the argument of `sys.exit`, is its exit code.
         """
         process = Process(
             self, main, name=name, argv=argv, env=None if env is None else dict(env), cwd=cwd, parent=current_process()
@@ -98,7 +98,7 @@ class Session:
         return self.launch(process, on_output, tty)
 
     def launch(self, process: Any, on_output: Callable[[str, str], None] | None = None, tty: bool = False) -> Any:
-        """Register a process that was made and begin it."""
+        """Register an existing process and start it."""
         process.tty = tty
         self.open()
         self.plan_stop()
@@ -121,19 +121,19 @@ class Session:
         on_output: Callable[[str, str], None] | None = None,
         tty: bool = False,
     ) -> Any:
-        """Run an executable of a package: Python ones in this interpreter, others as a child of the system."""
+        """Run an executable of a package: Python ones in this interpreter, others as child processes."""
         from .executables import make_process
 
         process = make_process(self, Path(path), argv, name=name, env=env, cwd=cwd)
         return self.launch(process, on_output, tty)
 
     def forget(self, process: Any) -> None:
-        """Called by a process that ended."""
+        """Remove a process that has ended; called by the process."""
         with contextlib.suppress(ValueError):
             self.processes.remove(process)
 
     def spawn(self, function: Callable[..., Any], *args: Any) -> None:
-        """Run `function(*args)` beside the caller, inside the caller's process."""
+        """Run `function(*args)` concurrently, inside the caller's process."""
         process = current_process()
 
         def body() -> None:
@@ -145,11 +145,11 @@ class Session:
         self.clock.spawn(body, getattr(function, "__name__", "context"))
 
     def execution_context(self) -> ExecutionContext:
-        """The execution context that asks."""
+        """Return the calling execution context."""
         return self.clock.running if is_virtual_thread(self.clock) else thread_context()
 
     def interrupt_all(self) -> None:
-        """Press Ctrl-C in every process; where there is none, in the interpreter's own main execution context."""
+        """Send Ctrl-C to every process; if there is none, to the interpreter's own main execution context."""
         running = [process for process in self.processes if process.parent is None]
         for process in running:
             process.interrupt()
@@ -163,7 +163,7 @@ class Session:
             interrupt_self()
 
     def close(self, grace_sec: float = 2.0) -> None:
-        """End every process: Ctrl-C, then, for those that ignore it, kill."""
+        """End every process: with Ctrl-C, then, if it ignores that, with kill."""
         for process in list(self.processes):
             process.interrupt()
         for act in (None, "kill"):
@@ -177,15 +177,15 @@ class Session:
             graph.clear()
         self.clock.close()
         running = sys._current_frames()
-        if not any(ident in running for ident in self.cut_off):  # else what is still running would print as the interpreter
+        if not any(ident in running for ident in self.cut_off):  # otherwise running threads would print as the interpreter
             patch_manager.leave(self)
 
-    # -- shared things
+    # -- shared objects
 
     def meet(self, domain_id: int) -> None:
-        """Have the interpreter's own nodes and those of other programs in the domain see each other.
+        """Let the interpreter's own nodes and those of other programs in the domain discover each other.
 
-        Where COURSEKIT_NETWORK names a network, there; both ways at once, they would hear everything twice.
+        If COURSEKIT_NETWORK names a network, they do so there; with both they would receive everything twice.
         """
         if os.environ.get(NETWORK_VARIABLE) and load(NETWORK)(self, domain_id):
             return
@@ -193,24 +193,24 @@ class Session:
             load(MEET)(self.graph(domain_id), domain_id)
 
     def graph(self, domain_id: int = 0) -> Graph:
-        """The graph of a domain."""
+        """Return the graph of a domain."""
         graph = self.graphs.get(domain_id)
         if graph is None:
             graph = self.graphs.setdefault(domain_id, Graph(self.clock, self._endpoints))
         return graph
 
     def new_pid(self) -> int:
-        """A process number: counted, so that it is the same in every run."""
+        """Return a new process id: counted, so it is the same in every run."""
         return next(self._pids)
 
     def new_uuid(self) -> bytes:
-        """Sixteen bytes that nobody else has: random, but counted on the virtual clock."""
+        """Return sixteen unique bytes: random, but counted on the virtual clock."""
         if not self.clock.virtual:
             return uuid.uuid4().bytes
         return uuid.uuid5(uuid.NAMESPACE_OID, f"coursekit {next(self._uuids)}").bytes
 
     def plan_stop(self) -> None:
-        """Arrange for COURSEKIT_STOP_AFTER, once; called when the first node or process appears."""
+        """Schedule the stop for COURSEKIT_STOP_AFTER, once; called when the first node or process appears."""
         seconds = os.environ.get("COURSEKIT_STOP_AFTER")
         if seconds and not self._stop_planned:
             self._stop_planned = True
@@ -218,7 +218,7 @@ class Session:
 
     @contextlib.contextmanager
     def use(self) -> Iterator[Session]:
-        """Make this the current session for a while, and close it afterwards."""
+        """Make this the current session inside the block, and close it afterwards."""
         previous, current_session.session = current_session.session, self
         self.open()
         try:
@@ -229,13 +229,13 @@ class Session:
 
 
 def locals_here() -> dict[Any, Any]:
-    """Where a room keeps what belongs to the calling program: its process's, or the session's for the interpreter's own."""
+    """Return the data of the calling program: its process's, or the session's for the interpreter's own code."""
     process = current_process()
     return current().locals if process is None else process.locals
 
 
 def current() -> Session:
-    """The session in which the calling code runs; made on first use."""
+    """Return the session of the calling code, created on first use."""
     process = current_process()
     if process is not None:
         return process.session

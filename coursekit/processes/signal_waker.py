@@ -1,7 +1,7 @@
-"""A signal ends the main thread's wait, whenever it comes.
+"""Makes every signal end the main thread's wait.
 
-Python runs a signal's handler between two steps of the main thread. A signal that comes after the last step and before the
-thread sleeps in a lock would have to wait for what else wakes it, perhaps for ever: Ctrl-C would seem to do nothing.
+Python runs a signal handler between two bytecodes of the main thread. A signal that arrives after the last one and before
+the thread blocks on a lock would have to wait until something else wakes it: Ctrl-C would seem to do nothing.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from coursekit.core.execution_context import thread_context
 
 
 class SignalWaker:
-    """Wakes the main thread, which has to make this, for each signal; its wait looks again at what it waits for."""
+    """Wakes the main thread, which must create this, for each signal; its wait then checks its condition again."""
 
     def __init__(self) -> None:
         self._main = thread_context()
@@ -27,12 +27,12 @@ class SignalWaker:
     def _keep_waking(self) -> None:
         while self._hears.recv(64):
             waiter = self._main.blocked_on
-            if waiter is not None:  # else it takes a step before it sleeps, and sees the signal
+            if waiter is not None:  # else it runs code before it sleeps, and handles the signal
                 waiter.poke()
         self._hears.close()
 
     def close(self) -> None:
-        """Wake it no more; who has asked to be told of signals since then still is."""
+        """Stop waking; a wakeup fd set by other code since then is kept."""
         last = signal.set_wakeup_fd(self._before)
         if last != self._said.fileno():
             signal.set_wakeup_fd(last)

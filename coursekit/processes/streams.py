@@ -1,4 +1,4 @@
-"""Per-process views of what Python keeps once per interpreter: sys.stdout, sys.argv, os.environ, signals, sleep."""
+"""Per-process views of interpreter-wide state: sys.stdout, sys.argv, os.environ, signals, sleep."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _real_getsignal = signal.getsignal
 
 
 class StreamProxy:
-    """Stands in sys.stdout's place: writes go to the process that writes, otherwise to the stream it replaced."""
+    """A replacement of sys.stdout: writes go to the calling process, or outside of processes to the replaced stream."""
 
     def __init__(self, name: str, real: Any) -> None:
         self.__dict__.update(_name=name, _real=real, _replaced=None)
@@ -33,7 +33,7 @@ class StreamProxy:
 
     @property
     def write(self) -> Callable[[str], int]:
-        """The stream that writes; a replacement (IPython's while a cell runs) gets the interpreter's own output."""
+        """The write function; a replacement (IPython's while a cell runs) gets the interpreter's own output."""
         replaced = self._replaced
         return replaced if replaced is not None and current_process() is None else self._write
 
@@ -95,10 +95,10 @@ class ProcessStream:
             self.write(line)
 
     def flush(self) -> None:
-        """Nothing is held back."""
+        """Do nothing: there is no buffer."""
 
     def reconfigure(self, **_options: Any) -> None:
-        """Buffering options make no difference here."""
+        """Do nothing: buffering options have no effect here."""
 
     def isatty(self) -> bool:
         return self._process.tty
@@ -124,11 +124,11 @@ class BytesView:
         return len(data)
 
     def flush(self) -> None:
-        """Nothing is held back."""
+        """Do nothing: there is no buffer."""
 
 
 class Environ(MutableMapping[str, str]):
-    """os.environ: a process sees its own variables, everything else the real ones."""
+    """os.environ: a process sees its own variables, other code the real ones."""
 
     def __init__(self, real: Any) -> None:
         self._real = real
@@ -164,7 +164,7 @@ class Environ(MutableMapping[str, str]):
         return dict(other) | dict(self)
 
     def __ior__(self, other: Any) -> Environ:
-        """In place: `|=` would else put a mere copy where the environment was."""
+        """Update in place: `|=` would otherwise replace the environment by a plain dict."""
         self.update(other)
         return self
 
@@ -176,7 +176,7 @@ class Environ(MutableMapping[str, str]):
 
 
 def _named(key: Any) -> Any:
-    """Anything but text is refused where it is looked up, as Python refuses it."""
+    """Normalize a variable name; non-strings are rejected later by the look-up, as in Python."""
     return variable_name(key) if isinstance(key, str) else key
 
 
@@ -201,7 +201,7 @@ def sleep(seconds: float) -> None:
     process = current_process()
     session = process.session if process is not None else virtual_session_here()
     if session is None or sys._getframe(1).f_globals.get("__name__") == "subprocess":
-        _real_sleep(seconds)  # who waits for a child of the system waits as long as that one takes
+        _real_sleep(seconds)  # waiting for a child process takes real time
         return
     if seconds < 0:
         raise ValueError("sleep length must be non-negative")
@@ -229,7 +229,7 @@ def _default_handler(signum: int) -> Any:
 
 
 def input_of(real: Callable[..., str]) -> Callable[..., str]:
-    """`input` of each process; `real` is everybody else's."""
+    """Wrap `input` for each process; `real` is used outside of processes."""
 
     def read_line(prompt: object = "", /) -> str:
         process = current_process()
@@ -245,19 +245,19 @@ def input_of(real: Callable[..., str]) -> Callable[..., str]:
 
 
 def proxy_of(name: str) -> Callable[[Any], StreamProxy]:
-    """The function that puts a proxy around the stream `sys.NAME`."""
+    """Return the function that wraps the stream `sys.NAME` in a proxy."""
     return lambda real: StreamProxy(name, real)
 
 
 def bare(value: Any) -> Any:
-    """A stream or environment without the view of each process around it."""
+    """Unwrap a stream or environment from its per-process view."""
     while isinstance(value, (StreamProxy, Environ)):
         value = value._real
     return value
 
 
 def own_arguments(_nothing: object = None) -> Callable[[], None]:
-    """Give each process its own sys.argv; returns what undoes it."""
+    """Give each process its own sys.argv; return the function that undoes it."""
     kind = sys.__class__
     sys.__dict__["_real_argv"] = sys.__dict__.pop("argv")
     sys.__class__ = _Sys

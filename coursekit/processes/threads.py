@@ -1,6 +1,6 @@
 """Threads that belong to their process, and that the virtual clock can run one at a time.
 
-A thread started by a process inherits what is the process's (output, argv, Ctrl-C). On the virtual clock it becomes a
+A thread started by a process inherits the process's context (output, argv, Ctrl-C). On the virtual clock it becomes a
 greenlet; while it waits, the others run (locks.py).
 """
 
@@ -24,11 +24,11 @@ _is_alive = threading.Thread.is_alive
 _current_thread = threading.current_thread
 
 SWITCH_INTERVAL = 0.0005
-"""Seconds a thread keeps the interpreter: with Python's 5 ms a busy cell makes every hand-off between threads slow."""
+"""Thread switch interval [s]: with Python's 5 ms a busy cell slows down every switch between threads."""
 
 
 def _run_of(thread: threading.Thread, process: Process | None) -> Callable[[], None]:
-    """The thread's function: its own `run`, in a copy of the present context."""
+    """Return the thread's function: its own `run`, in a copy of the current context."""
     run = thread.run
     context = contextvars.copy_context()
 
@@ -78,7 +78,7 @@ def start(self: threading.Thread) -> None:
 
 
 def _end_pool_with(process: Process, thread: threading.Thread) -> None:
-    """Let a pool do what it was given and end when main has, as Python does at its exit: a session's Python goes on."""
+    """Let a pool finish its work and end after main, as Python does at exit: the session's interpreter continues to run."""
     if getattr(thread, "_target", None) is not pools._worker:  # type: ignore[attr-defined]
         return
     reference = thread._args[0]  # type: ignore[attr-defined]
@@ -91,7 +91,7 @@ def _end_pool_with(process: Process, thread: threading.Thread) -> None:
 
 
 class _EndedHandle:
-    """The handle by which a thread from Python 3.13 on asks the system whether it has ended."""
+    """The handle with which a thread of Python 3.13 or newer checks whether it has ended."""
 
     ident = 0
 
@@ -103,7 +103,7 @@ class _EndedHandle:
 
 
 def _tell_python_of_end(thread: threading.Thread) -> None:
-    """Let Python's own `is_alive` and `join` know that a greenlet has ended: ours are taken back with the session."""
+    """Mark a greenlet as ended for Python's own `is_alive` and `join`: ours are removed with the session."""
     for name in ("_os_thread_handle", "_handle"):  # Python 3.14's, and 3.13's
         if hasattr(thread, name):
             setattr(thread, name, _EndedHandle())
@@ -112,7 +112,7 @@ def _tell_python_of_end(thread: threading.Thread) -> None:
 
 
 def join(self: threading.Thread, timeout: float | None = None) -> None:
-    """`Thread.join`; in a process a Ctrl-C ends it."""
+    """`Thread.join`; in a process Ctrl-C ends it."""
     ended = getattr(self, "_coursekit_ended", None)
     if ended is not None:
         ended.wait(timeout)
@@ -126,20 +126,20 @@ def join(self: threading.Thread, timeout: float | None = None) -> None:
 
 
 def is_alive(self: threading.Thread) -> bool:
-    """`Thread.is_alive`."""
+    """`Thread.is_alive`, also for threads that are greenlets."""
     ended = getattr(self, "_coursekit_ended", None)
     return not ended.is_set() if ended is not None else _is_alive(self)
 
 
 def current_thread() -> threading.Thread:
-    """`threading.current_thread`, which knows the virtual clock's execution contexts."""
+    """`threading.current_thread`, extended to the virtual clock's execution contexts."""
     session = virtual_session_here()
     context = session.clock.running if session is not None else None
     return getattr(context, "thread", None) or _current_thread()
 
 
 def switch_often(_nothing: object = None) -> Callable[[], None]:
-    """Let threads take turns more often; returns what undoes it."""
+    """Switch between threads more often; return the function that undoes it."""
     before = sys.getswitchinterval()
     sys.setswitchinterval(min(before, SWITCH_INTERVAL))
     return lambda: sys.setswitchinterval(before)

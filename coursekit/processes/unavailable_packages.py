@@ -1,4 +1,4 @@
-"""ROS packages that programs ask for and that are not part of coursekit: why, and what does their work here."""
+"""ROS packages that are not part of coursekit: the reason, and the alternative here."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _REPOSITORIES = {
     "aws-robomaker-small-house-world of aws-robotics": r"aws_robomaker_small_house_world",
     "aws-robomaker-small-warehouse-world of aws-robotics": r"aws_robomaker_small_warehouse_world",
 }
-"""Where on GitHub packages are that many build upon and that hold no C++, or need none of it."""
+"""GitHub repositories with packages that are often used and need no C++ here."""
 _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"\w+_description", "describes a robot", "its source builds here: put it into the src folder of your workspace, then "
      "`colcon build`"),
@@ -59,7 +59,7 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
 
 
 def remark(package: str) -> str:
-    """Why a package is not here and what to type instead; empty for a package of which nothing is known.
+    """Return why a package is not here and the alternative; empty for an unknown package.
 
     >>> remark("moveit")
     'moveit is not part of coursekit: it belongs to MoveIt, whose planners are C++, which is not compiled here; to move ...'
@@ -84,7 +84,7 @@ _EXECUTABLES = {
 
 
 def remark_on_executable(package: str, executable: str) -> str:
-    """Why a package of coursekit lacks an executable, and what to type instead; empty when nothing is known.
+    """Return why a package of coursekit lacks an executable, with the alternative; empty if that is unknown.
 
     >>> remark_on_executable("demo_nodes_cpp", "allocator_tutorial")
     'it counts what C++ allocates, and Python programs do not choose their memory'

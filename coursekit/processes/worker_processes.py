@@ -1,11 +1,11 @@
-"""multiprocessing in a program: its workers know its own functions, and other programs run while it waits for a worker.
+"""multiprocessing in a program: workers know its own functions, and other programs run while it waits for a worker.
 
-Only programs that a session carries out in its own interpreter need this; others have one (`coursekit.processes.script`).
+Only programs that run in a session's own interpreter need this; others have their own (`coursekit.processes.script`).
 """
 
 from __future__ import annotations
 
-import _signal  # `signal.signal` is the session's
+import _signal  # `signal.signal` is replaced by the session
 import functools
 import os
 import selectors
@@ -23,19 +23,19 @@ from .pickling import with_own_modules
 from .private_modules import private_of_process
 
 STEP = 0.005
-"""The time between two looks at a worker, virtual and real [s]."""
+"""Polling interval for a worker, virtual and real [s]."""
 _real_wait = connection.wait
 
 
 def _virtual_clock() -> Any:
-    """The virtual clock whose execution contexts the calling program would hold up; None on the wall clock."""
+    """Return the virtual clock whose execution contexts the calling program would block; None on the wall clock."""
     process = current_process()
     clock = None if process is None else process.session.clock
     return clock if clock is not None and is_virtual_thread(clock) else None
 
 
 def _ready(objects: list[Any], seconds: float) -> bool:
-    """Whether one of them is ready within so much real time; `wait` reads the clock, which would not advance meanwhile."""
+    """Return whether one of them is ready within so much real time; `wait` reads the clock, which would not advance then."""
     if sys.platform == "win32":
         return bool(_real_wait(objects, seconds))
     with selectors.PollSelector() as selector:
@@ -45,7 +45,7 @@ def _ready(objects: list[Any], seconds: float) -> bool:
 
 
 def _wait(clock: Any, happens: Callable[[], bool], timeout: float | None) -> bool:
-    """Let the others run until it happens, or for so many virtual seconds; `happens` waits for it for STEP real ones."""
+    """Let the others run until it happens, or for so many virtual seconds; `happens` blocks for up to STEP real seconds."""
     end = None if timeout is None else clock.steady() + waited_ns(timeout)
     while not happens():
         if end is not None and clock.steady() >= end:
@@ -55,14 +55,14 @@ def _wait(clock: Any, happens: Callable[[], bool], timeout: float | None) -> boo
 
 
 def _let_others_run(objects: list[Any], timeout: float | None = None) -> None:
-    """On the virtual clock: wait until one of them is ready, or for so many virtual seconds."""
+    """On the virtual clock, wait until one of them is ready, or for so many virtual seconds."""
     clock = _virtual_clock()
     if clock is not None:
         _wait(clock, lambda: _ready(objects, STEP), timeout)
 
 
 def _waits_first(real: Callable[..., Any]) -> Callable[..., Any]:
-    """`Connection._recv`, which reads: on the virtual clock only what is there."""
+    """Wrap `Connection._recv`: on the virtual clock it only reads available data."""
 
     @functools.wraps(real)
     def receive(self: Any, size: int, *args: Any, **kwargs: Any) -> Any:
@@ -74,19 +74,19 @@ def _waits_first(real: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _looks_first(real: Callable[..., Any]) -> Callable[..., Any]:
-    """`multiprocessing.connection.wait`."""
+    """Wrap `multiprocessing.connection.wait`."""
 
     @functools.wraps(real)
     def wait(object_list: Any, timeout: float | None = None) -> Any:
         objects = list(object_list)
         _let_others_run(objects, timeout)
-        return real(objects, timeout if _virtual_clock() is None else -1)  # not 0: until a clock that is stopped goes on
+        return real(objects, timeout if _virtual_clock() is None else -1)  # not 0: that would wait for a stopped clock
 
     return wait
 
 
 def _asks_first(real: Callable[..., Any]) -> Callable[..., Any]:
-    """`Popen.wait`, for the end of a worker."""
+    """Wrap `Popen.wait`, which waits for the end of a worker."""
 
     @functools.wraps(real)
     def wait(self: Any, timeout: float | None = None) -> Any:
@@ -97,7 +97,7 @@ def _asks_first(real: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _acquire(lock: Any, block: bool = True, timeout: float | None = None) -> bool:
-    """`acquire` of multiprocessing's locks: a worker that holds one may wait for another thread of this program."""
+    """`acquire` of multiprocessing's locks: a worker that holds one may be waiting for another thread of this program."""
     clock = _virtual_clock()
     if clock is None or not block:
         return bool(lock._semlock.acquire(block, timeout))
@@ -105,7 +105,7 @@ def _acquire(lock: Any, block: bool = True, timeout: float | None = None) -> boo
 
 
 def _with_acquire(real: Callable[..., Any]) -> Callable[..., Any]:
-    """`SemLock._make_methods`, which gives a lock its methods."""
+    """Wrap `SemLock._make_methods`, which defines a lock's methods."""
 
     @functools.wraps(real)
     def make_methods(self: Any) -> None:
@@ -116,16 +116,16 @@ def _with_acquire(real: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _be_a_worker() -> None:
-    """In a copy of this interpreter, right after the fork: nobody drives the virtual clock there, so Python is as it was.
+    """Restore Python in a forked interpreter, right after the fork: nothing drives the virtual clock there.
 
-    A pool ends its workers with SIGTERM, which the interpreter may have a handler for.
+    A pool ends its workers with SIGTERM, for which the interpreter may have a handler.
     """
     if current_process() is not None:
         _signal.signal(_signal.SIGTERM, _signal.SIG_DFL)
     clock = _virtual_clock()
     if clock is not None:
         private = private_of_process()
-        clock.thread = 0  # this thread is not one that locks made before the fork have to hand over
+        clock.thread = 0  # locks created before the fork must not yield in this thread
         patch_manager.leave_all()
         owner.set(None)
         if private is not None:
@@ -138,12 +138,12 @@ if hasattr(os, "register_at_fork"):
 
 
 def patches() -> list[Patch]:
-    """The replacements in multiprocessing."""
+    """Return the replacements in multiprocessing."""
     return _PATCHES
 
 
 def install() -> None:
-    """Lend multiprocessing these, while sessions are open."""
+    """Add the patches of multiprocessing, while sessions are open."""
     patch_manager.lend(*_PATCHES)
 
 

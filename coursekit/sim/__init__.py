@@ -1,4 +1,4 @@
-"""Simulated worlds as numbers in, numbers out: what stands where, what a LiDAR sees of it, how robots drive. No ROS.
+"""Simulated worlds with plain numbers in and out: objects, what a LiDAR sees of them, and driving robots. No ROS.
 
     >>> from coursekit.sim import Lidar, read_world
     >>> world = read_world("world: yard\\ncircles: [{name: post, center: [2, 0], radius: 0.5, height: 1}]")
@@ -40,7 +40,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    """Parts are imported when they are asked for: the LiDAR's compiler alone takes a third of a second."""
+    """Import a part on first use: the LiDAR's compiler alone takes a third of a second."""
     if name not in _WHERE:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return getattr(importlib.import_module(f".{_WHERE[name]}", __name__), name)

@@ -1,4 +1,4 @@
-"""A lock for one thread at a time: C walks through lists of bodies that another thread would change meanwhile."""
+"""A lock for one thread at a time: C iterates over lists of bodies that another thread might change."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ Method = TypeVar("Method", bound=Callable[..., Any])
 
 
 def alone(method: Method) -> Method:
-    """A method whose object has a reentrant lock `busy`, which is held while the method runs."""
+    """Wrap a method to hold the object's reentrant lock `busy` while it runs."""
 
     @functools.wraps(method)
     def held(self: Any, *args: Any, **named: Any) -> Any:

@@ -1,4 +1,4 @@
-"""Things and robots as pymunk's bodies and shapes."""
+"""Objects and robots as pymunk's bodies and shapes."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from .world import Thing
 FIXED, LOOSE, ROBOT = 1, 2, 3
 """Kinds of shapes."""
 SKIN_HEIGHTS = (0.05, 0.15, 0.3)
-"""Where fixed meshes are cut for bumping [m]."""
+"""Heights at which fixed meshes are cut for collisions [m]."""
 SILL, FLOOR, FLAT = 0.02, 0.15, 0.05
-"""Wheels roll over what is lower than a sill [m]; what is lower than FLOOR and FLAT times as thick as wide is stood upon."""
+"""Wheels roll over objects lower than SILL [m]; robots stand on ones up to FLOOR and FLAT times as thick as wide."""
 
 
 def shapes_of(parts: Iterable[Part], body: pymunk.Body, name: str, kind: int, friction: float = 0.6) -> list[Any]:
-    """The shapes of a thing's parts; each knows its thing's `name` and from where to where it reaches (`span`)."""
+    """Return the shapes of an object's parts; each has the object's `name` and its lower and upper height (`span`)."""
     found = []
     for part in parts:
         if kind == FIXED and is_floor(part):
@@ -66,7 +66,7 @@ def _skin(part: Skin, body: pymunk.Body, fixed: bool) -> Iterator[Any]:
 
 
 def is_floor(part: Part) -> bool:
-    """Whether robots stand on it instead of bumping into it.
+    """Whether robots stand on the part instead of colliding with it.
 
     >>> from coursekit.sim import Disc
     >>> is_floor(Disc(0.0, 0.0, 3.0, -0.05, 0.05)), is_floor(Disc(0.0, 0.0, 0.3, 0.0, 0.1))
@@ -78,7 +78,7 @@ def is_floor(part: Part) -> bool:
 
 
 def convex(points: Iterable[tuple[float, float]]) -> list[Any]:
-    """A polygon as convex pieces, counter-clockwise.
+    """Split a polygon into convex pieces, counter-clockwise.
 
     >>> len(convex([(0, 0), (2, 0), (2, 2), (1, 0.5)]))
     2
@@ -95,7 +95,7 @@ def convex(points: Iterable[tuple[float, float]]) -> list[Any]:
 
 
 def body_of(thing: Thing) -> pymunk.Body:
-    """The body of a thing that can be moved: pushed, on a hinge, or going its own way."""
+    """Return the body of a movable object: pushed, on a hinge, or moving by itself."""
     if thing.mass == math.inf:
         body = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
         body.velocity, body.angular_velocity = thing.velocity[:2], thing.velocity[2]
@@ -110,18 +110,18 @@ def body_of(thing: Thing) -> pymunk.Body:
 
 
 def moment(corners: Any, mass: float) -> float:
-    """The inertia of a block as large as those corners reach [kg m^2], about the origin."""
+    """Return the inertia about the origin of a block with the extent of those corners [kg m^2]."""
     (x0, y0), (x1, y1) = np.min(corners, axis=0), np.max(corners, axis=0)
     return float(mass * (((x1 - x0) ** 2 + (y1 - y0) ** 2) / 12 + ((x0 + x1) ** 2 + (y0 + y1) ** 2) / 4)) or 1e-6
 
 
 def put(body: pymunk.Body, place: tuple[float, float, float]) -> None:
-    """Put a body somewhere."""
+    """Set a body's pose."""
     body.position, body.angle = (place[0], place[1]), place[2]
 
 
 def follow(body: pymunk.Body, place: tuple[float, float, float], seconds: float) -> None:
-    """Give a kinematic body the velocity with which it gets somewhere in the next step of the physics."""
+    """Set the velocity of a kinematic body to reach a pose in the next physics step."""
     x, y = body.position
     body.velocity = (place[0] - x) / seconds, (place[1] - y) / seconds
     body.angular_velocity = wrap(place[2] - body.angle) / seconds

@@ -1,7 +1,7 @@
-"""A virtual camera over a little arena: what it sees depends on the time alone, so it is the same in every run.
+"""A virtual camera over a small arena: its image depends only on the time, so it is the same in every run.
 
-Metres, x to the right, y ahead, z up. On a chequered floor a robot with an ArUco marker runs a circle, a red ball rolls
-in a figure of eight, a green one to and fro, a blue one hops; an ArUco marker hangs at the wall.
+Metres, x to the right, y ahead, z up. On a chequered floor a robot with an ArUco marker drives in a circle, a red ball
+rolls in a figure of eight, a green one to and fro, a blue one hops; an ArUco marker hangs on the wall.
 """
 
 from __future__ import annotations
@@ -16,15 +16,15 @@ import numpy as np
 Point = tuple[float, float, float]
 
 HEIGHT = 1.35
-"""The camera hangs this high [m] above (0, 0)."""
+"""Height of the camera above (0, 0) [m]."""
 TILT = math.radians(27.0)
-"""How far it looks down."""
+"""Angle of the camera below the horizontal."""
 FOCAL = 0.82
 """Focal length in widths of the image."""
 WALL = 5.2
 """Distance of the wall [m]."""
 ROBOT_MARKER, WALL_MARKER = 7, 23
-"""Numbers of the markers in the dictionary DICT_4X4_50."""
+"""Ids of the markers in the dictionary DICT_4X4_50."""
 ROBOT_MARKER_SIDE, WALL_MARKER_SIDE = 0.30, 0.70
 BALL_RADIUS = {"red": 0.16, "green": 0.13, "blue": 0.11}
 _BALL_BGR = {"red": (38, 38, 225), "green": (60, 185, 45), "blue": (225, 110, 25)}
@@ -43,7 +43,7 @@ class Ball:
 
 
 class Scene:
-    """A camera's picture.
+    """The image of a camera.
 
     >>> scene = Scene()
     >>> image = scene.render(1.5, width=320, height=240)
@@ -56,11 +56,11 @@ class Scene:
         self._markers = {number: _marker(number) for number in (ROBOT_MARKER, WALL_MARKER)}
         self._still: dict[tuple[int, int], Any] = {}
 
-    # -- what is true
+    # -- ground truth
 
     @staticmethod
     def balls(t: float) -> list[Ball]:
-        """The balls at time `t` [s]."""
+        """Return the balls at time `t` [s]."""
         red = (1.25 * math.sin(0.9 * t), 2.7 + 0.55 * math.sin(1.8 * t), BALL_RADIUS["red"])
         green = (1.6 * math.sin(0.55 * t + 2.0), 3.9, BALL_RADIUS["green"])
         hop = abs(math.sin(2.2 * t))
@@ -70,33 +70,33 @@ class Scene:
 
     @staticmethod
     def robot(t: float) -> tuple[float, float, float]:
-        """The robot's x, y [m] and heading [rad] at time `t`: a circle of 0.75 m, counter-clockwise."""
+        """Return the robot's x, y [m] and heading [rad] at time `t`: a circle of 0.75 m, counter-clockwise."""
         angle = 0.5 * t
         return 0.35 + 0.75 * math.cos(angle), 2.55 + 0.75 * math.sin(angle), angle + math.pi / 2
 
     @staticmethod
     def camera_matrix(width: int = 640, height: int = 480) -> Any:
-        """The 3 x 3 matrix of the pinhole; there is no distortion."""
+        """Return the 3 x 3 pinhole camera matrix; there is no distortion."""
         f = FOCAL * width
         return np.array([[f, 0.0, (width - 1) / 2], [0.0, f, (height - 1) / 2], [0.0, 0.0, 1.0]])
 
     @staticmethod
     def in_camera(point: Point) -> Point:
-        """A point in the camera's own frame: x right, y down, z ahead."""
+        """Transform a point to the camera's own frame: x right, y down, z ahead."""
         x, y, z = point[0], point[1], point[2] - HEIGHT
         cos, sin = math.cos(TILT), math.sin(TILT)
         return x, -sin * y - cos * z, cos * y - sin * z
 
     def pixel(self, point: Point, width: int = 640, height: int = 480) -> tuple[float, float]:
-        """Column and row at which a point is seen."""
+        """Return column and row of a point in the image."""
         x, y, depth = self.in_camera(point)
         f = FOCAL * width
         return (width - 1) / 2 + f * x / depth, (height - 1) / 2 + f * y / depth
 
-    # -- what is seen
+    # -- rendering
 
     def render(self, t: float, width: int = 640, height: int = 480) -> Any:
-        """The picture at time `t` [s]: height x width x 3, uint8, blue first."""
+        """Return the image at time `t` [s]: height x width x 3, uint8, blue first."""
         image = self._background(width, height).copy()
         things: list[tuple[float, Ball | None]] = [(self.in_camera(ball.centre)[2], ball) for ball in self.balls(t)]
         things.append((self.in_camera((*self.robot(t)[:2], 0.1))[2], None))
@@ -121,7 +121,7 @@ class Scene:
         return still
 
     def _paste(self, image: Any, texture: Any, corners: list[Point]) -> None:
-        """Put a texture on a quadrilateral of the world (from its upper left corner, clockwise)."""
+        """Map a texture onto a quadrilateral of the world (from its upper left corner, clockwise)."""
         height, width = image.shape[:2]
         rows, columns = texture.shape[:2]
         here = np.array([(0, 0), (columns, 0), (columns, rows), (0, rows)], np.float32)
@@ -190,12 +190,12 @@ def _square(x: float, y: float, half: float) -> list[Point]:
 
 
 def _in_front(point: Point) -> Point:
-    """A corner behind the camera is drawn nearer, where it can still be projected."""
+    """Move a corner behind the camera forward, where it can be projected."""
     return point if point[1] > 0.2 else (point[0], 0.2, point[2])
 
 
 def _floor() -> Any:
-    """The floor from above, its far edge at the wall."""
+    """Return the floor from above, its far edge at the wall."""
     size = round(2 * _HALF_FLOOR * _PER_METRE)
     cells = np.arange(size) // round(_TILE * _PER_METRE)
     chequers = (cells[:, None] + cells[None, :]) % 2
@@ -204,7 +204,7 @@ def _floor() -> Any:
 
 
 def _marker(number: int) -> Any:
-    """A marker with its white margin: 1.3 times the marker itself."""
+    """Return a marker with its white margin: 1.3 times the marker itself."""
     dictionary = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
     inner = cv2.aruco.generateImageMarker(dictionary, number, 180)
     framed = cv2.copyMakeBorder(inner, 27, 27, 27, 27, cv2.BORDER_CONSTANT, value=255)
@@ -212,7 +212,7 @@ def _marker(number: int) -> Any:
 
 
 def _sky(width: int, height: int) -> Any:
-    """The wall: a gradient."""
+    """Return the wall: a gradient."""
     upper, lower = np.array([120.0, 96.0, 78.0]), np.array([176.0, 156.0, 140.0])
     part = np.linspace(0.0, 1.0, height)[:, None]
     column = (upper * (1 - part) + lower * part).astype(np.uint8)

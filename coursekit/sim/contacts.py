@@ -1,4 +1,4 @@
-"""Contacts: shapes at different heights pass each other, robots know what they touch, the floor brakes."""
+"""Contacts: shapes at different heights do not collide, robots keep their contacts, the floor brakes objects."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ def overlap(one: Any, other: Any) -> bool:
 
 
 def pass_by(arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: Any) -> None:
-    """Two shapes begin to meet; at different heights they do not."""
+    """Handle the start of a contact: shapes at different heights do not collide."""
     arbiter.process_collision = overlap(*arbiter.shapes)
 
 
 def touch(arbiter: pymunk.Arbiter, space: pymunk.Space, data: Any) -> None:
-    """A robot begins to touch something."""
+    """Handle the start of a robot's contact."""
     pass_by(arbiter, space, data)
     if not arbiter.process_collision:
         return
@@ -31,7 +31,7 @@ def touch(arbiter: pymunk.Arbiter, space: pymunk.Space, data: Any) -> None:
 
 
 def part(arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: Any) -> None:
-    """A robot touches something no longer."""
+    """Handle the end of a robot's contact."""
     for robot, other in _robots(arbiter):
         if other.name in robot.contacts and overlap(*arbiter.shapes):
             robot.contacts[other.name] -= 1
@@ -40,7 +40,7 @@ def part(arbiter: pymunk.Arbiter, _space: pymunk.Space, _data: Any) -> None:
 
 
 def _robots(arbiter: pymunk.Arbiter) -> Iterator[tuple[Any, Any]]:
-    """The robots of a contact, each with the other shape."""
+    """Yield the robots of a contact, each with the other shape."""
     for one, other in (arbiter.shapes, arbiter.shapes[::-1]):
         robot = getattr(one.body, "robot", None)
         if robot is not None:
@@ -48,16 +48,16 @@ def _robots(arbiter: pymunk.Arbiter) -> Iterator[tuple[Any, Any]]:
 
 
 def hits(space: pymunk.Space, shape: Any) -> Iterator[tuple[Any, float]]:
-    """The shapes that a shape would meet, and how deep (below 0)."""
+    """Yield the shapes that a shape would hit, with the penetration depth (below 0)."""
     middle = shape.cache_bb().center()
     for hit in space.shape_query(shape):
         yield hit.shape, min((point.distance for point in hit.contact_point_set.points), default=0.0)
-    for found in space.point_query(middle, 0.0, pymunk.ShapeFilter()):  # shapes about one middle meet nowhere
+    for found in space.point_query(middle, 0.0, pymunk.ShapeFilter()):  # concentric shapes have no contact points
         yield found.shape, found.distance
 
 
 def drag(body: pymunk.Body, friction: float, seconds: float) -> None:
-    """The impulse that the floor takes from a thing that slides on it for a while."""
+    """Apply the friction of the floor to a sliding object for some seconds."""
     speed, most = body.velocity.length, friction * GRAVITY * seconds
     body.velocity = body.velocity * max(0.0, 1.0 - most / speed) if speed else (0.0, 0.0)
     turn = body.angular_velocity

@@ -1,4 +1,4 @@
-"""The elements of a world file, each from the numbers that it is written with."""
+"""The elements of a world file, each built from its keys."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .parts import Disc, Part, Prism
 from .world import TEXTURES, Hinge, Thing
 
 FARTHEST = 1e5
-"""Metres from the origin; what is farther is a slip of the pen."""
+"""Maximum distance from the origin [m]; a larger one is a typing error."""
 COLOURS = {
     "red": (0.8, 0.15, 0.12), "orange": (0.95, 0.5, 0.1), "yellow": (0.95, 0.85, 0.2), "green": (0.2, 0.6, 0.25),
     "blue": (0.15, 0.35, 0.8), "violet": (0.5, 0.25, 0.7), "white": (0.95, 0.95, 0.95), "grey": (0.6, 0.6, 0.6),
@@ -25,14 +25,14 @@ COLOURS = {
 
 
 class Fields:
-    """The keys of one element; each is asked for, and what nobody asked for is unknown."""
+    """The keys of one element; keys that were never read are unknown."""
 
     def __init__(self, data: Mapping[str, Any], element: str, file: str, line: int) -> None:
         self.data, self.element, self.file, self.line = data, element, file, line
         self.used: set[str] = {"name"}
 
     def fault(self, what: str, cure: str = "") -> WorldError:
-        """An error at this element, to be raised."""
+        """Return an error about this element, to be raised."""
         return WorldError(what, file=self.file, line=self.line, element=self.element, cure=cure)
 
     def _get(self, key: str, default: Any) -> Any:
@@ -42,7 +42,7 @@ class Fields:
         return self.data.get(key, default)
 
     def number(self, key: str, default: float | None = None, least: float = -FARTHEST, most: float = FARTHEST) -> float:
-        """One number within bounds."""
+        """Return a number within bounds."""
         return self._number(key, self._get(key, default), least, most)
 
     def _number(self, key: str, value: Any, least: float = -FARTHEST, most: float = FARTHEST) -> float:
@@ -51,14 +51,14 @@ class Fields:
         return float(value)
 
     def numbers(self, key: str, default: Sequence[float] | None, counts: Sequence[int]) -> list[float]:
-        """A list of so many numbers."""
+        """Return a list with one of these lengths."""
         value = self._get(key, default)
         if not isinstance(value, (list, tuple)) or len(value) not in counts:
             raise self.fault(f"'{key}' is {value!r}", f"Give a list of {' or '.join(map(str, counts))} numbers.")
         return [self._number(key, one) for one in value]
 
     def points(self, key: str, least: int) -> np.ndarray:
-        """A list of [x, y], at least so many; the first repeated at the end is dropped."""
+        """Return a list of [x, y] with at least so many points; a repeated first point at the end is dropped."""
         rows = self._get(key, None)
         if not isinstance(rows, list) or any(not isinstance(row, list) or len(row) != 2 for row in rows):
             raise self.fault(f"'{key}' is no list of points", "Write [[x, y], [x, y], ...].")
@@ -69,32 +69,32 @@ class Fields:
         return np.array([[self._number(key, one) for one in row] for row in rows])
 
     def word(self, key: str, default: str | None = None, of: Sequence[str] = ()) -> str:
-        """A word, one of some."""
+        """Return a word, optionally one of a set."""
         value = self._get(key, default)
         if not isinstance(value, (str, int)) or (of and value not in of):
             raise self.fault(f"'{key}' is {value!r}", known(str(value), of) if of else "Give a word.")
         return str(value)
 
     def flag(self, key: str, default: bool) -> bool:
-        """true or false."""
+        """Return true or false."""
         value = self._get(key, default)
         if not isinstance(value, bool):
             raise self.fault(f"'{key}' is {value!r}", "Write true or false.")
         return value
 
     def span(self, height: float) -> tuple[float, float]:
-        """From where to where it reaches above the floor."""
+        """Return the lower and upper height above the floor."""
         low = self.number("bottom", 0.0)
         return low, low + self.number("height", height, 1e-3)
 
     def finish(self) -> None:
-        """All keys must have been used."""
+        """Check that all keys were used."""
         for key in self.data:
             if key not in self.used:
                 raise self.fault(f"unknown key '{key}'", known(key, self.used))
 
     def thing(self, parts: Sequence[Part], texture: str, place: Pose2D = Pose2D(), **more: Any) -> Thing:
-        """A thing that looks as the element says."""
+        """Return an object with the element's colour and texture."""
         colour = self.data.get("colour")
         self.used.add("colour")
         if colour is not None:
@@ -104,7 +104,7 @@ class Fields:
 
 
 def wall(fields: Fields) -> Thing:
-    """A chain of walls; with thickness each stretch is a block, and blocks overlap at corners."""
+    """A chain of walls; with a thickness each segment is a block, and blocks overlap at corners."""
     points, closed = fields.points("points", 2), fields.flag("closed", False)
     low, high = fields.span(2.0)
     thickness = fields.number("thickness", 0.1, 0.0, 100.0)
@@ -127,7 +127,7 @@ def _stretch(fields: Fields, a: np.ndarray, b: np.ndarray, thickness: float, low
 
 
 def polygon(fields: Fields) -> Thing:
-    """Any outline that does not cross itself; movable with a mass."""
+    """A polygon that does not cross itself; movable if it has a mass."""
     points = fields.points("points", 3)
     low, high = fields.span(1.0)
     cross = crossing(points)
@@ -142,7 +142,7 @@ def polygon(fields: Fields) -> Thing:
 
 
 def circle(fields: Fields) -> Thing:
-    """An upright cylinder; movable with a mass."""
+    """An upright cylinder; movable if it has a mass."""
     x, y = fields.numbers("center", None, (2,))
     low, high = fields.span(1.0)
     radius = fields.number("radius", None, 1e-3)
@@ -150,7 +150,7 @@ def circle(fields: Fields) -> Thing:
 
 
 def box(fields: Fields) -> Thing:
-    """A block; movable with a mass."""
+    """A block; movable if it has a mass."""
     x, y = fields.numbers("center", None, (2,))
     length, width = fields.numbers("size", None, (2,))
     if min(length, width) < 1e-3:
@@ -162,7 +162,7 @@ def box(fields: Fields) -> Thing:
 
 
 def door(fields: Fields) -> Thing:
-    """A leaf on a hinge; with a mass it swings between shut and `widest`."""
+    """A leaf on a hinge; with a mass it swings between closed and `widest`."""
     x, y = fields.numbers("hinge", None, (2,))
     width, thick = fields.number("width", 0.9, 0.05), fields.number("thickness", 0.04, 0.005)
     low, high = fields.span(2.0)

@@ -1,4 +1,4 @@
-"""Errors in a world: the file, the place in it, and the cure."""
+"""Errors in a world: the file, the location in it, and the remedy."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from coursekit.suggestions import did_you_mean
 
 
 class WorldError(ValueError):
-    """A world that cannot be simulated: `what`, the `file`, `line` and `element` where it is, and the `cure`.
+    """A world that cannot be simulated: `what`, its location (`file`, `line`, `element`), and the `cure`.
 
     >>> print(WorldError("has 2 points", file="a.yaml", line=3, element="polygon 'desk'", cure="Give it three."))
     a.yaml:3: polygon 'desk': has 2 points
@@ -23,7 +23,7 @@ class WorldError(ValueError):
 
 
 def known(name: str, names: Iterable[str]) -> str:
-    """A hint with the nearest of some names, or all of them.
+    """Return a hint with the most similar of some names, or all of them.
 
     >>> known("hight", ["height", "name"])
     "Did you mean 'height'?"

@@ -1,4 +1,4 @@
-"""Where on the Earth a world lies: its places as latitude, longitude and altitude (WGS 84), its air and its magnetism."""
+"""The location of a world on the Earth: latitude, longitude and altitude (WGS 84), and the air pressure."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 _AXIS, _FLATTENING = 6_378_137.0, 1 / 298.257223563
-"""The ellipsoid of WGS 84: half of its long axis [m], and how flat it is."""
+"""The ellipsoid of WGS 84: semi-major axis [m] and flattening."""
 _SQUARED = _FLATTENING * (2 - _FLATTENING)
 
 
@@ -25,7 +25,7 @@ class Globe:
     heading: float = 0.0
 
     def fix(self, x: float, y: float, z: float = 0.0) -> tuple[float, float, float]:
-        """Latitude and longitude [degrees] and altitude [m] of a place of the world [m]."""
+        """Convert a position in the world [m] to latitude and longitude [degrees] and altitude [m]."""
         turn, lat, lon = map(math.radians, (self.heading, self.latitude, self.longitude))
         east, north = x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)
         out, up = _north(lat, self.elevation)
@@ -35,7 +35,7 @@ class Globe:
         return math.degrees(latitude), math.degrees(lon + math.atan2(east, out)), altitude
 
     def place(self, latitude: float, longitude: float, altitude: float = 0.0) -> tuple[float, float, float]:
-        """Where in the world [m] a place of the Earth is [degrees, m]: `fix` backwards."""
+        """Convert latitude, longitude [degrees] and altitude [m] to a position in the world [m], the inverse of `fix`."""
         turn, lat, swing = map(math.radians, (self.heading, self.latitude, longitude - self.longitude))
         away, height = _north(math.radians(latitude), altitude)
         here, level = _north(lat, self.elevation)
@@ -45,13 +45,13 @@ class Globe:
 
 
 def _north(latitude: float, altitude: float) -> tuple[float, float]:
-    """How far from the Earth's axis, and above the equator's plane [m]."""
+    """Return the distance from the Earth's axis, and the height above the equator's plane [m]."""
     normal = _AXIS / math.sqrt(1 - _SQUARED * math.sin(latitude) ** 2)
     return (normal + altitude) * math.cos(latitude), (normal * (1 - _SQUARED) + altitude) * math.sin(latitude)
 
 
 def _geodetic(away: float, up: float) -> tuple[float, float]:
-    """Latitude [rad] and altitude [m] of a point that far from the axis and above the equator's plane."""
+    """Return latitude [rad] and altitude [m] of a point at this distance from the axis and above the equator's plane."""
     latitude = math.atan2(up, away * (1 - _SQUARED))
     for _ in range(5):  # each step gains three digits
         normal = _AXIS / math.sqrt(1 - _SQUARED * math.sin(latitude) ** 2)
@@ -61,7 +61,7 @@ def _geodetic(away: float, up: float) -> tuple[float, float]:
 
 
 def pressure(altitude: float) -> float:
-    """The air's pressure [Pa] at an altitude [m] of the standard atmosphere, up to 11 km.
+    """Return the air pressure [Pa] at an altitude [m] of the standard atmosphere, up to 11 km.
 
     >>> pressure(0.0), round(pressure(1000.0))
     (101325.0, 89874)

@@ -1,4 +1,4 @@
-"""A LiDAR: how it looks round, how far, how badly."""
+"""A LiDAR: its beams, range and errors."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ MOST_BEAMS = 100_000
 
 @dataclass(frozen=True)
 class Lidar:
-    """A plane LiDAR. Beam k points at `angle_min + k * step`; distances in metres, `rate` in scans a second.
+    """A planar LiDAR. Beam k points at `angle_min + k * step`; distances in metres, `rate` in scans per second.
 
-    `noise` is the standard deviation of a Gauss around the true distance plus `bias`; `dropouts` is the share of beams that
-    come back empty; `resolution` is what distances are rounded to, 0 for none.
+    `noise` is the standard deviation of Gaussian noise around the true distance plus `bias`; `dropouts` is the share of
+    beams without a return; `resolution` is the rounding step of distances, 0 for none.
 
     >>> Lidar(beams=4, angle_min=0.0, angle_max=3 * math.pi / 2).step == math.pi / 2
     True
@@ -38,11 +38,11 @@ class Lidar:
     dropouts: float = 0.0
     resolution: float = 0.0
     mount: Pose2D = ORIGIN
-    """Where it sits on its robot, seen from above."""
+    """Its pose on the robot, seen from above."""
     height: float = 0.2
-    """Of its plane above the floor."""
+    """Height of its plane above the floor."""
     upside_down: bool = False
-    """Mounted on its head: it turns clockwise as seen from above."""
+    """Mounted upside down: it rotates clockwise as seen from above."""
     _beams: Array = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -51,26 +51,26 @@ class Lidar:
 
     @property
     def step(self) -> float:
-        """The angle from one beam to the next; negative when it turns clockwise."""
+        """The angle from one beam to the next; negative for a clockwise rotation."""
         return (self.angle_max - self.angle_min) / (self.beams - 1) if self.beams > 1 else 0.0
 
     def _ascending(self) -> tuple[float, float]:
-        """The first angle and the step of the sweep that is cast, counter-clockwise."""
+        """Return the first angle and the step of the simulated sweep, counter-clockwise."""
         low = min(self.angle_min, self.angle_max)
         if self.upside_down:
             low = -max(self.angle_min, self.angle_max)
         return low, abs(self.step) or 1.0
 
     def bearings(self) -> Array:
-        """The angles (beams) of the distances that `look` gives, counter-clockwise from its mount's x [rad]."""
+        """Return the angles (beams) of the distances from `look`, counter-clockwise from its mount's x [rad]."""
         low, step = self._ascending()
         return np.asarray(low + step * np.arange(self.beams), np.float64)
 
     def look(self, cut: Cut, place: Pose2D, ranges: Array | None = None) -> Array:
-        """True distances (beams) from `place` to what a cut shows; inf where there is nothing.
+        """Return true distances (beams) from `place` to a cut; inf where there is nothing.
 
-        An edge that comes nearer than `range_max` is cast in full length: `measure` leaves out what is too far.
-        `ranges` of another cut are shortened, so that what stands and what moves can be cast in turn.
+        An edge that comes nearer than `range_max` is cast in full length: `measure` drops what is too far.
+        `ranges` of another cut are shortened, so static and moving objects can be cast in turn.
         """
         if ranges is None:
             ranges = np.full(self.beams, np.inf)
@@ -78,7 +78,7 @@ class Lidar:
         return ranges
 
     def measure(self, ranges: Array, chance: np.random.Generator) -> Array:
-        """The measured ranges, noisy and in its own order; inf for nothing, -inf for nearer than `range_min` (REP 117)."""
+        """Return the measured ranges, noisy and in the LiDAR's order; inf for nothing, -inf below `range_min` (REP 117)."""
         if (self.step < 0) != self.upside_down:
             ranges = ranges[::-1]
         seen = ranges.copy()

@@ -1,4 +1,4 @@
-"""Joints with motors: an arm's, a gripper's, a turret's."""
+"""Motorized joints, as in an arm, a gripper or a turret."""
 
 from __future__ import annotations
 
@@ -8,22 +8,22 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Reach:
-    """How far [rad or m] and how fast [per second] a joint may go."""
+    """The position limits [rad or m] and the maximum velocity [per second] of a joint."""
 
     lower: float = -math.inf
     upper: float = math.inf
     velocity: float = math.inf
     effort: float = 0.0
-    """Its largest effort [Nm or N], 0 where none is given."""
+    """Maximum effort [Nm or N], 0 if unspecified."""
 
     def speed_of(self, effort: float) -> float:
-        """How fast an effort moves the joint: as against a viscous brake, so that all it can push gives all its speed."""
+        """Return the velocity for an effort: proportional, as against a viscous brake, with full velocity at full effort."""
         most = self.effort if 0.0 < self.effort < math.inf else 10.0
         return effort / most * (self.velocity if self.velocity < math.inf else 1.0)
 
 
 class Motors:
-    """The motors of a robot; `angles` has the positions of all its joints, `speeds` those of joints with motors.
+    """The motors of a robot; `angles` has the positions of all its joints, `speeds` the velocities of motorized joints.
 
     >>> motors = Motors({}, {"arm": Reach(-1.0, 1.0, 2.0)})
     >>> motors.command("arm", "position", 3.0); motors.step(0.1)
@@ -35,29 +35,29 @@ class Motors:
         self.angles, self.reach = angles, reach or {}
         self.speeds: dict[str, float] = {}
         self.mimics: dict[str, tuple[str, float, float]] = {}
-        """By joint: the one that it follows, the factor, the offset."""
+        """By joint: the joint that it follows, the factor, the offset."""
         self._goals: dict[str, tuple[str, float]] = {}
 
     def command(self, joint: str, mode: str, goal: float) -> None:
-        """Go to a "position", at a "velocity", or push with an "effort", from now on."""
+        """Command a "position", "velocity" or "effort" from now on."""
         self._goals[joint] = (mode, goal)
 
     def put(self, joint: str, position: float) -> None:
-        """Be there at once, and stay."""
+        """Set the position at once, and hold it."""
         self._goals[joint] = ("position", position)
         self.angles[joint] = self._within(joint, position)
 
     def moved(self) -> dict[str, float]:
-        """The positions of joints that were ever told where to go."""
+        """Return the positions of all joints that have ever been commanded."""
         return {joint: self.angles[joint] for joint in (*self._goals, *self.mimics) if joint in self.angles}
 
     def restart(self) -> None:
-        """No joint is moved any more."""
+        """Drop all commands."""
         self._goals.clear()
         self.speeds.clear()
 
     def step(self, dt: float) -> None:
-        """Move on for `dt` seconds."""
+        """Move the joints for `dt` seconds."""
         for joint, (mode, goal) in self._goals.items():
             reach = self.reach.get(joint, Reach())
             was, most = self.angles.get(joint, 0.0), reach.velocity

@@ -1,4 +1,4 @@
-"""Odometry that drifts: from what the wheels turned, with slip, bias and noise; seeded, so it can be repeated."""
+"""Odometry that drifts: from the wheels' rotation, with slip, bias and noise; seeded, so it is repeatable."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from coursekit.geometry.plane import Pose2D
 
 @dataclass(frozen=True)
 class Drift:
-    """The errors of an odometer. All zeros: it is as exact as the wheels' grip.
+    """The errors of an odometer. With all zeros it is as exact as the wheels' grip.
 
-    `slip` is the share of each turn that wheels turn in vain (a turn is over-estimated by it), `bias` the error of the
-    wheels' size (a way is over-estimated by it), `curl` what it turns for each metre without knowing [rad/m]; `way_noise`
-    [m per root of m] and `turn_noise` [rad per root of rad], `way_turn_noise` [rad per root of m] are Gauss noise that grows
-    with the way.
+    `slip` is the share of rotation lost by the wheels (rotation is over-estimated by it). `bias` is the error of the wheels'
+    size (distance is over-estimated by it). `curl` is the undetected rotation per metre [rad/m]. `way_noise` [m per root of
+    m], `turn_noise` [rad per root of rad] and `way_turn_noise` [rad per root of m] are Gaussian noise that grows with the
+    distance.
     """
 
     slip: float = 0.0
@@ -29,7 +29,7 @@ class Drift:
 
     @classmethod
     def usual(cls, size: float = 1.0) -> Drift:
-        """The errors of a small robot on a smooth floor, times `size`.
+        """Return the errors of a small robot on a smooth floor, times `size`.
 
         >>> Drift.usual(0.0) == Drift()
         True
@@ -38,20 +38,20 @@ class Drift:
 
 
 class Odometer:
-    """Adds up what wheels turned."""
+    """Integrates the wheels' rotation."""
 
     def __init__(self, drift: Drift, seed: int) -> None:
         self.drift, self._seed = drift, seed
         self.restart()
 
     def restart(self) -> None:
-        """Begin anew at the origin, with the same chance."""
+        """Restart at the origin, with the same random seed."""
         self._chance = np.random.default_rng(self._seed)
         self._place = (0.0, 0.0, 0.0)
         self._sum = [0.0, 0.0]
 
     def roll(self, wheels: tuple[float, float, float], dt: float) -> None:
-        """The wheels turned for `dt` seconds: forward, to the left [m/s], turning [rad/s]."""
+        """Integrate wheel velocities over `dt` seconds: forward, to the left [m/s], and angular [rad/s]."""
         forward, left, turn = wheels
         if not (forward or left or turn):
             return
@@ -71,13 +71,13 @@ class Odometer:
             self._shake()
 
     def _shake(self) -> None:
-        """Noise for the way since the last time."""
+        """Apply the noise for the distance since the last call."""
         way, turned = self._sum
         self._sum = [0.0, 0.0]
         drift = self.drift
         if not (drift.way_noise or drift.turn_noise or drift.way_turn_noise):
             return
-        along, spin = map(float, self._chance.standard_normal(2))  # messages want Python's own numbers
+        along, spin = map(float, self._chance.standard_normal(2))  # messages need Python floats
         spread = math.sqrt(drift.turn_noise**2 * turned + drift.way_turn_noise**2 * way)
         x, y, theta = self._place
         along *= drift.way_noise * math.sqrt(way)
@@ -85,7 +85,7 @@ class Odometer:
 
     @property
     def place(self) -> Pose2D:
-        """Where the robot believes to be, seen from where it began."""
+        """The estimated pose of the robot, relative to its start."""
         return Pose2D(*self._place)
 
 

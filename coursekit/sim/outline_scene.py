@@ -1,4 +1,4 @@
-"""All outlines at one height, those that move carried along: what LiDARs are cast against."""
+"""All outlines at one height, including those of moving bodies, for LiDARs."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .rays import carry
 
 
 class OutlineScene:
-    """The outlines of fixed things, once; those of moving things in the frames of their bodies."""
+    """The outlines of fixed objects, computed once; those of moving objects in the frames of their bodies."""
 
     def __init__(self, fixed: Sequence[Cut], moving: Sequence[tuple[Any, Cut]]) -> None:
         self.fixed = join(list(fixed))
@@ -28,11 +28,11 @@ class OutlineScene:
 
     @staticmethod
     def cut_of(parts: Iterable[Part], height: float) -> Cut:
-        """The outline of some parts."""
+        """Return the outline of some parts."""
         return join([part.cut(height) for part in parts])
 
     def moving(self) -> Cut:
-        """The outline of what moves, where it is now."""
+        """Return the current outline of the moving objects."""
         if self._bodies:
             places = np.array([(*body.position, body.angle) for body in self._bodies])
             (edges, circles), (edge_owners, circle_owners) = self._local, self._owners
@@ -40,7 +40,7 @@ class OutlineScene:
         return self._world
 
     def look(self, lidar: Lidar, place: Pose2D, without: Any = None) -> Array:
-        """True distances from a place, not to `without`: a LiDAR does not see the robot that it sits on."""
+        """Return true distances from a pose, ignoring `without`: a LiDAR does not see its own robot."""
         ranges = lidar.look(self.fixed, place)
         cut = self.moving()
         if without not in self._bodies:

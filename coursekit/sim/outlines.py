@@ -8,7 +8,7 @@ from coursekit.geometry.plane import Array
 
 
 def signed_area(points: Array) -> float:
-    """Area of a polygon [m^2], negative when its corners go clockwise.
+    """Return the area of a polygon [m^2], negative when its corners are clockwise.
 
     >>> signed_area([(0, 0), (2, 0), (2, 1)])
     1.0
@@ -19,7 +19,7 @@ def signed_area(points: Array) -> float:
 
 
 def crossing(points: Array) -> tuple[int, int] | None:
-    """The first two edges that meet though they are no neighbours; None for a polygon that is one.
+    """Return the first two edges that meet without being neighbours; None for a simple polygon.
 
     >>> crossing([(0, 0), (1, 1), (1, 0), (0, 1)])
     (0, 2)
@@ -47,7 +47,7 @@ def _side(a: Array, b: Array, p: Array) -> Array:
 
 
 def hull(points: Array) -> Array:
-    """The convex outline of points, counter-clockwise."""
+    """Return the convex hull of points, counter-clockwise."""
     rows = sorted({(float(x), float(y)) for x, y in points})
     if len(rows) < 3:
         return np.array(rows)

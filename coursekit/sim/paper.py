@@ -1,4 +1,4 @@
-"""Paper that turtles draw on: lines as numbers, for sharp pictures, and as pixels, for colour sensors."""
+"""Paper that turtles draw on: strokes for sharp images, and pixels for colour sensors."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ Point = tuple[float, float]
 
 PIXELS_PER_METRE = 45
 _SHIFT = 4
-"""Bits after the point of the coordinates that OpenCV draws with."""
+"""Fractional bits of the coordinates for OpenCV."""
 _LONGEST = 0.08
-"""A drawn curve keeps a corner at least this often [m]: on a circle of 1 m that is true to a thousandth."""
+"""Maximum segment length of a drawn curve [m]: accurate to a thousandth on a circle of 1 m."""
 _BEND = math.radians(2.0)
 
 
 @dataclass
 class Stroke:
-    """A line with corners, in one colour and width, drawn without lifting the pen."""
+    """A polyline in one colour and width, drawn without lifting the pen."""
 
     by: str
     colour: Colour
@@ -29,7 +29,7 @@ class Stroke:
     points: list[Point] = field(default_factory=list)
 
     def extend(self, to: Point) -> None:
-        """Go on to a point; the last one moves along while the line stays straight or short."""
+        """Extend the line to a point; the last point moves along while the line stays straight or short."""
         if len(self.points) > 1 and self._straight(to):
             self.points[-1] = to
         else:
@@ -58,18 +58,18 @@ class Paper:
         self.pixels = np.full((size, size, 3), 255, np.uint8)
         self.strokes: list[Stroke] = []
         self.edition = 0
-        """Counts the sheets: whoever copies the strokes begins anew when it changes."""
+        """Number of the sheet: copies of the strokes must start anew when it changes."""
         self._current: dict[str, Stroke] = {}
 
     def clear(self) -> None:
-        """Take a new sheet."""
+        """Start a new sheet."""
         self.pixels[:] = 255
         self.strokes = []
         self._current = {}
         self.edition += 1
 
     def line(self, by: str, start: Point, end: Point, colour: Colour, width: int) -> None:
-        """Draw a straight line; one that goes on where `by` ended belongs to the same stroke."""
+        """Draw a straight line; one that starts where `by` ended extends the same stroke."""
         stroke = self._current.get(by)
         if stroke is None or (stroke.points[-1], stroke.colour, stroke.width) != (start, colour, width):
             stroke = Stroke(by, colour, width, [start])
@@ -79,7 +79,7 @@ class Paper:
         cv2.line(self.pixels, self._pixel(start), self._pixel(end), colour, max(1, width), cv2.LINE_8, _SHIFT)
 
     def colour_at(self, x: float, y: float) -> Colour:
-        """Red, green and blue of a point; white where nothing is drawn."""
+        """Return red, green and blue at a point; white where nothing is drawn."""
         last = self.pixels.shape[0] - 1
         column = min(max(round(x * PIXELS_PER_METRE), 0), last)
         row = min(max(round((self.side - y) * PIXELS_PER_METRE), 0), last)

@@ -1,6 +1,7 @@
-"""The solids that things are made of: they can be cut at a height, as a LiDAR does.
+"""The solids that objects are made of: they can be cut at a height, as by a LiDAR.
 
-A cut is what a plane parallel to the floor meets: edges (n, 4) as x1, y1, x2, y2 and circles (m, 3) as x, y, radius [m].
+A cut is the intersection with a plane parallel to the floor: edges (n, 4) as x1, y1, x2, y2 and circles (m, 3) as x, y,
+radius [m].
 """
 
 from __future__ import annotations
@@ -17,13 +18,13 @@ NO_CIRCLES = np.zeros((0, 3))
 
 
 class Cut(NamedTuple):
-    """The outline of things at one height."""
+    """The outline of objects at one height."""
 
     edges: Array
     circles: Array
 
     def moved(self, place: Pose2D) -> Cut:
-        """The same, from a thing's own frame to that of the world."""
+        """Transform from an object's own frame to the world."""
         ends = place.transform(self.edges.reshape(-1, 2)).reshape(-1, 4)
         centres = place.transform(self.circles[:, :2])
         return Cut(ends, np.column_stack((centres, self.circles[:, 2:])))
@@ -33,14 +34,14 @@ NOTHING = Cut(NO_EDGES, NO_CIRCLES)
 
 
 def join(cuts: list[Cut]) -> Cut:
-    """Several cuts as one."""
+    """Join several cuts to one."""
     if not cuts:
         return NOTHING
     return Cut(np.concatenate([cut.edges for cut in cuts]), np.concatenate([cut.circles for cut in cuts]))
 
 
 def ring(points: Array, closed: bool = True) -> Array:
-    """The edges of a chain of points (n, 2).
+    """Return the edges of a chain of points (n, 2).
 
     >>> ring([(0, 0), (1, 0)], closed=False).tolist()
     [[0.0, 0.0, 1.0, 0.0]]
@@ -53,7 +54,7 @@ def ring(points: Array, closed: bool = True) -> Array:
 
 @dataclass(frozen=True)
 class Prism:
-    """A polygon, or an open chain, drawn up from `low` to `high` [m]."""
+    """A polygon, or an open chain, extruded from `low` to `high` [m]."""
 
     points: tuple[tuple[float, float], ...]
     low: float = 0.0
@@ -61,13 +62,13 @@ class Prism:
     closed: bool = True
 
     def cut(self, height: float) -> Cut:
-        """Its outline at a height."""
+        """Return the outline at a height."""
         if not self.low <= height <= self.high:
             return NOTHING
         return Cut(ring(np.array(self.points), self.closed), NO_CIRCLES)
 
     def corners(self) -> Array:
-        """Points that hold all of it, seen from above."""
+        """Return points that enclose it, seen from above."""
         return np.array(self.points, float)
 
 
@@ -82,13 +83,13 @@ class Disc:
     high: float = 2.0
 
     def cut(self, height: float) -> Cut:
-        """Its outline at a height."""
+        """Return the outline at a height."""
         if not self.low <= height <= self.high:
             return NOTHING
         return Cut(NO_EDGES, np.array([[self.x, self.y, self.radius]]))
 
     def corners(self) -> Array:
-        """The square around it, seen from above."""
+        """Return the square around it, seen from above."""
         r = self.radius
         return np.array([(self.x + i * r, self.y + j * r) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
 
@@ -113,18 +114,18 @@ class Ball:
         return self.z + self.radius
 
     def cut(self, height: float) -> Cut:
-        """Its circle at a height."""
+        """Return the circle at a height."""
         square = self.radius**2 - (height - self.z) ** 2
         return Cut(NO_EDGES, np.array([[self.x, self.y, square**0.5]])) if square > 0 else NOTHING
 
     def corners(self) -> Array:
-        """The square around it, seen from above."""
+        """Return the square around it, seen from above."""
         return Disc(self.x, self.y, self.radius).corners()
 
 
 @dataclass(frozen=True, eq=False)
 class Skin:
-    """A shape of triangles: vertices (n, 3) [m], faces (m, 3)."""
+    """A triangle mesh: vertices (n, 3) [m], faces (m, 3)."""
 
     vertices: Array
     faces: np.ndarray
@@ -140,9 +141,9 @@ class Skin:
         return float(self.vertices[:, 2].max())
 
     def cut(self, height: float) -> Cut:
-        """The edges in which its triangles meet the plane."""
+        """Return the edges in which its triangles meet the plane."""
         corners = self.vertices[self.faces]
-        # a corner in the plane counts as below it, so that each crossing is met once
+        # a corner in the plane counts as below it, so each crossing counts once
         above = corners[:, :, 2] > height
         count = above.sum(axis=1)
         met = corners[(count == 1) | (count == 2)]
@@ -156,7 +157,7 @@ class Skin:
         return Cut(edges[np.abs(edges[:, :2] - edges[:, 2:]).max(axis=1) > 1e-9], NO_CIRCLES)
 
     def corners(self) -> Array:
-        """Its vertices, seen from above."""
+        """Return its vertices, seen from above."""
         return self.vertices[:, :2]
 
 

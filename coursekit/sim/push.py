@@ -1,4 +1,4 @@
-"""Forces from outside on robots and things."""
+"""External forces on robots and objects."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 
 @dataclass(frozen=True)
 class Push:
-    """A force [N] and torque [Nm] on something, by its name, from `begin_ns` until `end_ns` (None: for ever).
+    """A force [N] and torque [Nm] on a named body, from `begin_ns` until `end_ns` (None: for ever).
 
     >>> Push("crate", 1.0, 0.0, 0.0, 0, None).finite
     True
@@ -22,17 +22,17 @@ class Push:
     begin_ns: int
     end_ns: int | None
     along: bool = False
-    """Whether x points where the body looks, instead of along the world's x."""
+    """Whether x points along the body's heading, instead of along the world's x."""
     label: str = ""
-    """The name by which it is ended."""
+    """The name by which it can be ended."""
 
     @property
     def finite(self) -> bool:
-        """Whether all is numbers."""
+        """Whether all values are finite."""
         return all(map(math.isfinite, (self.x, self.y, self.torque)))
 
     def work(self, body: Any) -> None:
-        """Let it act on a body during the next step."""
+        """Apply it to a body during the next step."""
         force = (self.x, self.y)
         if not self.along:
             c, s = math.cos(body.angle), math.sin(body.angle)

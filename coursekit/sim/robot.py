@@ -17,8 +17,8 @@ GRAVITY = 9.81
 
 @dataclass(frozen=True)
 class Drive:
-    """How a robot moves: `differential` (also skid-steer, with several pairs of wheels), `planar` (any way it likes), or
-    `ackermann` (as a car: its command's turn is the angle of the front wheels [rad], at the most `max_turn`).
+    """A robot's drive: `differential` (also skid-steer, with several pairs of wheels), `planar` (omnidirectional), or
+    `ackermann` (a car: its command's turn is the angle of the front wheels [rad], at most `max_turn`).
 
     Speeds [m/s, rad/s] and accelerations [m/s^2, rad/s^2] are limits; after `watchdog` seconds without a command it stops,
     0 for never. `left` and `right` are the joints of its wheels.
@@ -35,14 +35,14 @@ class Drive:
     left: tuple[str, ...] = ()
     right: tuple[str, ...] = ()
     wheelbase: float = 1.0
-    """Of a car: from its rear to its front axle [m]."""
+    """Of a car: the distance between its rear and front axles [m]."""
     steering: tuple[str, ...] = ()
-    """Joints that turn with a car's front wheels."""
+    """Joints that steer a car's front wheels."""
 
 
 @dataclass(frozen=True)
 class RobotModel:
-    """A robot: what bumps (in its base's frame), what it weighs [kg], how it drives, how badly it measures its way.
+    """A robot: its collision parts (in its base's frame), mass [kg], drive, and odometry errors.
 
     >>> RobotModel("cart").drive.kind
     'differential'
@@ -54,32 +54,32 @@ class RobotModel:
     drive: Drive | None = field(default_factory=Drive)
     drift: Drift = EXACT
     fixed: bool = False
-    """Whether it is fixed: a mast with sensors. It may stand in things, and have no parts."""
+    """Whether it is fixed: a mast with sensors. It may overlap objects, and have no parts."""
     grip: float = 1.0
-    """Friction between its wheels and the floor."""
+    """Coefficient of friction between its wheels and the floor."""
     reach: dict[str, Reach] = field(default_factory=dict, hash=False)
-    """How far joints with motors may go."""
+    """Limits of the motorized joints."""
 
 
 class Robot:
-    """A robot in a simulation; `Simulation.spawn` makes it."""
+    """A robot in a simulation; created by `Simulation.spawn`."""
 
     def __init__(self, model: RobotModel, name: str, body: Any, seed: int) -> None:
         self.model, self.name, self.body = model, name, body
         self.wheels = (0.0, 0.0, 0.0)
-        """How fast its wheels would carry it: forward, to the left, turning."""
+        """The velocity given by its wheels: forward, left, angular."""
         self.target = (0.0, 0.0, 0.0)
         self.commanded_ns: int | None = None
         self.angles: dict[str, float] = {}
-        """How far each wheel has turned [rad]."""
+        """Rotation of each wheel [rad]."""
         self.motors = Motors(self.angles, model.reach)
         self.odometer = Odometer(model.drift, seed)
         self.contacts: dict[str, int] = {}
-        """The things that it touches now, by name, and at how many points."""
+        """Its current contacts: the names of objects, with the number of contact points."""
         self.restart()
 
     def restart(self) -> None:
-        """Everything measured begins anew; it does not move."""
+        """Reset all measurements; the robot does not move."""
         drive = self.model.drive
         self.wheels = self.target = (0.0, 0.0, 0.0)
         self.commanded_ns = None
@@ -90,18 +90,18 @@ class Robot:
 
     @property
     def place(self) -> Pose2D:
-        """Where it really is."""
+        """The true pose."""
         return Pose2D(self.body.position.x, self.body.position.y, self.body.angle)
 
     @property
     def velocity(self) -> tuple[float, float, float]:
-        """How it really moves: forward and to the left [m/s], turning [rad/s]."""
+        """The true velocity: forward and left [m/s], angular [rad/s]."""
         x, y = self.body.velocity
         c, s = math.cos(self.body.angle), math.sin(self.body.angle)
         return c * x + s * y, c * y - s * x, self.body.angular_velocity
 
     def command(self, forward: float, turn: float = 0.0, left: float = 0.0, *, now_ns: int | None = None) -> None:
-        """Drive like this from now on; what is no number is ignored, what is too fast is cut."""
+        """Set the commanded velocity; non-finite commands are ignored, excessive ones are limited."""
         drive = self.model.drive
         if drive is None or not all(math.isfinite(part) for part in (forward, turn, left)):
             return
@@ -116,7 +116,7 @@ class Robot:
         self.commanded_ns = now_ns
 
     def before_step(self, dt: float, now_ns: int) -> None:
-        """Wheels follow the command as fast as they may, and push the body as hard as they grip."""
+        """Accelerate the wheels towards the command within their limits, and push the body within their grip."""
         self.motors.step(dt)
         drive = self.model.drive
         if drive is None:

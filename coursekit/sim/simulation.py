@@ -1,4 +1,4 @@
-"""A world in motion: robots drive, push and bump; the same commands give the same run."""
+"""A world in motion: robots drive, push and collide; the same commands produce the same run."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from .robot import Robot, RobotModel
 from .world import Thing, World
 
 STEP_NS = 5_000_000
-"""One step of the physics [ns]."""
+"""Duration of one physics step [ns]."""
 _DT = STEP_NS * 1e-9
 
 
@@ -42,34 +42,34 @@ class Simulation:
     def __init__(self, world: World, seed: int = 0) -> None:
         self.world, self.seed = world, seed
         self.busy = threading.RLock()
-        """Held while the world changes: a notebook's cell looks at it beside the simulator's own thread."""
+        """Held while the world changes: a notebook's cell accesses it concurrently with the simulator's own thread."""
         self.now_ns = 0
-        """The time that the physics has reached; `advance_to` may ask for up to one step more."""
+        """The time reached by the physics; it may be up to one step behind the last `advance_to`."""
         self.changes = 0
-        """How often something came, went, or was put elsewhere while it stood fast."""
+        """Number of changes to the set of objects or to the pose of fixed ones."""
         self.robots: dict[str, Robot] = {}
         self.things: dict[str, tuple[Thing, pymunk.Body]] = {}
         self.space = pymunk.Space()
         self.space.iterations = 12
         self.space.collision_slop = 1e-3  # m; the library's own 0.1 is meant for pixels
         self.pushes: list[Push] = []
-        """Forces from outside; what is over, or whose target is gone, is dropped."""
+        """External forces; they are dropped when they are over, or their target is gone."""
         self._starts: dict[str, Pose2D] = {}
         self._doors: dict[str, list[Any]] = {}
         self._fixed: dict[str, Thing] = {}
         self._posts: dict[str, pymunk.Body] = {}
-        """The bodies of what is fixed."""
+        """The bodies of fixed objects."""
         self._scenes: dict[float, OutlineScene] = {}
         self.space.on_collision(ROBOT, None, begin=touch, separate=part)
         self.space.on_collision(LOOSE, None, begin=pass_by)
         for thing in world.things:
             self.add(thing)
 
-    # -- what is there
+    # -- objects
 
     @alone
     def add(self, thing: Thing) -> None:
-        """Put a thing into the world; WorldError if its name is taken."""
+        """Add an object to the world; WorldError if its name is taken."""
         self._free(thing.name)
         if thing.moves:
             body = body_of(thing)
@@ -98,7 +98,7 @@ class Simulation:
 
     @alone
     def spawn(self, model: RobotModel, name: str = "", place: Pose2D | None = None) -> Robot:
-        """A robot, at the world's start unless told. WorldError if the name is taken or something is in its way."""
+        """Add a robot, by default at the world's start. WorldError if the name is taken or something is in the way."""
         name = name or model.name
         self._free(name)
         at = self.world.start if place is None else Pose2D(*place)
@@ -137,7 +137,7 @@ class Simulation:
 
     @alone
     def remove(self, name: str) -> None:
-        """Take a robot or thing out; LookupError names near ones."""
+        """Remove a robot or object; LookupError suggests similar names."""
         body = self._body(name)
         self.space.remove(*self._doors.pop(name, []), *body.shapes, body)
         for table in (self.robots, self.things, self._fixed, self._posts, self._starts):
@@ -147,7 +147,7 @@ class Simulation:
         self._changed()
 
     def names(self) -> list[str]:
-        """All that is there: what stands, what can be moved, robots."""
+        """Return the names of all fixed objects, movable objects and robots."""
         return [*self._fixed, *self.things, *self.robots]
 
     def _body(self, name: str) -> pymunk.Body:
@@ -161,26 +161,26 @@ class Simulation:
         raise LookupError(f"there is no '{name}'. {known(name, self.names())}")
 
     def pose_of(self, name: str) -> Pose2D:
-        """Where a robot or thing is now; LookupError names near ones."""
+        """Return the current pose of a robot or object; LookupError suggests similar names."""
         if name in self._fixed:
             return self._fixed[name].place
         body = self._body(name)
         return Pose2D(body.position.x, body.position.y, body.angle)
 
     def start_of(self, name: str) -> Pose2D:
-        """Where a robot or thing began, and goes back to at a reset; LookupError names near ones."""
+        """Return the initial pose of a robot or object, restored by a reset; LookupError suggests similar names."""
         if name not in self._starts:
             raise LookupError(f"there is no '{name}'. {known(name, self.names())}")
         return self._starts[name]
 
     def velocity_of(self, name: str) -> tuple[float, float, float]:
-        """How it moves in the world's frame: m/s, m/s, rad/s."""
+        """Return the velocity in the world's frame: m/s, m/s, rad/s."""
         body = self._body(name)
         return body.velocity.x, body.velocity.y, body.angular_velocity
 
     @alone
     def put(self, name: str, place: Pose2D, velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> None:
-        """Put a robot or thing elsewhere, moving like that; LookupError names near ones."""
+        """Set the pose and velocity of a robot or object; LookupError suggests similar names."""
         body = self._body(name)
         put(body, place)
         if name in self._fixed:
@@ -193,12 +193,12 @@ class Simulation:
 
     @alone
     def reshape(self, name: str, parts: tuple[Part, ...]) -> None:
-        """Give a robot other parts: its arm has moved. LookupError names near ones."""
+        """Replace a robot's parts: its arm has moved. LookupError suggests similar names."""
         body = self._body(name)
         robot = self.robots[name]
         for shape in list(body.shapes):
             self.space.remove(shape)
-            shape.body = None  # the body still lists it otherwise
+            shape.body = None  # otherwise the body still lists it
         robot.model = replace(robot.model, parts=parts)
         robot.contacts.clear()
         self.space.add(*shapes_of(parts, body, name, ROBOT))
@@ -207,7 +207,7 @@ class Simulation:
 
     @alone
     def reset(self, time: bool = True) -> None:
-        """Everything back to where it began; with `time` the clock too."""
+        """Reset everything to its initial pose; with `time` the clock too."""
         for name, place in self._starts.items():
             thing = self.things[name][0] if name in self.things else None
             if name not in self._fixed:
@@ -219,7 +219,7 @@ class Simulation:
             self.now_ns = 0
 
     def fixed_things(self) -> list[Thing]:
-        """The fixed things, at their present poses."""
+        """Return the fixed objects, at their current poses."""
         return list(self._fixed.values())
 
     def _changed(self) -> None:
@@ -229,12 +229,12 @@ class Simulation:
     # -- time
 
     def advance(self, seconds: float) -> None:
-        """Let time pass."""
+        """Advance the time."""
         self.advance_to(self.now_ns + round(seconds * 1e9))
 
     @alone
     def advance_to(self, time_ns: int) -> None:
-        """Make whole steps until less than one is left."""
+        """Take whole steps until less than one is left."""
         while time_ns - self.now_ns >= STEP_NS:
             self._step()
 
@@ -258,16 +258,16 @@ class Simulation:
             if one.begin_ns <= self.now_ns:
                 one.work(self._body(one.name))
 
-    # -- what is sensed
+    # -- sensing
 
     def scan(self, lidar: Lidar, robot: Robot | str | None = None, place: Pose2D | None = None) -> Array:
-        """True distances that a LiDAR on a robot (or at a `place` of the world) sees, robots and loose things included."""
+        """Return true distances for a LiDAR on a robot (or at a `place` in the world); it sees robots and loose objects."""
         one = self.robots[robot] if isinstance(robot, str) else robot
         at = place if place is not None else (one.place if one is not None else Pose2D()) @ lidar.mount
         return self.scene(lidar.height).look(lidar, at, one.body if one is not None else None)
 
     def scene(self, height: float) -> OutlineScene:
-        """The outlines at a height, kept until something comes or goes."""
+        """Return the outlines at a height, cached until an object is added or removed."""
         if height not in self._scenes:
             fixed = [thing.cut(height).moved(thing.place) for thing in self._fixed.values()]
             loose = [(body, thing.cut(height)) for thing, body in self.things.values()]

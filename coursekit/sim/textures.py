@@ -1,4 +1,4 @@
-"""Textures: 64 x 64 points that repeat every 2 m, grey; a thing's colour tints them."""
+"""Textures: 64 x 64 grey pixels that repeat every 2 m, tinted with an object's colour."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ USUAL = {
     "crates": (0.80, 0.62, 0.36), "metal": (0.55, 0.60, 0.66), "stripes": (0.95, 0.80, 0.15), "tiles": (0.75, 0.74, 0.70),
     "door": (0.45, 0.32, 0.22), "hedge": (0.25, 0.50, 0.22),
 }  # fmt: skip
-"""Red, green and blue of textures where a thing has no colour of its own."""
+"""Red, green and blue of textures for objects without a colour of their own."""
 ROBOT_COLOUR = (0.15, 0.45, 0.95)
 """Blue, green, red of other robots."""
 
@@ -44,13 +44,13 @@ def _grey(name: str) -> Array:
 
 @lru_cache(maxsize=1)
 def all_textures() -> Array:
-    """All textures (number, 64, 64, 3), bright as 0 to 255, row 0 at the floor."""
+    """Return all textures (number, 64, 64, 3), with values from 0 to 255, row 0 at the floor."""
     made = np.stack([np.repeat(_grey(name)[:, :, None] * 255.0, 3, axis=2) for name in TEXTURES])
     return made
 
 
 def floor_of(name: str) -> Array:
-    """A floor in its own colours, blue first."""
+    """Return a floor texture in its own colours, blue first."""
     red, green, blue = USUAL[name]
     return np.minimum(all_textures()[TEXTURES.index(name)] * (blue, green, red), 255.0)
 

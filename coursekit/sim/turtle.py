@@ -1,6 +1,6 @@
-"""The turtles' world as numbers: a square sheet of paper, turtles that move on it, pens that draw.
+"""The turtles' world with plain numbers: a square sheet of paper, turtles that move on it, pens that draw.
 
-Metres and radians, the origin bottom left, y up. In ROS 2: turtlesim (500 pixels, 45 to the metre).
+Metres and radians, the origin bottom left, y up. In ROS 2: turtlesim (500 pixels, 45 per metre).
 """
 
 from __future__ import annotations
@@ -12,17 +12,17 @@ from dataclasses import dataclass, field
 from coursekit.sim.paper import Paper
 
 SIDE = 11.088889122009277
-"""Width and height of the world [m]: 499 / 45 as a 32-bit number, which is how turtlesim keeps it."""
+"""Width and height of the world [m]: 499 / 45 as a 32-bit float, as in turtlesim."""
 STEP = 0.016
 """Length of one frame [s]."""
 COMMAND_SECONDS = 1.0
-"""A velocity command is forgotten after this long."""
+"""Timeout of a velocity command [s]."""
 NEAR = 0.02
-"""A rotation ends when it is this near to its goal [rad]."""
+"""A rotation ends within this distance of its goal [rad]."""
 
 
 def normalize_angle(angle: float) -> float:
-    """The same direction in [-pi, pi).
+    """Wrap an angle to [-pi, pi).
 
     >>> round(normalize_angle(3 * math.pi / 2), 4)
     -1.5708
@@ -41,7 +41,7 @@ class Pen:
     on: bool = True
 
     def change(self, r: int, g: int, b: int, width: int, off: bool) -> None:
-        """Set it as the service set_pen does: lifting keeps the colour, width 0 means 1."""
+        """Set the pen as the service set_pen does: lifting keeps the colour, width 0 means 1."""
         self.on = not off
         if self.on:
             self.r, self.g, self.b, self.width = r, g, b, width or 1
@@ -49,19 +49,19 @@ class Pen:
 
 @dataclass
 class Rotation:
-    """A turn to an absolute heading, one radian a second."""
+    """A rotation to an absolute heading, at one radian per second."""
 
     goal: float
     start: float
     remaining: float = 0.0
     delta: float = 0.0
-    """Angle from the present heading back to the starting one."""
+    """Angle from the current heading back to the initial one."""
     reached: bool = False
 
 
 @dataclass
 class Teleport:
-    """A jump that waits for the next frame."""
+    """A teleport that waits for the next frame."""
 
     x: float = 0.0
     y: float = 0.0
@@ -72,14 +72,14 @@ class Teleport:
 
 @dataclass
 class Turtle:
-    """One turtle: where it is [m, rad], how fast [m/s, rad/s], and its pen."""
+    """One turtle: its pose [m, rad], its velocity [m/s, rad/s], and its pen."""
 
     name: str
     x: float
     y: float
     theta: float
     kind: int = 0
-    """Which of the pictures it wears."""
+    """Index of its image."""
     pen: Pen = field(default_factory=Pen)
     forward: float = 0.0
     sideways: float = 0.0
@@ -88,13 +88,13 @@ class Turtle:
     rotation: Rotation | None = None
     teleports: list[Teleport] = field(default_factory=list)
     travelled: float = 0.0
-    """Length of its way [m]; teleports do not count."""
+    """Travelled distance [m]; teleports do not count."""
     colour: tuple[int, int, int] = (255, 255, 255)
-    """Red, green and blue under it at the last step; white where nothing was drawn."""
+    """Red, green and blue under it at the last step; white on blank paper."""
 
     @property
     def speed(self) -> float:
-        """How fast it moves [m/s], never negative."""
+        """The speed [m/s], never negative."""
         return math.hypot(self.forward, self.sideways)
 
     def command(self, forward: float, sideways: float, turning: float, now: float) -> None:
@@ -106,12 +106,12 @@ class Turtle:
         self.forward = self.sideways = self.turning = 0.0
 
     def rotate_to(self, theta: float) -> Rotation:
-        """Begin to turn to heading `theta`; it goes on in each step until `reached`."""
+        """Start a rotation to heading `theta`; it continues in each step until `reached`."""
         self.rotation = Rotation(goal=normalize_angle(theta), start=self.theta)
         return self.rotation
 
     def step(self, now: float, paper: Paper) -> tuple[float, float] | None:
-        """Move on by one frame and draw; the point outside from which a wall put it back, if it hit one."""
+        """Advance by one frame and draw; if a wall was hit, return the position that the turtle would have had."""
         self._jump(paper)
         self._turn(now)
         if now - self.commanded_at > COMMAND_SECONDS:
@@ -182,7 +182,7 @@ class World:
     def spawn(
         self, name: str = "", x: float = SIDE / 2, y: float = SIDE / 2, theta: float = 0.0, now: float = 0.0
     ) -> Turtle:
-        """Put a turtle there; unnamed ones become the next free turtleN. KeyError if it is taken."""
+        """Add a turtle; unnamed ones become the next free turtleN. KeyError if the name is taken."""
         if name in self.turtles:
             raise KeyError(name)
         name = name or next(free for free in self._names() if free not in self.turtles)
@@ -196,17 +196,17 @@ class World:
             yield f"turtle{self._count}"
 
     def kill(self, name: str) -> None:
-        """Take a turtle away; KeyError if there is none of that name."""
+        """Remove a turtle; KeyError for an unknown name."""
         del self.turtles[name]
 
     def reset(self) -> None:
-        """No turtles, clean paper, counting from turtle1 again."""
+        """Remove all turtles, clear the paper, and count from turtle1 again."""
         self.turtles.clear()
         self._count = self._kinds = 0
         self.paper.clear()
 
     def step(self, now: float) -> list[tuple[Turtle, tuple[float, float]]]:
-        """One frame of all turtles at time `now` [s]; who hit a wall, and where it would have been."""
+        """Advance all turtles by one frame at time `now` [s]; return those that hit a wall, with positions beyond it."""
         hits = []
         for turtle in sorted(self.turtles.values(), key=lambda one: one.name):
             hit = turtle.step(now, self.paper)

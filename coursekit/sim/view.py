@@ -1,4 +1,4 @@
-"""The picture of a camera in a world: upright walls column by column with their textures, floor and sky."""
+"""A camera's image of a world: upright walls column by column with their textures, floor and sky."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ Picture = NDArray[np.uint8]
 
 
 class View:
-    """A pinhole camera on a robot. Pictures are height x width x 3, uint8, blue first.
+    """A pinhole camera on a robot. Images are height x width x 3, uint8, blue first.
 
     >>> from coursekit.sim import Simulation, read_world
     >>> simulation = Simulation(read_world("world: w\\ncircles: [{name: c, center: [2, 0], radius: 0.5, colour: red}]"))
@@ -39,7 +39,7 @@ class View:
         self._horizon = (height - 1) / 2 - self.focal * math.tan(tilt)
 
     def render(self, simulation: Any, place: Pose2D, without: Any = None) -> Picture:
-        """The picture from a robot at `place`; `without` is the robot that carries it."""
+        """Return the image from a robot at `place`; `without` is the robot that carries the camera."""
         scene = ViewScene.of(simulation)
         at = place @ self.mount
         picture: Picture = np.empty((self.height, self.width, 3), np.uint8)
@@ -52,7 +52,7 @@ class View:
 
 
     def depths(self, simulation: Any, place: Pose2D, without: Any = None) -> NDArray[np.float32]:
-        """How far ahead everything is [m], height x width, from a robot at `place`; inf where nothing is near enough.
+        """Return the depth image [m], height x width, from a robot at `place`; inf beyond the range.
 
         >>> from coursekit.sim import Simulation, read_world
         >>> simulation = Simulation(read_world("world: w\\nboxes: [{name: b, center: [3, 0], size: [1, 4]}]"))

@@ -1,4 +1,4 @@
-"""The loops of the camera, compiled. A column is `slope` to the left per metre ahead; rows count down from the horizon."""
+"""The loops of the camera, compiled. A column is `slope` metres to the left per metre ahead; rows count downwards."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ import numba
 import numpy as np
 
 PER_METRE = 32
-"""Texture points a metre; textures are 64 points wide and repeat every 2 m."""
+"""Texture pixels per metre; textures are 64 pixels wide and repeat every 2 m."""
 SIZE = 64
 
 
 @numba.njit(cache=True)
 def sky_and_floor(picture, slopes, horizon, focal, above, x, y, theta, floor):  # type: ignore[no-untyped-def]
-    """Fill a picture with sky above the horizon and a textured floor below it."""
+    """Fill an image with sky above the horizon and a textured floor below it."""
     height, width = picture.shape[0], picture.shape[1]
     c, s = math.cos(theta), math.sin(theta)
     for row in range(height):
@@ -38,7 +38,7 @@ def sky_and_floor(picture, slopes, horizon, focal, above, x, y, theta, floor):  
 
 @numba.njit(cache=True)
 def paint(picture, slopes, horizon, focal, above, far, x, y, theta, edges, looks, textures):  # type: ignore[no-untyped-def]
-    """Paint upright edges (n, 6: x1, y1, x2, y2, low, high), far first; `looks` (n, 4): texture, blue, green, red."""
+    """Paint upright edges (n, 6: x1, y1, x2, y2, low, high), far ones first; `looks` (n, 4): texture, blue, green, red."""
     width = picture.shape[1]
     c, s = math.cos(theta), math.sin(theta)
     count = len(edges)
@@ -65,7 +65,7 @@ def paint(picture, slopes, horizon, focal, above, far, x, y, theta, edges, looks
                 distances[at], along[at], order[at] = ahead, share, row
                 met += 1
         first = 0
-        for k in range(met - 1, -1, -1):  # what a full-height wall hides need not be painted
+        for k in range(met - 1, -1, -1):  # edges behind a full-height wall need not be painted
             e = order[k]
             if edges[e, 4] <= 0.001 and horizon - focal * (edges[e, 5] - above) / distances[k] <= 0:
                 first = k
@@ -77,7 +77,7 @@ def paint(picture, slopes, horizon, focal, above, far, x, y, theta, edges, looks
 
 @numba.njit(cache=True)
 def _column(picture, column, horizon, focal, above, ahead, share, edge, look, textures):  # type: ignore[no-untyped-def]
-    """One column of one wall."""
+    """Paint one column of one wall."""
     height, scale = picture.shape[0], focal / ahead
     top, bottom = horizon - scale * (edge[5] - above), horizon - scale * (edge[4] - above)
     length = math.sqrt((edge[2] - edge[0]) ** 2 + (edge[3] - edge[1]) ** 2)
@@ -94,7 +94,7 @@ def _column(picture, column, horizon, focal, above, ahead, share, edge, look, te
 
 @numba.njit(cache=True)
 def measure(depths, slopes, horizon, focal, above, far, x, y, theta, edges):  # type: ignore[no-untyped-def]
-    """Fill a picture with how far ahead the floor and upright edges are [m]; inf from `far` on."""
+    """Fill an image with the depth of the floor and of upright edges [m]; inf from `far` on."""
     height, width = depths.shape
     c, s = math.cos(theta), math.sin(theta)
     for row in range(height):

@@ -1,4 +1,4 @@
-"""The things that a camera can see of a simulation: upright edges with their looks, kept until something comes or goes."""
+"""The objects that a camera sees in a simulation: upright edges with their looks, cached until objects change."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _kept: WeakKeyDictionary[Any, ViewScene] = WeakKeyDictionary()
 
 
 class ViewScene:
-    """The edges (n, 6) and looks (n, 4) of all that stands; those of what moves are carried along."""
+    """The edges (n, 6) and looks (n, 4) of all objects; those of moving ones follow their bodies."""
 
     def __init__(self, simulation: Any) -> None:
         self.changes: int = simulation.changes
@@ -34,14 +34,14 @@ class ViewScene:
 
     @staticmethod
     def of(simulation: Any) -> ViewScene:
-        """The scene of a simulation as it is now."""
+        """Return the current scene of a simulation."""
         kept = _kept.get(simulation)
         if kept is None or kept.changes != simulation.changes:
             kept = _kept[simulation] = ViewScene(simulation)
         return kept
 
     def edges(self, without: Any) -> tuple[Array, Array]:
-        """All edges and looks now, but for those of one body."""
+        """Return all current edges and looks, except those of one body."""
         edges, looks = [self._fixed], [self._looks]
         for body, local, look in self._moving:
             if body is not without:

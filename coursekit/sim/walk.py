@@ -1,4 +1,4 @@
-"""Walks: poses that a thing takes one after another by itself, at given times, smoothly from one to the next."""
+"""Walks: sequences of poses that an object follows by itself, at given times, with smooth transitions."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from coursekit.geometry.plane import Array, Pose2D
 
 @dataclass(frozen=True)
 class Walk:
-    """Poses [m, rad] at times [s] that rise from 0 on; with `loop` the walk begins again after its last pose.
+    """Poses [m, rad] at ascending times [s] from 0 on; with `loop` the walk starts again after its last pose.
 
-    Between two poses a cubic Hermite curve leads whose tangents follow the neighbours, as in Gazebo (its tension is 0: a
-    Catmull-Rom spline). `delay` [s] is waited before each round.
+    Two poses are joined by a cubic Hermite curve whose tangents follow the neighbours, as in Gazebo (its tension is 0: a
+    Catmull-Rom spline). `delay` [s] is the pause before each round.
 
     >>> walk = Walk((0.0, 2.0), (Pose2D(0.0, 0.0, 0.0), Pose2D(1.0, 0.0, 0.0)), loop=False)
     >>> [round(walk.at(seconds).x, 3) for seconds in (0.0, 1.0, 2.0, 9.0)]
@@ -29,7 +29,7 @@ class Walk:
     delay: float = 0.0
 
     def at(self, seconds: float) -> Pose2D:
-        """The pose so long after the beginning of the world."""
+        """Return the pose at a time since the start of the world."""
         end = self.times[-1]
         passed = max(0.0, seconds - self.delay)
         if self.loop and end > 0.0:
@@ -45,14 +45,14 @@ class Walk:
 
     @cached_property
     def _rows(self) -> Array:
-        """The poses as rows, their headings without jumps."""
+        """The poses as rows, with unwrapped headings."""
         rows = np.array([tuple(pose) for pose in self.poses])
         rows[:, 2] = np.unwrap(rows[:, 2])
         return rows
 
 
 def _between(rows: Array, after: int, part: float) -> Array:
-    """The curve from row `after - 1` to row `after`, at a part of its time from 0 to 1."""
+    """Return the curve from row `after - 1` to row `after`, at a part of its time from 0 to 1."""
     start, end = rows[after - 1], rows[after]
     leave = (end - rows[max(after - 2, 0)]) / 2
     arrive = (rows[min(after + 1, len(rows) - 1)] - start) / 2

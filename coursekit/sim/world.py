@@ -1,4 +1,4 @@
-"""A world as data: things that stand, things that can be moved, where robots begin. In m, rad and kg."""
+"""A world as data: fixed objects, movable objects, and the robots' start. In m, rad and kg."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from .parts import Cut, Part, join
 from .walk import Walk
 
 TEXTURES = ("plain", "brick", "concrete", "wood", "crates", "metal", "stripes", "tiles", "door", "hedge")
-"""The looks of walls for a camera."""
+"""The textures of walls for a camera."""
 
 
 @dataclass(frozen=True)
 class Hinge:
-    """A door's hinge: it hangs at the thing's own origin and turns between two angles from where it is."""
+    """A door's hinge: it is at the object's own origin and rotates between two angles relative to the initial one."""
 
     lower: float
     upper: float
@@ -28,7 +28,7 @@ class Hinge:
 
 @dataclass(frozen=True)
 class Thing:
-    """Something in the world. Without `mass` it is fixed; with one it can be pushed."""
+    """An object in the world. Without `mass` it is fixed; with one it can be pushed."""
 
     name: str
     parts: tuple[Part, ...]
@@ -39,27 +39,27 @@ class Thing:
     colour: tuple[float, float, float] | None = None
     hinge: Hinge | None = None
     velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    """Of things that move by themselves: m/s, m/s, rad/s in the world's frame; they have `mass` infinity."""
+    """Velocity of objects that move by themselves: m/s, m/s, rad/s in the world's frame; their `mass` is infinite."""
     walk: Walk | None = None
-    """Where it is at which time, in place of a velocity; its `mass` is infinity, too."""
+    """A walk instead of a velocity; its `mass` is infinite, too."""
     solid: bool = True
-    """Whether others bump into it; sensors see it all the same."""
+    """Whether it collides with others; sensors see it in any case."""
     model: str = ""
-    """The model or element of the file that it came from."""
+    """The model or element of the file that defined it."""
 
     @property
     def moves(self) -> bool:
-        """Whether it can be anywhere else than where it is."""
+        """Whether it can move."""
         return self.mass is not None
 
     def cut(self, height: float) -> Cut:
-        """Its outline at a height, in its own frame."""
+        """Return the outline at a height, in its own frame."""
         return join([part.cut(height) for part in self.parts])
 
 
 @dataclass(frozen=True)
 class World:
-    """A world; `names` of things are unique.
+    """A world; the names of its objects are unique.
 
     >>> from coursekit.sim import Disc
     >>> world = World("yard", (Thing("post", (Disc(1.0, 0.0, 0.1),)),))
@@ -75,9 +75,9 @@ class World:
     notes: tuple[str, ...] = ()
     """The parts of the file that are not simulated, one sentence each."""
     models: dict[str, Pose2D] = field(default_factory=dict)
-    """Names that a user asks for (a model of a Gazebo file), with their places, also where nothing of them can be met."""
+    """The names known to the user (models of a Gazebo file), with their poses, including models without collision shapes."""
     globe: Globe | None = None
-    """Where on the Earth it lies; None where its file does not say."""
+    """Its location on the Earth; None if the file does not specify one."""
     magnetism: tuple[float, float, float] = (5.5645e-6, 22.8758e-6, -42.3884e-6)
     """The Earth's magnetic field [T], along x, y and z."""
 
@@ -91,26 +91,26 @@ class World:
             seen.add(thing.name)
 
     def thing(self, name: str) -> Thing:
-        """A thing by name; LookupError names near ones."""
+        """Return an object by name; LookupError suggests similar names."""
         for thing in self.things:
             if thing.name == name:
                 return thing
         raise LookupError(f"world '{self.name}' has no '{name}'. {known(name, [one.name for one in self.things])}")
 
     def fixed(self) -> Iterator[Thing]:
-        """The fixed things."""
+        """The fixed objects."""
         return (thing for thing in self.things if not thing.moves)
 
     def movable(self) -> Iterator[Thing]:
-        """The things that can be moved."""
+        """The movable objects."""
         return (thing for thing in self.things if thing.moves)
 
     def cut(self, height: float) -> Cut:
-        """The outline of what is fixed."""
+        """Return the outline of the fixed objects."""
         return join([thing.cut(height).moved(thing.place) for thing in self.fixed()])
 
     def bounds(self) -> tuple[float, float, float, float]:
-        """Smallest x and y, largest x and y, of all things; zeros for an empty world."""
+        """Return smallest x and y, largest x and y, of all objects; zeros for an empty world."""
         corners = [thing.place.transform(part.corners()) for thing in self.things for part in thing.parts]
         if not corners:
             return 0.0, 0.0, 0.0, 0.0
@@ -119,7 +119,7 @@ class World:
         return float(x0), float(y0), float(x1), float(y1)
 
     def with_things(self, *things: Thing) -> World:
-        """The same world and some more things."""
+        """Return the same world with more objects."""
         return replace(self, things=self.things + things)
 
 

@@ -1,4 +1,4 @@
-"""Worlds as YAML files; every key is in FORMAT, every fault is told with its line and cure.
+"""Worlds as YAML files. The example shows the format; every error is reported with its line and remedy.
 
 ```yaml
 world: yard                      # its name
@@ -12,11 +12,11 @@ circles:
   - {name: post, center: [3, 1], radius: 0.1}
 boxes:                           # with a mass [kg] they can be pushed
   - {name: crate, center: [2, 2], size: [0.4, 0.3], yaw: 0.2, mass: 4.0, friction: 0.3}
-doors:                           # on a hinge; `yaw` is where the leaf points when shut, `open` how far it stands open
+doors:                           # on a hinge; `yaw` is the closed leaf's direction, `open` the opening angle
   - {name: door, hinge: [0, 1], width: 0.8, yaw: 1.57, open: 0.6, mass: 6.0}
 ```
 
-Everything but `world` has `bottom` and `height`, `texture` and `colour`, and `repeat: {count: 3, step: [1.0, 0.0]}`: copies
+Every element has `bottom` and `height`, `texture` and `colour`, and `repeat: {count: 3, step: [1.0, 0.0]}`: copies
 NAME_1, NAME_2, ... each one step further.
 """
 
@@ -41,13 +41,13 @@ MOST_THINGS = 20_000
 
 
 class Lines(dict[str, Any]):
-    """A mapping of the file that knows its line."""
+    """A mapping of the file with its line number."""
 
     line = 0
 
 
 class _Loader(yaml.SafeLoader):
-    """Mappings with lines; a key that is given twice is a fault."""
+    """Loads mappings with line numbers; a duplicate key is an error."""
 
 
 def _mapping(loader: _Loader, node: yaml.MappingNode) -> Lines:
@@ -66,12 +66,12 @@ _Loader.add_constructor("tag:yaml.org,2002:map", _mapping)
 
 
 def load_world(path: str | Path) -> World:
-    """The world of a YAML file. Raises WorldError, also when there is no such file."""
+    """Load the world of a YAML file. Raises WorldError, also for a missing file."""
     return read_world(world_text(path), str(Path(path)))
 
 
 def world_text(path: str | Path) -> str:
-    """The content of a world's file. Raises WorldError when it cannot be read."""
+    """Read the text of a world file. Raises WorldError when it cannot be read."""
     file = Path(path)
     try:
         return read_text(file)
@@ -82,7 +82,7 @@ def world_text(path: str | Path) -> str:
 
 
 def read_world(text: str, file: str = "world") -> World:
-    """The world that a text describes. Raises WorldError.
+    """Parse the world in a text. Raises WorldError.
 
     >>> read_world("world: yard\\ncircles: [{name: post, center: [1, 0], radius: 0.1}]").thing("post").parts[0].radius
     0.1
@@ -133,7 +133,7 @@ def _element(row: Any, kind: str, number: int, build: Callable[[Fields], Thing],
 
 
 def _copies(fields: Fields, thing: Thing) -> list[Thing]:
-    """The thing, or its copies where it says `repeat`."""
+    """Return the object, or its copies if it has `repeat`."""
     if "repeat" not in fields.data:
         return [thing]
     told = fields.data["repeat"]

@@ -1,4 +1,4 @@
-"""A world from an occupancy grid, as navigation's maps have it: occupied cells become walls."""
+"""A world from an occupancy grid, such as a navigation map: occupied cells become walls."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .parts import Part, Prism
 from .world import Thing, World
 
 OCCUPIED = 65
-"""Cells from this value on are walls."""
+"""Minimum value of wall cells."""
 MOST_BLOCKS = 50_000
 
 
@@ -20,7 +20,7 @@ def world_from_grid(
     cells: NDArray[np.int8], resolution: float, origin: tuple[float, float, float] = (0.0, 0.0, 0.0),
     name: str = "map", file: str = "",
 ) -> World:  # fmt: skip
-    """A world of the occupied cells; row 0 is that of smallest y, `origin` is the pose of its corner. Raises WorldError.
+    """Return a world of the occupied cells; row 0 has the smallest y, `origin` is the pose of its corner. Raises WorldError.
 
     >>> import numpy as np
     >>> world = world_from_grid(np.array([[0, 100, 100]], np.int8), 0.5)
@@ -39,7 +39,7 @@ def world_from_grid(
 
 
 def _blocks(walls: NDArray[np.bool_]) -> list[tuple[int, int, int, int]]:
-    """Rectangles (row, column, end row, end column) that cover the true cells once."""
+    """Return rectangles (row, column, end row, end column) that cover each true cell once."""
     open_: dict[tuple[int, int], int] = {}
     done = []
     for row in range(len(walls) + 1):
@@ -63,7 +63,7 @@ def _prism(row: int, column: int, row_end: int, column_end: int, size: float) ->
 
 
 def _free_place(grid: NDArray[np.int8], size: float, origin: tuple[float, float, float]) -> Pose2D:
-    """The free cell that is farthest from what is not free, roughly: where a robot can begin."""
+    """Return roughly the free cell farthest from all other cells, as a start for robots."""
     free = grid == 0
     if not free.any():
         return Pose2D(*origin)

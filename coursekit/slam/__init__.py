@@ -1,1 +1,1 @@
-"""SLAM as numbers in, numbers out: laser scans and odometry become a trajectory and a map. No ROS here."""
+"""SLAM with plain numbers in and out: laser scans and odometry become a trajectory and a map. No ROS here."""

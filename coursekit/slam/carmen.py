@@ -1,6 +1,6 @@
-"""Logs of the CARMEN toolkit, the form in which the classic SLAM data sets are kept.
+"""Logs of the CARMEN toolkit, the format of the classic SLAM data sets.
 
-Read are FLASER, ROBOTLASER1 and, in a log that has neither, RAWLASER1; ODOM where scans bring no pose; PARAM.
+It reads FLASER, ROBOTLASER1 and, in a log without these, RAWLASER1; ODOM where scans have no pose; PARAM.
 """
 
 from __future__ import annotations
@@ -18,16 +18,16 @@ from coursekit.slam.files import read_lines
 from coursekit.slam.scan import Laser
 
 TOLD = 20
-"""So many bad lines are told one by one; further ones are counted."""
+"""Number of bad lines that are reported individually; further ones are only counted."""
 MOST = 100_000_000
-"""More readings than this are refused instead of filling the memory."""
+"""A limit for the number of readings, to protect the memory."""
 _LASERS = ("FLASER", "ROBOTLASER1", "RAWLASER1")
 _WANTED = "FLASER, ROBOTLASER1 or RAWLASER1"
 
 
 @dataclass
 class CarmenLog:
-    """The scans of a log in the order of its lines, and what could not be read."""
+    """The scans of a log in the order of its lines, and the errors in it."""
 
     readings: list[Reading] = field(default_factory=list)
     parameters: dict[str, str] = field(default_factory=dict)
@@ -37,16 +37,16 @@ class CarmenLog:
 
     @property
     def has_odometry(self) -> bool:
-        """Whether the wheels ever turned: a log without odometry repeats one pose."""
+        """Whether the odometry ever changes: a log without odometry repeats one pose."""
         return any(reading.odometry != self.readings[0].odometry for reading in self.readings)
 
     @property
     def seconds(self) -> float:
-        """From the first scan to the last."""
+        """Duration from the first scan to the last."""
         return self.readings[-1].stamp - self.readings[0].stamp
 
     def lasers(self) -> list[Laser]:
-        """The sensor of each scan: its own header, else PARAM lines, else the 180° of old logs."""
+        """Return the sensor of each scan: from its own header, else from PARAM lines, else the 180° of old logs."""
         limit = self._range_limit()
         offset = self._offset()
         made: dict[tuple[str, int, object], Laser] = {}
@@ -72,7 +72,7 @@ class CarmenLog:
         return Laser(-view / 2, view / max(count - 1, 1), range_max=maximum, offset=offset)
 
     def _number(self, name: str, default: float) -> float:
-        """A PARAM as a positive number."""
+        """Return a PARAM as a positive number."""
         try:
             value = float(self.parameters[name])
         except (KeyError, ValueError):
@@ -80,7 +80,7 @@ class CarmenLog:
         return value if np.isfinite(value) and value > 0 else default
 
     def _offset(self) -> Pose2D:
-        """Where the laser sits: from the two poses of each line when they always differ alike, else from PARAM."""
+        """Return the laser's pose on the robot, from the poses of the lines if their offset is constant, else from PARAM."""
         seen = np.array([tuple(r.odometry.to(r.laser_pose)) for r in self.readings[:1000] if r.odometry is not None])
         if len(seen) and np.abs(seen - seen[0]).max() < 2e-3 and 1e-4 < np.hypot(*seen[0, :2]) < 3.0:
             return Pose2D.of(np.median(seen, axis=0))
@@ -91,7 +91,7 @@ class CarmenLog:
         return Pose2D(ahead, 0.0, 0.0) if abs(ahead) < 3.0 else Pose2D()
 
     def _range_limit(self) -> dict[tuple[str, int], float]:
-        """Where "no return" begins for each kind of scan: a largest value that the log repeats again and again."""
+        """Return the range from which on each kind of scan means "no return": a maximum that the log repeats very often."""
         limits: dict[tuple[str, int], float] = {}
         groups: dict[tuple[str, int], list[np.ndarray]] = {}
         for reading in self.readings:
@@ -102,10 +102,10 @@ class CarmenLog:
 
 
 def saturation(ranges: np.ndarray) -> float:
-    """The value from which on ranges mean "no return", inf when none is seen.
+    """Return the value from which on ranges mean "no return", inf if there is none.
 
-    A largest value that is far more frequent than the ranges just below it, or 50 m and more, which the lasers of old
-    logs write for nothing.
+    It is a maximum that is far more frequent than the ranges just below it, or 50 m and more, which the lasers of old
+    logs write for "no return".
 
     >>> saturation(np.array([1.0, 2.0, 8.0, 3.0, 8.0, 2.5, 8.0, 8.0]))
     8.0
@@ -121,9 +121,9 @@ def saturation(ranges: np.ndarray) -> float:
 
 
 def read_log(path: str | Path) -> CarmenLog:
-    """Read a log (.clf, .log, also packed as .gz, .bz2 or .xz). Bad lines are noted with their number and left out.
+    """Read a log (.clf, .log, also compressed as .gz, .bz2 or .xz). Bad lines are skipped and recorded with their numbers.
 
-    Raises FileNotFoundError, and ValueError when nothing in the file is a scan.
+    Raises FileNotFoundError, or ValueError when the file contains no scan.
     """
     log, kinds, total, track = CarmenLog(), Counter[str](), 0, OdometryTrack()
     for number, line in enumerate(read_lines(path), start=1):
@@ -149,27 +149,27 @@ def read_log(path: str | Path) -> CarmenLog:
             kinds[word[:20]] += 1
     if not log.readings:
         raise ValueError(_nothing(path, log, kinds))
-    if any(reading.kind != "RAWLASER1" for reading in log.readings):  # those are the same scans again
+    if any(reading.kind != "RAWLASER1" for reading in log.readings):  # these repeat the same scans
         log.readings = [reading for reading in log.readings if reading.kind != "RAWLASER1"]
     log.readings = [one if one.odometry is not None else _placed(one, track) for one in log.readings]
     return log
 
 
 def _placed(reading: Reading, track: OdometryTrack) -> Reading:
-    """A scan without a pose, with that of the ODOM lines."""
+    """Return a scan without a pose, with the pose from the ODOM lines."""
     here = track.at(reading.stamp)
     return replace(reading, odometry=here, laser_pose=here)
 
 
 def _complain(log: CarmenLog, number: int, fault: str) -> None:
-    """Note a bad line."""
+    """Record a bad line."""
     log.bad += 1
     if len(log.complaints) < TOLD:
         log.complaints.append(f"line {number}: {fault}")
 
 
 def _nothing(path: str | Path, log: CarmenLog, kinds: Counter[str]) -> str:
-    """Why a file gave no scans."""
+    """Return why a file contained no scans."""
     if log.bad:
         return f"{path}: none of its {log.bad} scans can be read; {log.complaints[0]}"
     if not kinds:

@@ -10,28 +10,28 @@ import numpy as np
 from coursekit.geometry.plane import Pose2D
 
 BEAMS = 100_000
-"""No laser has more beams."""
+"""Maximum number of beams."""
 
 
 @dataclass(frozen=True)
 class Reading:
-    """One scan as the log has it."""
+    """One scan of the log."""
 
     kind: str
     stamp: float
     ranges: np.ndarray
     """(n,) float32 [m], as written."""
     odometry: Pose2D | None
-    """None where the line has no pose: the log's ODOM lines tell it."""
+    """None if the line has no pose: the log's ODOM lines provide it."""
     laser_pose: Pose2D
     laser: tuple[float, float, float] | None = None
-    """Start angle, angle step, maximum range, where the line has them."""
+    """Start angle, angle step and maximum range, if the line has them."""
 
 
 def parse_laser(line: str) -> Reading:
-    """A FLASER, ROBOTLASER1 or RAWLASER1 line.
+    """Parse a FLASER, ROBOTLASER1 or RAWLASER1 line.
 
-    Raises ValueError that says what is wrong.
+    Raises ValueError with the reason.
 
     >>> parse_laser("FLASER 2 1.0 2.0 0 0 0 0.5 0 0 12.5 host 12.5").odometry.x
     0.5
@@ -41,7 +41,7 @@ def parse_laser(line: str) -> Reading:
 
 
 def parse_odometry(line: str) -> tuple[float, float, float, float]:
-    """Stamp and pose of `ODOM x y theta speed turn acceleration stamp host stamp`; ValueError says what is wrong.
+    """Parse stamp and pose of `ODOM x y theta speed turn acceleration stamp host stamp`. Raises ValueError with the reason.
 
     >>> parse_odometry("ODOM 1 2 0.5 0 0 0 7.5 host 7.5")
     (7.5, 1.0, 2.0, 0.5)
@@ -54,7 +54,7 @@ def parse_odometry(line: str) -> tuple[float, float, float, float]:
 
 
 def parse_parameter(line: str) -> tuple[str, str]:
-    """Name and value of a PARAM line; ("", "") when it has none.
+    """Return name and value of a PARAM line; ("", "") when it has none.
 
     >>> parse_parameter("PARAM robot_frontlaser_offset 0.04 nohost 0")
     ('robot_frontlaser_offset', '0.04')
@@ -64,7 +64,7 @@ def parse_parameter(line: str) -> tuple[str, str]:
 
 
 def _number(word: str, what: str) -> float:
-    """A finite number."""
+    """Parse a finite number."""
     try:
         value = float(word)
     except ValueError:
@@ -75,7 +75,7 @@ def _number(word: str, what: str) -> float:
 
 
 def _count(words: list[str], at: int, rest: int) -> int:
-    """A beam count that fits the words that follow: `rest` more than the beams."""
+    """Return the number of beams, checked against the words that follow: `rest` more than the beams."""
     try:
         count = int(words[at])
     except (ValueError, IndexError):
@@ -88,7 +88,7 @@ def _count(words: list[str], at: int, rest: int) -> int:
 
 
 def _ranges(words: list[str]) -> np.ndarray:
-    """Ranges; NaN and inf are allowed, other words are not."""
+    """Parse ranges; NaN and inf are allowed."""
     try:
         return np.array([float(word) for word in words], dtype=np.float32)
     except ValueError as fault:
@@ -96,7 +96,7 @@ def _ranges(words: list[str]) -> np.ndarray:
 
 
 def _pose(words: list[str], what: str) -> Pose2D:
-    """Three words."""
+    """Parse three words as a pose."""
     x, y, theta = (_number(word, what) for word in words)
     if max(abs(x), abs(y)) > 1e7:
         raise ValueError(f"{what} is {x:g}, {y:g}: farther than 10 000 km")
@@ -135,7 +135,7 @@ def _rawlaser(words: list[str]) -> Reading:
 
 
 def _with_header(words: list[str], rest: int, usual: int) -> tuple[np.ndarray, tuple[float, float, float], list[str]]:
-    """Ranges, the laser, and what follows the remission values: at least `rest` words, usually so many."""
+    """Return ranges, the laser, and the words after the remission values: at least `rest`, usually `usual`."""
     count = _count(words, 8, rest)
     start, view, step, limit = (_number(word, "the laser's header") for word in words[2:6])
     try:

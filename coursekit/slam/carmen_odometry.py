@@ -1,4 +1,4 @@
-"""The ODOM lines of a CARMEN log, for scans that bring no odometry of their own."""
+"""The ODOM lines of a CARMEN log, for scans without their own odometry."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ class OdometryTrack:
         self._sorted: np.ndarray | None = None
 
     def add(self, line: str) -> None:
-        """Take an ODOM line; ValueError says what is wrong with it."""
+        """Parse an ODOM line. Raises ValueError with the reason."""
         self._rows.append(parse_odometry(line))
         self._sorted = None
 
     def at(self, stamp: float) -> Pose2D:
-        """The pose at a time, between the two nearest ones; the first or last one outside, the origin without any."""
+        """Return the pose at a time, interpolated; the first or last one outside of the track, the origin without any."""
         if not self._rows:
             return Pose2D()
         if self._sorted is None:

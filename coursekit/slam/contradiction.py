@@ -1,6 +1,6 @@
-"""Whether two scans can be of one place: no beam of one may pass through a wall that the other has seen.
+"""Whether two scans can be of the same place: no beam of one may pass through a wall that the other has seen.
 
-Rooms that look alike fit each other's walls; what gives a false loop away is that one scan looks through the other's walls.
+Rooms that look alike match each other's walls; a false loop is revealed by scans that look through each other's walls.
 """
 
 from __future__ import annotations
@@ -17,14 +17,14 @@ from coursekit.slam.scan import Scan
 from coursekit.slam.scan_kernels import usual_gap
 
 TOLERANCE, TOLERANCE_PER_METRE = 0.2, 0.03
-"""A point so far in front of where the other's beam ended stands in its way [m]: poses err, and edges are hit or missed."""
+"""A point so far in front of a beam's end contradicts it [m]: poses have errors, and beams hit or miss edges."""
 WIDEST = 3.0
-"""Beams count as neighbours up to so many usual gaps between beams."""
+"""Maximum gap between neighbouring beams, in usual gaps."""
 
 
 @njit(cache=True)
 def _count(points: Array, bearings: Array, ranges: Array, widest: float, fixed: float, growing: float) -> tuple[int, int]:
-    """How many points lie where the beams beside them ended, and how many in front of it."""
+    """Return how many points agree with the ends of neighbouring beams, and how many are in front of them."""
     agreeing = standing = 0
     last = len(bearings)
     for k in range(len(points)):
@@ -52,9 +52,9 @@ def _one_way(viewer: Scan, seen: Scan, motion: Pose2D) -> tuple[int, int]:
 
 
 def contradiction(pairs: Iterable[tuple[Scan, Scan, Pose2D]]) -> float:
-    """The part of what two scans can tell of each other that cannot be true: 0 to 1; of several pairs, all together.
+    """Return the contradicting part of the comparable points of two scans, 0 to 1; several pairs are taken together.
 
-    A pair is one scan, another, and the motion from the first one's robot to the second one's.
+    A pair is one scan, another, and the motion from the first one's robot pose to the second one's.
 
     >>> from coursekit.slam.parameters import SlamParameters
     >>> wall = Scan.from_points(np.column_stack([np.full(50, 2.0), np.linspace(-1, 1, 50)]), SlamParameters())
@@ -74,10 +74,10 @@ def contradiction(pairs: Iterable[tuple[Scan, Scan, Pose2D]]) -> float:
 
 
 class Usual:
-    """How much keyframes contradict each other here that are known to belong together: people walk, edges are missed."""
+    """The usual contradiction between keyframes that belong together: people walk, beams miss edges."""
 
     APART = 10
-    """Keyframes between the two that are compared."""
+    """Number of keyframes between the two that are compared."""
     RATE = 0.1
 
     def __init__(self) -> None:
@@ -93,5 +93,5 @@ class Usual:
 
     @property
     def limit(self) -> float:
-        """A loop that contradicts more than this is false."""
+        """A loop with more contradiction than this is false."""
         return 0.02 + 4.0 * self._mean

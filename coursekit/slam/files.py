@@ -1,4 +1,4 @@
-"""Lines of text files, plain or compressed, without trust in what they hold."""
+"""Lines of text files, plain or compressed, from untrusted sources."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from pathlib import Path
 from typing import IO
 
 LONGEST = 1 << 20
-"""Longer lines are cut: no scan needs them, and a file without line ends must not fill the memory."""
+"""Longer lines are split: no scan needs them, and a file without line ends must not fill the memory."""
 
 
 def read_lines(path: str | Path) -> Iterator[str]:
-    """The lines of a text file, `.gz`, `.bz2` and `.xz` unpacked; what is no text becomes a replacement character.
+    """Yield the lines of a text file, decompressing `.gz`, `.bz2` and `.xz`; invalid bytes become a replacement character.
 
     Raises FileNotFoundError, IsADirectoryError, or ValueError when the compressed data are damaged.
     """
@@ -31,7 +31,7 @@ def read_lines(path: str | Path) -> Iterator[str]:
 
 
 def _open(file: Path) -> IO[bytes]:
-    """The bytes, unpacked as the first of them ask for."""
+    """Open the file, decompressing it according to its magic number."""
     with file.open("rb") as stream:
         magic = stream.read(6)
     if magic[:2] == b"\x1f\x8b":
@@ -44,6 +44,6 @@ def _open(file: Path) -> IO[bytes]:
 
 
 def _lines(stream: IO[bytes]) -> Iterator[str]:
-    """Lines of at most LONGEST bytes; what is longer comes in pieces."""
+    """Yield lines of at most LONGEST bytes; longer ones come in pieces."""
     while line := stream.readline(LONGEST):
         yield line.decode("utf-8", "replace")

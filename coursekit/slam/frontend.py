@@ -1,4 +1,4 @@
-"""Following the robot from scan to scan: odometry, then the best fit in the submap at hand."""
+"""Scan-to-scan tracking: odometry, then the best match in the current submap."""
 
 from __future__ import annotations
 
@@ -15,24 +15,24 @@ from coursekit.slam.scan import Scan
 from coursekit.slam.submap import Submap
 
 LEARN_WITHIN = 2.0
-"""The odometry's faults are learnt from matches that are so many sigmas from the guess at the most."""
+"""The odometry's errors are learnt only from matches within so many sigmas of the guess."""
 
 
 class Tracker:
-    """Where the robot is in the submap at hand; submaps overlap by half, so that there is always a rich one."""
+    """Tracks the robot in the current submap; submaps overlap by half, so one with enough content is always available."""
 
     def __init__(self, params: SlamParameters) -> None:
         self.params = params
         self.submaps: list[Submap] = []
-        """The one that is matched against, and the one that takes over."""
+        """The one used for matching, and its successor."""
         self.finished: list[Submap] = []
-        """Those just left; the owner takes them."""
+        """Submaps just finished; the owner removes them."""
         self.pose = Pose2D()
-        """In the frame of the first submap."""
+        """The robot's pose in the frame of the first submap."""
         self.base = 0
-        """The keyframe that the next one is tied to,"""
+        """The keyframe to which the next one will be connected."""
         self._base_pose = Pose2D()
-        """and where it is in the frame of the first submap."""
+        """Its pose in the frame of the first submap."""
         self._odometry: Pose2D | None = None
         self._stamp = 0.0
         self._speed = Pose2D()
@@ -41,13 +41,13 @@ class Tracker:
         """Running mean of the scores."""
 
     def start(self, submap: Submap, base: int, pose: Pose2D) -> None:
-        """Begin in a known submap: at `pose` in its frame, tied to one of its keyframes."""
+        """Start in a known submap: at `pose` in its frame, connected to one of its keyframes."""
         self.submaps, self.finished = [submap], []
         self.pose, self.base, self._base_pose = pose, base, submap.members[base]
         self._odometry, self._speed = None, Pose2D()
 
     def track(self, scan: Scan, odometry: Pose2D | None) -> tuple[Refined, float, bool]:
-        """Follow the robot to the next scan: the match, its score, and whether it is believed."""
+        """Track the robot to the next scan; return the match, its score, and whether it is accepted."""
         motion, known = self._motion(scan, odometry)
         guess = self.pose @ motion
         if not self.submaps:
@@ -66,7 +66,7 @@ class Tracker:
         return found, score, accepted
 
     def _match(self, scan: Scan, guess: Pose2D, sigmas: tuple[float, float]) -> tuple[Refined, float]:
-        """The best fit near the guess; when it is much poorer than usual, a clearly better one farther away."""
+        """Return the best match near the guess; when it is much poorer than usual, a clearly better one farther away."""
         p, submap = self.params, self.submaps[0]
         wide = p.search_distance if sigmas[0] >= p.blind_sigma else min(3 * sigmas[0], 1.0)
         best, score = match(scan.points, submap, guess, max(p.search_distance, wide), p.search_angle, sigmas)
@@ -82,7 +82,7 @@ class Tracker:
         return refine(scan.points, submap, best, guess, precision_of(sigmas[0], *sigmas)), score
 
     def _motion(self, scan: Scan, odometry: Pose2D | None) -> tuple[Pose2D, bool]:
-        """The motion since the last scan, by odometry, else as fast as before."""
+        """Return the motion since the last scan, from odometry or the previous velocity, and whether it is odometry."""
         before, self._odometry = self._odometry, odometry
         seconds, self._stamp = scan.stamp - self._stamp, scan.stamp
         if odometry is not None and before is not None:
@@ -95,7 +95,7 @@ class Tracker:
         return (self._speed if self.submaps else Pose2D()), False
 
     def _sigmas(self, motion: Pose2D, known: bool) -> tuple[float, float]:
-        """How far off the guess may well be [m], [rad]."""
+        """Return the standard deviations of the guess [m], [rad]."""
         p = self.params
         if not known:
             return p.blind_sigma, p.blind_sigma
@@ -103,12 +103,12 @@ class Tracker:
         return still + going * math.hypot(motion.x, motion.y), straight + turning * abs(motion.theta)
 
     def _plausible(self, off: Pose2D, motion: Pose2D) -> bool:
-        """Whether a match is near enough to the guess to learn from: farther ones are found or lost by luck."""
+        """Whether a match is near enough to the guess to learn from: farther ones are a matter of chance."""
         distance, angle = self._sigmas(motion, True)
         return math.hypot(off.x, off.y) < LEARN_WITHIN * distance and abs(off.theta) < LEARN_WITHIN * angle
 
     def moved_enough(self) -> bool:
-        """Whether it is time for a keyframe."""
+        """Whether a new keyframe is due."""
         motion = self.from_keyframe()
         return (
             math.hypot(motion.x, motion.y) > self.params.keyframe_distance
@@ -120,7 +120,7 @@ class Tracker:
         return self._base_pose.to(self.pose)
 
     def edge_precision(self, found: Refined) -> Array:
-        """Certainty of the motion since the last keyframe."""
+        """Return the precision of the motion since the last keyframe."""
         motion = self.from_keyframe()
         way, turn = math.hypot(motion.x, motion.y), abs(motion.theta)
         floor = np.diag([(0.01 + 0.02 * way) ** 2, (0.01 + 0.02 * way) ** 2, (0.003 + 0.02 * turn) ** 2])
@@ -128,7 +128,7 @@ class Tracker:
         return np.linalg.inv(np.linalg.inv(found.information * 0.1 + odometry) + floor)
 
     def insert(self, number: int, scan: Scan) -> None:
-        """Put a keyframe into the submaps; begin and leave submaps."""
+        """Insert a keyframe into the submaps; start and finish submaps as needed."""
         half = self.params.submap_keyframes // 2
         if not self.submaps:
             self.submaps.append(Submap(self.params, number))
@@ -148,7 +148,7 @@ class Tracker:
         return self.submaps[0].members[submap.anchor].to(self.pose)
 
     def _leave(self) -> None:
-        """Go on in the next submap."""
+        """Continue in the next submap."""
         self.pose = self._in(self.submaps[1])
         left = self.submaps.pop(0)
         left.finish()

@@ -1,4 +1,4 @@
-"""The pose graph: where the keyframes are, what was measured between them, and the poses that agree best."""
+"""The pose graph: keyframe poses, the measured motions between them, and the poses that fit these best."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from coursekit.slam.solver import Problem, chordal, cost, optimize, residuals, s
 
 
 class PoseGraph:
-    """Poses (n, 3) and measured motions between them. In ROS 2: what slam_toolbox hands to its solver.
+    """Poses (n, 3) and measured motions between them. In ROS 2: the input of slam_toolbox's solver.
 
     >>> graph = PoseGraph()
     >>> for x in (0.0, 1.1, 2.0):
@@ -32,15 +32,15 @@ class PoseGraph:
 
     @property
     def poses(self) -> Array:
-        """(n, 3), a view."""
+        """The poses (n, 3), as a view."""
         return self._poses[: self.size]
 
     def pose(self, node: int) -> Pose2D:
-        """One pose."""
+        """Return one pose."""
         return Pose2D.of(self._poses[node])
 
     def add_node(self, pose: Pose2D) -> int:
-        """A new pose; returns its number."""
+        """Add a pose; return its number."""
         if self.size == len(self._poses):
             self._poses = np.concatenate([self._poses, np.zeros_like(self._poses)])
         self._poses[self.size] = pose
@@ -48,7 +48,7 @@ class PoseGraph:
         return self.size - 1
 
     def add_edge(self, first: int, second: int, motion: Pose2D, precision: Array, robust: bool = False) -> int:
-        """A measured motion from one node to another with its (3, 3) inverse covariance; returns its number."""
+        """Add a measured motion from one node to another with its (3, 3) inverse covariance; return its number."""
         for node in (first, second):
             if not 0 <= node < self.size:
                 raise IndexError(f"no node {node}: the graph has {self.size}, add it with add_node first")
@@ -69,23 +69,23 @@ class PoseGraph:
 
     @property
     def edges(self) -> Problem:
-        """The edges as arrays, views; `robust` marks those that may be false, such as loops."""
+        """The edges as views of arrays; `robust` marks those that may be false, such as loops."""
         n = self._edges
         return Problem(
             self._pairs[:n, 0], self._pairs[:n, 1], self._motions[:n], self._precisions[:n], self._robust[:n]
         )
 
     def optimize(self, *, rounds: int = 20, slack: float = 0.0) -> Array:
-        """Move the poses to where they agree best with the edges, node 0 held; returns each edge's trust (0 to 1).
+        """Optimize the poses to fit the edges, with node 0 fixed; return each edge's trust (0 to 1).
 
-        `slack` lets doubtful edges that are off by this squared error (in sigmas) have their say first.
+        `slack` gives doubtful edges with up to this squared error (in sigmas) full weight at first.
         """
         poses, trust = optimize(self.edges, self.poses, rounds, slack)
         self._poses[: self.size] = poses
         return trust
 
     def restart(self) -> Array:
-        """Like `optimize`, from the chordal solution of the trusted edges if that ends better; returns the trust."""
+        """Like `optimize`, but from the chordal solution of the trusted edges if the result is better; return the trust."""
         edges = self.edges
         trust = self.optimize()
         sure = Problem(*(part[trust > 0.5] for part in vars(edges).values()))
@@ -98,10 +98,10 @@ class PoseGraph:
         return trust
 
     def trust(self) -> Array:
-        """(m,) how far each edge is trusted at the present poses: 1, or less for doubtful ones that disagree."""
+        """Return (m,) the trust in each edge at the current poses: 1, or less for doubtful ones that disagree."""
         return trust_of(self.edges, residuals(self.edges, self.poses))
 
     def error_of(self, edge: int) -> float:
-        """Squared error of an edge at the present poses, in sigmas."""
+        """Return the squared error of an edge at the current poses, in sigmas."""
         one = Problem(*(part[edge : edge + 1] for part in vars(self.edges).values()))
         return float(squared_errors(one, residuals(one, self.poses))[0])

@@ -1,4 +1,4 @@
-"""The map: cells that are wall, free or unknown, as log-odds that every scan adds to. It grows as the robot drives."""
+"""The map: wall, free or unknown cells, as log-odds updated by every scan. It grows as the robot drives."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from coursekit.slam.parameters import SlamParameters
 from coursekit.slam.scan import Scan
 
 CHUNK = 64
-"""Cells that the grid grows by."""
+"""Size of the steps in which the grid grows [cells]."""
 WALL_ODDS, FREE_ODDS = 0.62, -0.35
-"""Cells above 65 % are walls, those below 41 % free."""
+"""Log-odds: cells above 65 % are walls, those below 41 % free."""
 LARGEST = 8000
-"""Cells each way (400 m at 5 cm); a scan that would need more is left out."""
+"""Maximum size in each direction [cells] (400 m at 5 cm); a scan that would exceed it is left out."""
 
 
 class OccupancyGrid:
@@ -59,12 +59,12 @@ class OccupancyGrid:
         )  # fmt: skip
 
     def insert_all(self, scans: Iterable[tuple[Scan, Pose2D]]) -> None:
-        """Add many."""
+        """Add many scans."""
         for scan, pose in scans:
             self.insert(scan, pose)
 
     def _make_room(self, left: float, bottom: float, right: float, top: float) -> bool:
-        """Grow to hold a rectangle; False when that would be too large."""
+        """Grow to contain a rectangle; False when that would be too large."""
         r, (rows, columns) = self.resolution, self.log_odds.shape
         if not self.log_odds.size:
             self._corner = (math.floor(left / r) - 1, math.floor(bottom / r) - 1)
@@ -85,17 +85,17 @@ class OccupancyGrid:
         return True
 
     def cells(self) -> np.ndarray:
-        """int8 like OccupancyGrid.data: -1 unknown, else 0 (free) to 100 (wall)."""
+        """Return the cells as int8 like OccupancyGrid.data: -1 unknown, else 0 (free) to 100 (wall)."""
         percent = np.rint(100.0 / (1.0 + np.exp(-self.log_odds.astype(np.float64)))).astype(np.int8)
         return np.where(self.log_odds == 0.0, np.int8(-1), percent)
 
     def trinary(self) -> np.ndarray:
-        """int8: -1 unknown or undecided, 0 free, 100 wall; what slam_toolbox publishes."""
+        """Return the cells as int8: -1 unknown or undecided, 0 free, 100 wall, as slam_toolbox publishes them."""
         known = np.where(self.log_odds < FREE_ODDS, np.int8(0), np.int8(-1))
         return np.where(self.log_odds > WALL_ODDS, np.int8(100), known)
 
     def value_at(self, x: float, y: float) -> int:
-        """The cell at a position [m]: -1 unknown or outside, else 0 to 100."""
+        """Return the cell at a position [m]: -1 unknown or outside, else 0 to 100."""
         j, i = (
             math.floor((at - corner) / self.resolution)
             for at, corner in zip((x, y), self.origin, strict=True)
@@ -107,5 +107,5 @@ class OccupancyGrid:
 
 
 def _chunks(cells: int) -> int:
-    """Whole chunks that hold so many cells; none for none."""
+    """Round a number of cells up to whole chunks."""
     return -(-max(cells, 0) // CHUNK) * CHUNK

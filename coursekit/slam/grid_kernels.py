@@ -1,4 +1,4 @@
-"""The inner loop of `grid`: every beam clears the cells that it crosses and marks the one where it ends."""
+"""The inner loop of `grid`: every beam clears the cells that it crosses and marks the cell at its end."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from numba import njit
 
 @njit(cache=True)
 def _clear(grid, marks, width, number, x0, y0, x1, y1, miss, limit):  # type: ignore[no-untyped-def]
-    """Add `miss` to the cells between two points in cell units, each once a scan; one sample for each row or column crossed.
+    """Add `miss` to the cells between two points in cell units, once per scan; one sample for each row or column crossed.
 
-    Positions are whole numbers of 2^-32 cells: no rounding, no branches.
+    Positions are integers in units of 2^-32 cells: no rounding, no branches.
     """
     steps = math.ceil(max(abs(x1 - x0), abs(y1 - y0)))
     if steps == 0:
@@ -32,8 +32,8 @@ def _clear(grid, marks, width, number, x0, y0, x1, y1, miss, limit):  # type: ig
 def update_grid(grid, marks, width, number, hits, misses, cx, cy, ox, oy, resolution, hit, miss, limit):  # type: ignore[no-untyped-def]
     """Add one scan: `hits` and `misses` in metres, the laser at (cx, cy), the grid's corner at (ox, oy).
 
-    The grid comes as one long row. A cell changes at most once a scan, and a hit counts for more than the beams that
-    graze it; `marks` remembers by the scan's `number` which cells have had their turn.
+    The grid is passed as one long row. A cell changes at most once per scan, and a hit takes precedence over beams that
+    graze the cell; `marks` stores, by the scan's `number`, which cells were already updated.
     """
     x0, y0 = (cx - ox) / resolution, (cy - oy) / resolution
     for k in range(len(hits)):
@@ -49,7 +49,7 @@ def update_grid(grid, marks, width, number, hits, misses, cx, cy, ox, oy, resolu
 
 @njit(cache=True)
 def place(points, x, y, theta, limit, bounds):  # type: ignore[no-untyped-def]
-    """Points seen from a pose, those farther than `limit` left out; widens `bounds` (low x, low y, high x, high y)."""
+    """Transform points from a pose, without those farther than `limit`; widens `bounds` (low x, low y, high x, high y)."""
     c, s, count = math.cos(theta), math.sin(theta), 0
     out = np.empty((len(points), 2))
     for k in range(len(points)):

@@ -1,4 +1,4 @@
-"""A scan that is kept."""
+"""A scan that is kept in the map."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from coursekit.slam.scan import Scan
 
 
 class Keyframe(NamedTuple):
-    """A scan that is kept; its pose is the graph's node of the same number."""
+    """A scan that is kept; its pose is the graph node with the same number."""
 
     number: int
     scan: Scan

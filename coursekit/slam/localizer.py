@@ -1,4 +1,4 @@
-"""Following the robot in a map that is finished."""
+"""Localization in a finished map."""
 
 from __future__ import annotations
 
@@ -33,40 +33,40 @@ class Localizer:
         self._tracker.start(submap, submap.anchor, Pose2D())
         self._field: LoopField | None = None
         self.lost = 0
-        """Scans without a match since the last good one."""
+        """Scans without a match since the last accepted one."""
 
     @classmethod
     def from_keyframes(cls, keyframes: Sequence[Keyframe], poses: Array, params: SlamParameters) -> Localizer:
-        """In the map of a finished SLAM: `Localizer.from_keyframes(slam.keyframes, slam.graph.poses, slam.params)`."""
+        """Use the map of a finished SLAM: `Localizer.from_keyframes(slam.keyframes, slam.graph.poses, slam.params)`."""
         if not keyframes:
             raise ValueError("no keyframes: nothing to localise against")
         return cls(submap_of(keyframes, range(len(keyframes)), poses, params), Pose2D.of(poses[0]), params)
 
     @classmethod
     def from_grid(cls, grid: OccupancyGrid, params: SlamParameters) -> Localizer:
-        """In a drawn map, whose walls are the cells above 65 %."""
+        """Use a drawn map, whose walls are the cells above 65 %."""
         return cls.from_cells(grid.cells(), grid.resolution, grid.origin, params)
 
     @classmethod
     def from_cells(
         cls, cells: np.ndarray, resolution: float, origin: tuple[float, float], params: SlamParameters
     ) -> Localizer:
-        """In a map as nav_msgs/OccupancyGrid has it: cells (rows, columns) 0 to 100, row 0 the lowest y."""
+        """Use a map like nav_msgs/OccupancyGrid: cells (rows, columns) 0 to 100, row 0 the lowest y."""
         rows, columns = np.nonzero(cells >= 65)
         points = (np.stack([columns, rows], axis=1) + 0.5) * resolution + np.array(origin)
         return cls(*map_submap(points, params), params)
 
     @property
     def pose(self) -> Pose2D:
-        """Where the robot is in the map."""
+        """The robot's pose in the map."""
         return self._frame @ self._tracker.pose
 
     def set_pose(self, pose: Pose2D) -> None:
-        """Put the robot somewhere, as /initialpose does."""
+        """Set the robot's pose, as /initialpose does."""
         self._tracker.start(self._submap, self._submap.anchor, self._frame.to(pose))
 
     def add(self, scan: Scan, odometry: Pose2D | None = None) -> Result:
-        """Take the next scan."""
+        """Process the next scan."""
         found, score, accepted = self._tracker.track(scan, odometry)
         self.lost = 0 if accepted else self.lost + 1
         return Result(self.pose, score, accepted, found.degeneracy, found.covariance)
@@ -74,9 +74,9 @@ class Localizer:
     def find(
         self, scan: Scan, near: Pose2D | None = None, distance: float | None = None, turn: float = math.pi
     ) -> tuple[Pose2D, float]:
-        """Look for the robot in the whole map, or within `distance` [m] and `turn` [rad] of a pose.
+        """Search for the robot in the whole map, or within `distance` [m] and `turn` [rad] of a pose.
 
-        Returns the pose and its score, and goes on from there; a score of 0 means that it was not found.
+        Returns the pose and its score, and continues from there; a score of 0 means that it was not found.
         """
         p, points = self.params, self._submap.points[: self._submap.count]
         if self._field is None:

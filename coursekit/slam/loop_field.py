@@ -1,4 +1,4 @@
-"""Finding a scan in a submap with hardly any guess: branch and bound over fields of falling sharpness (Hess et al. 2016)."""
+"""Finding a scan in a submap from a very rough guess: branch and bound over ever coarser fields (Hess et al. 2016)."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from numba import njit
 from coursekit.geometry.plane import Array, Pose2D
 
 LEVELS = 7
-"""The coarsest field takes the best of 64 x 64 cells."""
+"""Number of fields; the coarsest one takes the maximum over 64 x 64 cells."""
 RIVALS = (0.5, 2.0)
-"""A pose is another one from here on, and such as a drifting robot may take for it until here [m]."""
+"""Distances at which a pose is a rival: far enough to be another one, near enough to be confused by drift [m]."""
 
 
 @njit(cache=True)
 def _paint(points, field, ox, oy, cell, sigma):  # type: ignore[no-untyped-def]
-    """Likelihood around each point, 0 to 255."""
+    """Paint the likelihood around each point, 0 to 255."""
     steps = int(2.5 * sigma / cell) + 1
     for k in range(len(points)):
         row, column = int((points[k, 1] - oy) / cell), int((points[k, 0] - ox) / cell)
@@ -31,7 +31,7 @@ def _paint(points, field, ox, oy, cell, sigma):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def _coarser(fine, step):  # type: ignore[no-untyped-def]
-    """Best of each cell and the ones `step` up, right, and both."""
+    """Return the maximum of each cell and the ones `step` above, to the right, and both."""
     height, width = fine.shape
     out = fine.copy()
     for i in range(height):
@@ -61,7 +61,7 @@ def _sum(field, rows, columns, di, dj):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def _four_sums(field, rows, columns, i, j, half, sums):  # type: ignore[no-untyped-def]
-    """`_sum` at a shift, `half` right of it, above it, and both: four look-ups that the processor does at a time."""
+    """`_sum` at a shift, `half` right of it, above it, and both: four look-ups that the processor executes in parallel."""
     height, width = field.shape
     here = right = above = both = 0
     for k in range(len(rows)):
@@ -87,7 +87,7 @@ def _four_sums(field, rows, columns, i, j, half, sums):  # type: ignore[no-untyp
 
 @njit(cache=True)
 def search(points, fields, ox, oy, cell, x, y, theta, reach, angles, angle_step, least):  # type: ignore[no-untyped-def]
-    """Best (x, y, theta, score) within ±reach cells and ±angles steps; score is `least` or below when nothing beats it."""
+    """Return the best (x, y, theta, score) within ±reach cells and ±angles steps; a score up to `least` means none."""
     count, top = len(points), len(fields) - 1
     side = 1 << top
     blocks = (2 * reach + side) // side
@@ -131,7 +131,7 @@ def search(points, fields, ox, oy, cell, x, y, theta, reach, angles, angle_step,
                 if value <= best:
                     continue
                 at = depth
-                while at > begin and stack[at - 1, 3] > value:  # the best of the four is opened first
+                while at > begin and stack[at - 1, 3] > value:  # the best of the four is expanded first
                     stack[at] = stack[at - 1]
                     at -= 1
                 stack[at, 0], stack[at, 3] = level - 1, value
@@ -149,7 +149,7 @@ def search(points, fields, ox, oy, cell, x, y, theta, reach, angles, angle_step,
 
 @njit(cache=True)
 def best_between(points, field, ox, oy, cell, x, y, theta, near, far):  # type: ignore[no-untyped-def]
-    """Best score of shifts from `near` to `far` cells away."""
+    """Return the best score of shifts from `near` to `far` cells."""
     count, best = len(points), 0
     rows, columns = np.empty(count, np.int32), np.empty(count, np.int32)
     c, s = math.cos(theta), math.sin(theta)
@@ -187,7 +187,7 @@ class LoopField:
     def find(
         self, points: Array, guess: Pose2D, distance: float, angle: float, angle_step: float, least: float
     ) -> tuple[Pose2D, float]:
-        """Best pose of the points within ±distance [m] and ±angle [rad] of the guess; score 0 when none beats `least`."""
+        """Return the points' best pose within ±distance [m] and ±angle [rad] of the guess; score 0 if none beats `least`."""
         if not len(points):
             return guess, 0.0
         reach, steps = math.ceil(distance / self.cell), math.ceil(min(angle, math.pi) / angle_step)
@@ -198,7 +198,7 @@ class LoopField:
         return Pose2D.of((x, y, theta)), float(score)
 
     def rival(self, points: Array, pose: Pose2D) -> float:
-        """How nearly the points fit beside a pose, 0.5 to 2 m away: 1 is as well as at the pose itself."""
+        """Return the best score 0.5 to 2 m away from a pose, relative to the score at the pose itself."""
         arguments = (points, self._fields[0], self.origin[0], self.origin[1], self.cell, pose.x, pose.y, pose.theta)
         near, far = (math.ceil(way / self.cell) for way in RIVALS)
         return float(best_between(*arguments, near, far) / max(best_between(*arguments, 0, 1), 1e-9))

@@ -1,4 +1,4 @@
-"""Closing loops: is this keyframe in a place that an older submap knows?"""
+"""Loop closing: finding keyframes in older submaps."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from coursekit.slam.submap import Submap
 from coursekit.slam.ways import shortest_ways
 
 WITNESSES = 4
-"""Keyframes of a submap that a loop is compared with."""
+"""Number of a submap's keyframes with which a loop is compared."""
 
 
 @dataclass(frozen=True)
@@ -35,9 +35,9 @@ class Loop:
 
 
 class LoopSearch:
-    """Looks for loops among finished submaps; a loop counts once a second one agrees with it.
+    """Searches for loops among finished submaps; a loop is accepted once a second one agrees with it.
 
-    `keyframes` is SLAM's own list: scans that look through each other's walls are no loop.
+    `keyframes` is SLAM's own list: scans that look through each other's walls are not a loop.
     """
 
     def __init__(self, params: SlamParameters, keyframes: list[Keyframe]) -> None:
@@ -52,13 +52,13 @@ class LoopSearch:
         self._starts = np.zeros(1, dtype=np.int64)
 
     def add(self, submap: Submap) -> None:
-        """A finished submap, to be found later."""
+        """Add a finished submap for later searches."""
         self.submaps.append(submap)
         self._members = np.concatenate([self._members, np.fromiter(submap.members, dtype=np.int64)])
         self._starts = np.append(self._starts, len(self._members))
 
     def search(self, keyframe: Keyframe, graph: PoseGraph) -> list[Loop]:
-        """The loops that this keyframe settles."""
+        """Return the loops that this keyframe confirms."""
         if not self.submaps or not self.params.matching or not self.params.loop_candidates:
             return []
         ways = _ways(graph, keyframe.number)
@@ -71,7 +71,7 @@ class LoopSearch:
         return self._settle(found, graph)
 
     def _candidates(self, number: int, graph: PoseGraph, ways: Array) -> list[tuple[Submap, int]]:
-        """Submaps whose keyframes may be near, nearest first, and the nearest keyframe of each."""
+        """Return submaps whose keyframes may be near, nearest first, with the nearest keyframe of each."""
         p, members = self.params, self._members
         gaps = np.hypot(*(graph.poses[members, :2] - graph.poses[number, :2]).T)
         starts = self._starts[:-1]
@@ -84,7 +84,7 @@ class LoopSearch:
         return [(self.submaps[k], int(members[span][np.argmin(gaps[span])])) for k, span in spans]
 
     def _window(self, way: float) -> tuple[float, float]:
-        """How far off the estimate may be after so long a way [m], [rad]."""
+        """Return the possible error of the estimate after a path of this length [m], [rad]."""
         p = self.params
         return min(0.5 + p.loop_drift * way, p.loop_distance), min(0.2 + 0.3 * p.loop_drift * way, p.loop_angle)
 
@@ -115,12 +115,12 @@ class LoopSearch:
         )
 
     def _contradicts(self, keyframe: Keyframe, submap: Submap, members: list[int], pose: Pose2D) -> bool:
-        """Whether the keyframe at a pose in a submap sees through walls, or the submap's keyframes through its walls."""
+        """Whether the keyframe, at a pose in a submap, sees through the submap's walls, or the submap through its walls."""
         pairs = [(self._keyframes[m].scan, keyframe.scan, submap.members[m].to(pose)) for m in members]
         return contradiction(pairs) > self._usual.limit
 
     def _field(self, submap: Submap) -> LoopField:
-        """The fields of a submap; those of the latest few are kept."""
+        """Return the fields of a submap; the most recently used ones are cached."""
         key = submap.anchor
         if key not in self._fields:
             self._fields[key] = (LoopField(submap.points[: submap.count], self.params.loop_cell), submap)
@@ -131,7 +131,7 @@ class LoopSearch:
         return self._fields[key][0]
 
     def _settle(self, found: list[Loop], graph: PoseGraph) -> list[Loop]:
-        """Those that agree with another one; the rest wait, and are dropped when they have waited long."""
+        """Return the loops that agree with another one; the others wait, and are dropped after a while."""
         settled: list[Loop] = []
         for loop in found:
             friends = [other for other in self._pending if _agree(loop, other, graph)]
@@ -149,7 +149,7 @@ class LoopSearch:
 
 
 def _ways(graph: PoseGraph, number: int) -> Array:
-    """Shortest way [m] from a keyframe to every other along the graph's edges; a turn of a radian counts as a metre."""
+    """Return the shortest path lengths [m] from a keyframe to all others; a radian of rotation counts as a metre."""
     edges = graph.edges
     lengths = np.hypot(edges.z[:, 0], edges.z[:, 1]) + np.abs(edges.z[:, 2]) + 1e-6
     ways: Array = shortest_ways(edges.i, edges.j, lengths, graph.size, number)
@@ -157,7 +157,7 @@ def _ways(graph: PoseGraph, number: int) -> Array:
 
 
 def _agree(one: Loop, other: Loop, graph: PoseGraph) -> bool:
-    """Whether two loops say the same of the drift: around the circle of both nothing is left over."""
+    """Whether two loops agree on the drift: the circle through both of them closes."""
     if one.second == other.second and abs(one.first - other.first) < 3:
         return False
     out, back = graph.pose(one.second), graph.pose(one.first)
@@ -167,6 +167,6 @@ def _agree(one: Loop, other: Loop, graph: PoseGraph) -> bool:
 
 
 def loop_precision(information: Array) -> Array:
-    """Certainty of a match, never better than 2 cm and half a degree: neighbouring points share their errors."""
+    """Return the precision of a match, at best 2 cm and half a degree: neighbouring points share their errors."""
     floor = np.diag([0.02**2, 0.02**2, 0.009**2])
     return np.linalg.inv(np.linalg.inv(0.1 * information + np.diag([1.0, 1.0, 1.0])) + floor)

@@ -13,7 +13,7 @@ from coursekit.slam.parameters import SlamParameters
 
 
 class MapDrawing:
-    """A grid, and the poses that its scans were drawn from."""
+    """A grid, and the poses from which its scans were drawn."""
 
     def __init__(self, params: SlamParameters) -> None:
         self._params = params
@@ -21,7 +21,7 @@ class MapDrawing:
         self._drawn = np.zeros((0, 3))
 
     def draw(self, keyframes: Sequence[Keyframe], poses: Array) -> OccupancyGrid:
-        """The grid with all keyframes: new ones are added; all are drawn again when old ones have moved."""
+        """Return the grid with all keyframes: new ones are added; everything is redrawn when old ones have moved."""
         if self._moved(poses):
             self._grid, self._drawn = OccupancyGrid(self._params), np.zeros((0, 3))
         for keyframe in keyframes[len(self._drawn) :]:
@@ -30,7 +30,7 @@ class MapDrawing:
         return self._grid
 
     def _moved(self, poses: Array) -> bool:
-        """Whether a drawn pose is now elsewhere: a hundredth of a cell, or of a degree."""
+        """Whether a drawn pose has moved by more than a hundredth of a cell, or of a degree."""
         change = poses[: len(self._drawn)] - self._drawn
         if not len(change):
             return False

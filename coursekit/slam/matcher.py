@@ -1,7 +1,7 @@
-"""Correlative scan matching: the best pose of a whole window, never a local one (after Olson, ICRA 2009).
+"""Correlative scan matching: the best pose of a whole window, never just a local optimum (after Olson, ICRA 2009).
 
-Two levels, best first: blocks of 4 x 4 cells are bounded from above in the coarse field; a block is opened only while its
-bound beats the best pose found.
+It works in two levels, best first: the coarse field gives an upper bound for blocks of 4 x 4 cells; a block is searched
+only while its bound beats the best pose found.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from coursekit.slam.submap import Submap
 
 @njit(cache=True)
 def _cells(points, x, y, angle, ox, oy, cell, rows, columns):  # type: ignore[no-untyped-def]
-    """Cell of each point, seen from a pose; far outside stays far outside."""
+    """Compute the cell of each point, seen from a pose; points far outside stay far outside."""
     c, s = math.cos(angle), math.sin(angle)
     for k in range(len(points)):
         px, py = points[k, 0], points[k, 1]
@@ -27,7 +27,7 @@ def _cells(points, x, y, angle, ox, oy, cell, rows, columns):  # type: ignore[no
 
 @njit(cache=True)
 def _patch_sums(field, tops, lefts, down, right, side, sums):  # type: ignore[no-untyped-def]
-    """For each shift (down..down+side-1, right..right+side-1) the sum of the field at the shifted cells."""
+    """Sum the field at the shifted cells, for each shift (down..down+side-1, right..right+side-1)."""
     height, width = field.shape
     sums[:] = 0
     for k in range(len(tops)):
@@ -46,9 +46,9 @@ def _patch_sums(field, tops, lefts, down, right, side, sums):  # type: ignore[no
 def correlate(  # type: ignore[no-untyped-def]
     points, likelihood, coarse, ox, oy, cell, x, y, theta, reach, angles, angle_step, per_cell, per_step, most
 ):
-    """Best (x, y, theta, mean likelihood 0..1) within ±reach cells and ±angles steps of a pose.
+    """Return the best (x, y, theta, mean likelihood 0..1) within ±reach cells and ±angles steps of a pose.
 
-    What is away from the pose costs `per_cell` and `per_step` times the square of its distance, at the most `most`.
+    Distance from the pose costs `per_cell` and `per_step` times its square, at most `most`.
     """
     count, blocks = len(points), (2 * reach + 4) // 4
     rows, columns = np.empty((2 * angles + 1, count), np.int32), np.empty((2 * angles + 1, count), np.int32)
@@ -83,7 +83,7 @@ def correlate(  # type: ignore[no-untyped-def]
 
 
 def sample(points: Array, limit: int) -> Array:
-    """At most `limit` of the points, evenly spread.
+    """Return at most `limit` of the points, evenly spread.
 
     >>> sample(np.arange(10.0).reshape(5, 2), 3)[:, 0].tolist()
     [0.0, 4.0, 8.0]
@@ -94,9 +94,9 @@ def sample(points: Array, limit: int) -> Array:
 def match(
     points: Array, submap: Submap, guess: Pose2D, distance: float, angle: float, sigmas: tuple[float, float]
 ) -> tuple[Pose2D, float]:
-    """Best pose within ±distance [m] and ±angle [rad] of the guess, and its score (0 to 1), to a cell and an angle step.
+    """Return the best pose within ±distance [m] and ±angle [rad] of the guess, to a cell and angle step, and its score.
 
-    `sigmas` tell how far off the guess may well be [m], [rad]; it wins where the walls leave it open.
+    `sigmas` are the standard deviations of the guess [m], [rad]; it decides where the walls leave the pose open.
     """
     p = submap.params
     if not len(points) or not submap.nearest.size:

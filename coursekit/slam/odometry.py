@@ -1,4 +1,4 @@
-"""Learning on the way what the wheels get wrong: their scale, and a pull to one side."""
+"""Online calibration of wheel odometry: its scale, and its pull to one side."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ import numpy as np
 from coursekit.geometry.plane import Pose2D
 
 MEMORY = 10.0
-"""The distance over which older experience is forgotten [m]; a turn of a radian counts as a metre."""
+"""The distance over which older experience is forgotten [m]; a radian of rotation counts as a metre."""
 RIDGE = 0.2
-"""How much motion [m², rad²] it takes until what is learnt outweighs that the odometry may be right as it is."""
+"""Regularization: the amount of motion [m², rad²] at which the estimate outweighs the assumption of perfect odometry."""
 MOST = 2.0
-"""Scales between 1 / MOST and MOST, pulls up to 1 rad/m are believed."""
+"""Limits: scales between 1 / MOST and MOST, pulls up to 1 rad/m."""
 
 
 class Calibration:
-    """Corrects motions of the odometry by what matching has made of the motions before.
+    """Corrects odometry motions with factors learnt from earlier matches.
 
     >>> wheels = Calibration()
     >>> for _ in range(500):
@@ -31,16 +31,16 @@ class Calibration:
         self._way = np.zeros(2)
         """Sums of odometry times truth and of odometry squared."""
         self._turn, self._square = np.zeros(2), np.zeros((2, 2))
-        """Normal equations of: the true turn = scale * turn + pull * way."""
+        """Normal equations of: the true rotation = scale * rotation + pull * distance."""
         self.scale, self.turn_scale, self.pull = 1.0, 1.0, 0.0
 
     def correct(self, motion: Pose2D) -> Pose2D:
-        """The motion that was meant."""
+        """Return the corrected motion."""
         turn = self.turn_scale * motion.theta + self.pull * motion.x
         return Pose2D(self.scale * motion.x, self.scale * motion.y, turn)
 
     def learn(self, motion: Pose2D, found: Pose2D) -> None:
-        """A motion by the odometry, and what matching says that it was."""
+        """Learn from an odometry motion and the motion found by matching."""
         way = math.hypot(motion.x, motion.y)
         keep = math.exp(-(way + abs(motion.theta)) / MEMORY)
         along = motion.x * found.x + motion.y * found.y
@@ -50,7 +50,7 @@ class Calibration:
         self._solve()
 
     def _solve(self) -> None:
-        """Least squares, drawn to scale 1 and pull 0."""
+        """Solve by least squares, regularized towards scale 1 and pull 0."""
         scale = (self._way[0] + RIDGE) / (self._way[1] + RIDGE)
         turn, pull = np.linalg.solve(self._square + RIDGE * np.eye(2), self._turn + np.array([RIDGE, 0.0]))
         self.scale = min(max(float(scale), 1 / MOST), MOST)

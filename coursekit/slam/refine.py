@@ -1,4 +1,4 @@
-"""Gauss-Newton refinement of a match: the pose that puts the points onto the walls, its certainty, and what is unsure."""
+"""Gauss-Newton refinement of a match: the pose that aligns the points with the walls, its certainty, and its degeneracy."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from coursekit.slam.submap import Submap
 
 @dataclass(frozen=True)
 class Refined:
-    """The outcome of a refinement."""
+    """The result of a refinement."""
 
     pose: Pose2D
     information: Array
-    """(3, 3) inverse covariance in the pose's own frame [1/m², 1/rad²], the prior left out."""
+    """(3, 3) inverse covariance in the pose's own frame [1/m², 1/rad²], without the prior."""
     inliers: float
-    """Part of the points that lie on a wall."""
+    """Part of the points that are on a wall."""
     spread: float
     """Weighted root mean square distance of the inliers to their walls [m]."""
 
     @property
     def degeneracy(self) -> float:
-        """How little the walls hold the worst direction of motion: 0 as well as the best, towards 1 in a bare corridor."""
+        """How poorly the walls constrain the worst direction: 0 if as well as the best, towards 1 in a bare corridor."""
         (a, b), (_, d) = self.information[:2, :2].tolist()
         middle, root = 0.5 * (a + d), math.hypot(0.5 * (a - d), b)
         return 1.0 - math.sqrt(max(middle - root, 0.0) / (middle + root)) if middle + root > 0 else 1.0
@@ -34,13 +34,13 @@ class Refined:
 
     @property
     def covariance(self) -> Array:
-        """(3, 3) in the pose's own frame [m², rad²]: ten beams count as one, for they share errors; 1 m where open."""
+        """(3, 3) in the pose's own frame [m², rad²]; ten beams count as one, for they share errors; 1 m if unconstrained."""
         return np.asarray(np.linalg.inv(0.1 * self.information + np.eye(3)), dtype=np.float64)
 
 
 @njit(cache=True)
 def _accumulate(points, xyt, walls, normals, weights, nearest, ox, oy, cell, gate, sigma, h, b):  # type: ignore[no-untyped-def]
-    """Sum the normal equations in the pose's own frame; returns inliers and the weighted sums of squares and weights."""
+    """Sum the normal equations in the pose's own frame; return inliers and the weighted sums of squares and weights."""
     c, s = math.cos(xyt[2]), math.sin(xyt[2])
     height, width = nearest.shape
     inliers, squares, total = 0, 0.0, 0.0
@@ -64,7 +64,7 @@ def _accumulate(points, xyt, walls, normals, weights, nearest, ox, oy, cell, gat
             inliers += 1
         squares += kernel * r2
         total += kernel
-        for turn in range(2 if plain else 1):  # a post holds both ways, a wall only across
+        for turn in range(2 if plain else 1):  # a post constrains both directions, a wall only one
             if plain:
                 ux, uy, w = (1.0, 0.0, 0.25 * trust) if turn == 0 else (0.0, 1.0, 0.25 * trust)
             else:
@@ -122,7 +122,7 @@ def gauss_newton(
     rounds,
     h,
 ):  # type: ignore[no-untyped-def]
-    """Pose after the rounds, inliers and weighted rms; `h` receives the information, the prior left out."""
+    """Return the pose after the rounds, inliers and weighted rms; `h` receives the information without the prior."""
     pose, b = start.copy(), np.zeros(3)
     damp = np.zeros((3, 3))
     inliers, squares, total = 0, 0.0, 0.0
@@ -159,7 +159,7 @@ def refine(
     gate: float = 0.3,
     rounds: int = 10,
 ) -> Refined:
-    """Refine a guess against a submap; `prior` with its (3, 3) precision holds what the walls leave open."""
+    """Refine a guess against a submap; `prior` with its (3, 3) precision decides where the walls leave the pose open."""
     information = np.zeros((3, 3))
     if not len(points) or not submap.nearest.size:
         return Refined(guess, information, 0.0, 0.0)
@@ -172,7 +172,7 @@ def refine(
 
 
 def precision_of(sigma_forward: float, sigma_side: float, sigma_angle: float, heading: float = 0.0) -> Array:
-    """Inverse covariance (3, 3) from standard deviations, the first two along and across `heading`.
+    """Return the inverse covariance (3, 3) for standard deviations, the first two along and across `heading`.
 
     >>> precision_of(0.5, 0.1, 0.1).round(3).diagonal().tolist()
     [4.0, 100.0, 100.0]

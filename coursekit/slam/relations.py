@@ -1,4 +1,4 @@
-"""The error of an estimated trajectory against known motions (Kümmerle et al. 2009): local, so no map need be aligned."""
+"""The error of an estimated trajectory against known motions (Kümmerle et al. 2009): local, without aligning maps."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Errors:
     rotation_std: float
     used: int
     outside: int
-    """Relations whose stamps lie outside of the trajectory: not counted."""
+    """Relations with stamps outside of the trajectory, which are not counted."""
 
     def __str__(self) -> str:
         return (
@@ -31,15 +31,15 @@ class Errors:
 
 
 def read_relations(path: str | Path) -> Array:
-    """(n, 5) `t1 t2 x y theta` from lines `t1 t2 x y z roll pitch yaw`.
+    """Read (n, 5) `t1 t2 x y theta` from lines `t1 t2 x y z roll pitch yaw`.
 
-    Raises ValueError with the line's number when a line is something else.
+    Raises ValueError with the line number for a malformed line.
     """
     return _table(path, 8, "t1 t2 x y z roll pitch yaw", "relations")[:, [0, 1, 2, 3, 7]]
 
 
 def read_trajectory(path: str | Path) -> Array:
-    """(n, 4) `stamp x y theta`, in order of stamps."""
+    """Read (n, 4) `stamp x y theta`, sorted by stamp."""
     rows = _table(path, 4, "stamp x y theta", "poses")
     return rows[np.argsort(rows[:, 0], kind="stable")]
 
@@ -51,7 +51,7 @@ def write_trajectory(path: str | Path, trajectory: Array) -> None:
 
 
 def _table(path: str | Path, width: int, form: str, noun: str) -> Array:
-    """Numbers of a text file, `width` a line; empty lines and # comments are left out."""
+    """Read the numbers of a text file, `width` per line; empty lines and # comments are skipped."""
     rows: list[list[float]] = []
     for number, line in enumerate(read_lines(path), start=1):
         words = line.split("#", 1)[0].split()
@@ -70,7 +70,7 @@ def _table(path: str | Path, width: int, form: str, noun: str) -> Array:
 
 
 def poses_at(trajectory: Array, stamps: Array) -> Array:
-    """(n, 3) poses at the stamps, linear between the rows `stamp x y theta` of the trajectory.
+    """Return (n, 3) poses at the stamps, interpolated between the rows `stamp x y theta` of the trajectory.
 
     >>> poses_at(np.array([[0.0, 0, 0, 3.0], [1.0, 2, 0, -3.0]]), np.array([0.5])).round(3)
     array([[ 1.   ,  0.   , -3.142]])
@@ -90,9 +90,9 @@ def poses_at(trajectory: Array, stamps: Array) -> Array:
 
 
 def errors(trajectory: Array, relations: Array, slack: float = 0.5) -> Errors:
-    """Compare rows `stamp x y theta` with rows `t1 t2 x y theta`; stamps outside by more than `slack` [s] do not count.
+    """Compare rows `stamp x y theta` with rows `t1 t2 x y theta`, except stamps outside by more than `slack` [s].
 
-    Raises ValueError when no relation lies inside of the trajectory.
+    Raises ValueError when all relations are outside of the trajectory.
     """
     trajectory = trajectory[np.argsort(trajectory[:, 0], kind="stable")]  # logs are not always in order
     low, high = trajectory[0, 0] - slack, trajectory[-1, 0] + slack

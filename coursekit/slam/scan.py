@@ -1,4 +1,4 @@
-"""One turn of the laser: which ranges count, where they hit, and the direction of the walls there."""
+"""One laser scan: its valid ranges, their hits, and the normals of the walls there."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from coursekit.slam.parameters import SlamParameters
 from coursekit.slam.scan_kernels import fill_walls, normals_of, thin, usual_gap
 
 HERE = Pose2D()
-"""The laser sits in the middle of the robot, and looks ahead."""
+"""The laser is at the centre of the robot, and faces forward."""
 
 
 @dataclass(frozen=True)
 class Laser:
-    """The sensor's properties. In ROS 2 the fields of sensor_msgs/LaserScan and the transform base → laser.
+    """The sensor's properties. In ROS 2: the fields of sensor_msgs/LaserScan and the transform base → laser.
 
     >>> Laser(angle_min=-1.0, angle_increment=0.5, range_max=10.0).angles(5)
     array([-1. , -0.5,  0. ,  0.5,  1. ])
@@ -29,20 +29,20 @@ class Laser:
     angle_increment: float
     range_min: float = 0.0
     range_max: float = math.inf
-    """Ranges from here on mean that nothing was hit."""
+    """Ranges from here on mean no return."""
     offset: Pose2D = HERE
-    """Where the laser sits on the robot."""
+    """The laser's pose on the robot."""
     flipped: bool = False
-    """Mounted upside down: the beams turn the other way."""
+    """Mounted upside down: the beams rotate in the opposite direction."""
 
     def angles(self, count: int) -> Array:
-        """Direction of each beam in the laser's frame [rad]."""
+        """Return the direction of each beam in the laser's frame [rad]."""
         angles: Array = self.angle_min + self.angle_increment * np.arange(count, dtype=np.float64)
         return -angles if self.flipped else angles
 
     @classmethod
     def half_circle(cls, count: int, range_max: float = math.inf, offset: Pose2D = HERE) -> Laser:
-        """The 180° lasers of old logs: even counts from -90° on, the last end left out; odd counts with both ends."""
+        """The 180° lasers of old logs: even counts from -90° on without the last end; odd counts with both ends."""
         steps = count - 1 if count % 2 else count
         return cls(-math.pi / 2, math.pi / max(steps, 1), range_max=range_max, offset=offset)
 
@@ -60,22 +60,22 @@ class Scan:
 
     stamp: float
     origin: Pose2D
-    """Where the laser sits on the robot."""
+    """The laser's pose on the robot."""
     hits: Array
-    """(n, 2) where beams ended [m]."""
+    """(n, 2) end points of beams [m]."""
     misses: Array
-    """(m, 2) how far beams without return have cleared [m]."""
+    """(m, 2) points up to which beams without return have cleared [m]."""
     points: Array
-    """(k, 2) hits for matching: near enough, and thinned where they are dense."""
+    """(k, 2) hits for matching: within range, and thinned where they are dense."""
     normals: Array
-    """(k, 2) unit vectors across the wall at each point; zero where there is no clear wall."""
+    """(k, 2) unit normals of the wall at each point; zero where there is no clear wall."""
     filled: Array
-    """(f, 2) points between those of `points` that lie on one wall, so that few beams still draw walls without gaps."""
+    """(f, 2) points between those of `points` on the same wall: with few beams, walls are still drawn without gaps."""
     filled_normals: Array
 
     @cached_property
     def polar(self) -> tuple[Array, Array]:
-        """Bearing [rad] and distance [m] of each hit from the laser; bearings rise."""
+        """Bearing [rad] and distance [m] of each hit from the laser, in order of bearing."""
         x, y = (self.hits - np.array([self.origin.x, self.origin.y])).T
         return np.arctan2(y, x), np.hypot(x, y)
 
@@ -83,7 +83,7 @@ class Scan:
     def from_ranges(
         cls, ranges: Sequence[float] | np.ndarray, laser: Laser, params: SlamParameters, stamp: float = 0.0
     ) -> Scan:
-        """From ranges [m]; NaN, negative, zero and too small ones are left out, the maximum and inf are no return.
+        """Build from ranges [m]; NaN, negative, zero and too small ones are dropped, the maximum and inf mean no return.
 
         >>> scan = Scan.from_ranges([1.0, float("nan"), 0.0, float("inf"), 2.0], Laser(0.0, 0.1), SlamParameters())
         >>> len(scan.hits)
@@ -114,7 +114,7 @@ class Scan:
         stamp: float = 0.0,
         misses: Array | None = None,
     ) -> Scan:
-        """From points (n, 2) in the robot's frame [m], in any order."""
+        """Build from points (n, 2) in the robot's frame [m], in any order."""
         hits = np.asarray(points, dtype=np.float64).reshape(-1, 2)
         hits = hits[np.isfinite(hits).all(axis=1)]
         relative = hits - np.array([origin.x, origin.y])

@@ -10,7 +10,7 @@ from numba import njit
 
 @njit(cache=True)
 def _spread(points, first, last, out):  # type: ignore[no-untyped-def]
-    """Direction across points[first..last] into `out`; True when they lie on a line."""
+    """Compute the normal of points[first..last] into `out`; True when they are on a line."""
     count = last - first + 1
     mx = my = 0.0
     for k in range(first, last + 1):
@@ -34,9 +34,9 @@ def _spread(points, first, last, out):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def normals_of(points, distances, reach, slope):  # type: ignore[no-untyped-def]
-    """Unit normals (n, 2) of points in order of bearing, zero where there is no clear wall.
+    """Return unit normals (n, 2) of points in order of bearing, zero where there is no clear wall.
 
-    They come from the neighbours within `reach` [m] + `slope` * distance.
+    They are computed from the neighbours within `reach` [m] + `slope` * distance.
     """
     count = len(points)
     normals = np.zeros((count, 2))
@@ -60,13 +60,13 @@ def normals_of(points, distances, reach, slope):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def usual_gap(bearings):  # type: ignore[no-untyped-def]
-    """The median gap between neighbours of rising bearings [rad]; 0 for fewer than two."""
+    """Return the median gap between neighbours of sorted bearings [rad]; 0 for fewer than two."""
     return np.median(np.diff(bearings)) if len(bearings) > 1 else 0.0
 
 
 @njit(cache=True)
 def thin(points, wanted, spacing):  # type: ignore[no-untyped-def]
-    """Indices of the wanted points that are at least `spacing` [m] from the one kept before."""
+    """Return the indices of the wanted points that are at least `spacing` [m] from the previous one kept."""
     keep = np.empty(len(points), dtype=np.int64)
     count = 0
     for i in range(len(points)):
@@ -84,7 +84,7 @@ def thin(points, wanted, spacing):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def fill_walls(points, normals, spacing, widest):  # type: ignore[no-untyped-def]
-    """Points and normals between neighbours on one wall that are farther apart than `spacing` [m], up to `widest`."""
+    """Fill gaps between neighbours on one wall that are farther apart than `spacing` [m], up to `widest`."""
     room = int(widest / spacing) + 2
     filled, directions = np.empty((len(points) * room, 2)), np.empty((len(points) * room, 2))
     count = 0

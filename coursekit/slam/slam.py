@@ -1,4 +1,4 @@
-"""SLAM itself: scans in, poses and a map out."""
+"""The SLAM itself: scans in, poses and a map out."""
 
 from __future__ import annotations
 
@@ -24,20 +24,20 @@ class Result:
     """The result of `Slam.add`."""
 
     pose: Pose2D
-    """Where the robot is in the map."""
+    """The robot's pose in the map."""
     score: float
-    """How well the scan fits: 0 to 1."""
+    """The quality of the match, 0 to 1."""
     accepted: bool
-    """False: nothing fits, the pose comes from the odometry alone."""
+    """False: no match was accepted, the pose comes from the odometry alone."""
     degeneracy: float
-    """0: the walls hold every direction alike; towards 1: they leave one open, as in a bare corridor."""
+    """0: the walls constrain all directions alike; towards 1: one is unconstrained, as in a bare corridor."""
     covariance: Array
-    """(3, 3) of the pose, from this match alone [m², rad²]."""
+    """(3, 3) covariance of the pose, from this match alone [m², rad²]."""
     keyframe: bool = False
     loops: tuple[Loop, ...] = ()
-    """Loops that this scan settled."""
+    """Loops confirmed by this scan."""
     corrected: bool = False
-    """Earlier poses have been moved: the map is to be drawn again."""
+    """Earlier poses have been moved: the map must be redrawn."""
 
 
 class Slam:
@@ -58,14 +58,14 @@ class Slam:
         self.tracker = Tracker(self.params)
         self.search = LoopSearch(self.params, self.keyframes)
         self.loops: list[Loop] = []
-        """All that were accepted."""
+        """All accepted loops."""
         self.lost = 0
         """Scans without a match."""
         self.stamps: list[float] = []
         self.bases: list[int] = []
-        """For each scan the keyframe that it is tied to,"""
+        """The keyframe to which each scan is connected,"""
         self.motions: list[Pose2D] = []
-        """and the motion from there."""
+        """and the motion from it."""
         self._start = start or Pose2D()
         self._waiting = 0
         self._drawing = MapDrawing(self.params)
@@ -73,11 +73,11 @@ class Slam:
     def add_ranges(
         self, stamp: float, ranges: Sequence[float] | np.ndarray, laser: Laser, odometry: Pose2D | None = None
     ) -> Result:
-        """Take the next scan as ranges [m]; see `add`."""
+        """Process the next scan as ranges [m]; see `add`."""
         return self.add(Scan.from_ranges(ranges, laser, self.params, stamp), odometry)
 
     def add(self, scan: Scan, odometry: Pose2D | None = None) -> Result:
-        """Take the next scan, with the robot's pose by its odometry, if it has one."""
+        """Process the next scan, with the robot's odometry pose if available."""
         found, score, accepted = self.tracker.track(scan, odometry)
         self.lost += not accepted
         loops: list[Loop] = []
@@ -93,17 +93,17 @@ class Slam:
 
     @property
     def pose(self) -> Pose2D:
-        """Where the robot is in the map."""
+        """The robot's pose in the map."""
         if not self.keyframes:
             return self._start
         return self.graph.pose(self.tracker.base) @ self.tracker.from_keyframe()
 
     def begin_at(self, pose: Pose2D) -> None:
-        """Where the robot is in the map when its first scan comes; later it changes nothing."""
+        """Set the robot's pose in the map at its first scan; later it has no effect."""
         self._start = pose
 
     def _add_keyframe(self, scan: Scan, found: Refined) -> None:
-        """Remember a scan, tie it to the one before."""
+        """Store a scan as a keyframe, and connect it to the one before."""
         tracker = self.tracker
         number = self.graph.add_node(self.pose)
         if self.keyframes:
@@ -115,7 +115,7 @@ class Slam:
             self.search.add(tracker.finished.pop(0))
 
     def _close(self, loops: list[Loop]) -> bool:
-        """Tie loops into the graph; optimize when they move something. True when poses have moved."""
+        """Add loops to the graph; optimize when they move anything. True when poses have moved."""
         off = 0.0
         edges = []
         for loop in loops:
@@ -133,22 +133,22 @@ class Slam:
         return True
 
     def finish(self) -> None:
-        """Settle all that is open; more scans may follow."""
+        """Finish pending optimization; more scans may follow."""
         self.graph.restart()
         self._waiting = 0
 
     @property
     def rejected(self) -> int:
-        """Loops that were found, but that no other one confirmed, or that the rest of the graph contradicts."""
+        """Number of loops that no other one confirmed, or that the rest of the graph contradicts."""
         edges = self.graph.edges
         return self.search.rejected + int((self.graph.trust()[edges.robust] < 0.1).sum())
 
     def map(self) -> OccupancyGrid:
-        """The map: what is new is added, and all is drawn again after poses have moved. Yours to read, not to change."""
+        """Return the map: new scans are added, and all are redrawn after poses have moved. Do not modify it."""
         return self._drawing.draw(self.keyframes, self.graph.poses)
 
     def trajectory(self) -> Array:
-        """(n, 4) `stamp x y theta`, a row for each scan."""
+        """Return (n, 4) `stamp x y theta`, a row for each scan."""
         if not self.stamps:
             return np.zeros((0, 4))
         return np.column_stack([self.stamps, compose(self.graph.poses[self.bases], np.array(self.motions))])

@@ -1,4 +1,4 @@
-"""Sparse least squares over poses: Gauss-Newton with damping, all edges at once; and the chordal first guess."""
+"""Sparse least squares over poses: damped Gauss-Newton over all edges at once, and the chordal initial guess."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from scipy.sparse.linalg import splu
 from coursekit.geometry.plane import Array, wrap
 
 SCALE = 9.0
-"""Squared error (in sigmas) at which a doubtful edge has half its trust."""
+"""Scale of the robust kernel: squared error (in sigmas) at which a doubtful edge's cost is half its limit."""
 
 
 @dataclass(frozen=True)
@@ -26,7 +26,7 @@ class Problem:
 
 
 def residuals(problem: Problem, poses: Array) -> Array:
-    """(m, 3): how far each motion is from its measurement, in the measurement's frame."""
+    """Return (m, 3) the difference of each motion from its measurement, in the measurement's frame."""
     a, b, z = poses[problem.i], poses[problem.j], problem.z
     theta = a[:, 2] + z[:, 2]
     c, s = np.cos(theta), np.sin(theta)
@@ -37,7 +37,7 @@ def residuals(problem: Problem, poses: Array) -> Array:
 
 
 def jacobians(problem: Problem, poses: Array) -> tuple[Array, Array]:
-    """Derivatives (m, 3, 3) of the residuals by the two poses in world coordinates."""
+    """Return the derivatives (m, 3, 3) of the residuals by the two poses in world coordinates."""
     a, b, z = poses[problem.i], poses[problem.j], problem.z
     theta = a[:, 2] + z[:, 2]
     c, s = np.cos(theta), np.sin(theta)
@@ -52,23 +52,23 @@ def jacobians(problem: Problem, poses: Array) -> tuple[Array, Array]:
 
 
 def squared_errors(problem: Problem, errors: Array) -> Array:
-    """(m,) squared size of the residuals in sigmas."""
+    """Return (m,) the squared residuals in sigmas."""
     return np.einsum("mi,mij,mj->m", errors, problem.precision, errors)
 
 
 def trust_of(problem: Problem, errors: Array, scale: float = SCALE) -> Array:
-    """(m,) weight of each edge: 1, or less for doubtful edges that disagree (Geman-McClure)."""
+    """Return (m,) the weight of each edge: 1, or less for doubtful edges that disagree (Geman-McClure)."""
     return np.where(problem.robust, (scale / (scale + squared_errors(problem, errors))) ** 2, 1.0)
 
 
 def cost(problem: Problem, errors: Array, scale: float = SCALE) -> float:
-    """The sum that is made small."""
+    """Return the sum to be minimized."""
     squared = squared_errors(problem, errors)
     return float(np.sum(np.where(problem.robust, scale * squared / (scale + squared), squared)))
 
 
 class Assembler:
-    """The sparse normal matrix of a fixed set of pairs: where each block goes is worked out once."""
+    """The sparse normal matrix of a fixed set of pairs: the position of each block is computed once."""
 
     def __init__(self, i: np.ndarray, j: np.ndarray, size: int) -> None:
         self.size = size
@@ -83,7 +83,7 @@ class Assembler:
         self._diagonal = np.searchsorted(keys, np.arange(3 * size) * (3 * size + 1))
 
     def matrix(self, blocks: Array, damping: Array) -> csc_matrix:
-        """From (4 m, 3, 3) blocks in the order ii, ij, ji, jj, and what to add to the diagonal (3 n)."""
+        """Assemble (4 m, 3, 3) blocks in the order ii, ij, ji, jj, adding `damping` (3 n) to the diagonal."""
         data = np.bincount(self._place.ravel(), blocks.ravel(), len(self._rows)).astype(np.float64)
         data[self._diagonal] += damping
         return csc_matrix((data, self._rows, self._starts), shape=(3 * self.size, 3 * self.size))
@@ -96,14 +96,14 @@ def gradient(i: np.ndarray, j: np.ndarray, gi: Array, gj: Array, size: int) -> A
 
 
 def solve(matrix: csc_matrix, right: Array) -> Array:
-    """matrix⁻¹ right, for symmetric positive matrices."""
+    """Return matrix⁻¹ right, for symmetric positive matrices."""
     return splu(
         matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
     ).solve(right)
 
 
 def _blocks(problem: Problem, poses: Array, weights: Array, errors: Array) -> tuple[Array, Array, Array]:
-    """Blocks of the normal matrix and gradients at both ends."""
+    """Return the blocks of the normal matrix and the gradients at both ends."""
     a, b = jacobians(problem, poses)
     wa = np.einsum("mki,mkl->mil", a, problem.precision * weights[:, None, None])
     wb = np.einsum("mki,mkl->mil", b, problem.precision * weights[:, None, None])
@@ -112,9 +112,9 @@ def _blocks(problem: Problem, poses: Array, weights: Array, errors: Array) -> tu
 
 
 def optimize(problem: Problem, start: Array, rounds: int = 20, slack: float = 0.0) -> tuple[Array, Array]:
-    """Poses (n, 3) of least cost near the start, node 0 held, and each edge's trust.
+    """Return the poses (n, 3) of least cost near the start, with node 0 fixed, and each edge's trust.
 
-    With `slack` doubtful edges are first trusted up to that squared error, then less and less (graduated non-convexity,
+    With `slack`, doubtful edges are first trusted up to that squared error, then less and less (graduated non-convexity,
     Yang et al. 2020): a true loop after much drift looks false at first.
     """
     poses, size = start.copy(), len(start)
@@ -131,7 +131,7 @@ def optimize(problem: Problem, start: Array, rounds: int = 20, slack: float = 0.
 
 
 def _descend(problem: Problem, poses: Array, assembler: Assembler, rounds: int, scale: float) -> Array:
-    """Up to so many damped Gauss-Newton steps (Levenberg-Marquardt)."""
+    """Take up to so many damped Gauss-Newton steps (Levenberg-Marquardt)."""
     hold, damping = np.zeros(3 * len(poses)), 1e-9
     hold[:3] = 1e12
     errors = residuals(problem, poses)
@@ -155,7 +155,7 @@ def _descend(problem: Problem, poses: Array, assembler: Assembler, rounds: int, 
 
 
 def chordal(problem: Problem, poses: Array) -> Array:
-    """A first guess that needs none: headings as free complex numbers, then positions; two linear problems."""
+    """Compute an initial guess from scratch: headings as free complex numbers, then positions; two linear problems."""
     size = len(poses)
     weight_r, weight_t = np.sqrt(problem.precision[:, 2, 2]), np.sqrt(problem.precision[:, 0, 0])
     turn = np.exp(1j * problem.z[:, 2])
@@ -172,7 +172,7 @@ def chordal(problem: Problem, poses: Array) -> Array:
 def _linear(
     problem: Problem, weight: Array, factor: np.ndarray, shift: np.ndarray, first: complex, size: int
 ) -> np.ndarray:
-    """Least squares of v[j] = factor v[i] + shift with v[0] given, complex numbers."""
+    """Solve v[j] = factor v[i] + shift by least squares with v[0] given, in complex numbers."""
     rows = np.arange(len(weight))
     matrix = coo_matrix(
         (
@@ -187,6 +187,6 @@ def _linear(
 
 
 def _identity(size: int) -> csc_matrix:
-    """A complex identity matrix."""
+    """Return a complex identity matrix."""
     index = np.arange(size)
     return csc_matrix((np.ones(size, complex), (index, index)), shape=(size, size))

@@ -1,4 +1,4 @@
-"""Keeping a SLAM session in a file: plain arrays in a .npz, nothing in it is ever run."""
+"""SLAM sessions as files: plain arrays in a .npz, nothing in it is ever executed."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ from coursekit.slam.submaps import around, cover
 
 FORMAT = 1
 LARGEST = 2 << 30
-"""Bytes that a session may have when unpacked."""
+"""Maximum size of a decompressed session [bytes]."""
 _ENDINGS = (".npz", ".posegraph")
 _FAULTS: tuple[type[Exception], ...] = (OSError, EOFError, LookupError, RuntimeError, TypeError, ArithmeticError, ValueError)
 _FAULTS += (zipfile.BadZipFile, zlib.error)
-"""The errors that readers raise for a damaged archive, or for arrays of other shapes."""
+"""The exceptions that readers raise for a damaged archive, or for arrays of other shapes."""
 
 
 def save(slam: Slam, path: str | Path) -> Path:
-    """Write a session to PATH (.npz is added unless it ends in that or .posegraph); returns the full name.
+    """Write a session to PATH (.npz is added unless it ends in that or .posegraph); return the full path.
 
     In ROS 2: serialize_map.
     """
@@ -65,9 +65,9 @@ def save(slam: Slam, path: str | Path) -> Path:
 
 
 def load(path: str | Path, at: Pose2D | None = None) -> Slam:
-    """Read a session and make it ready to go on, from where it was or from the pose `at`. In ROS 2: deserialize_map.
+    """Read a session and prepare it to continue, from its last pose or from `at`. In ROS 2: deserialize_map.
 
-    Raises FileNotFoundError, or ValueError when the file is no saved session.
+    Raises FileNotFoundError, or ValueError when the file is not a saved session.
     """
     file = Path(path)
     if not file.exists() and file.suffix not in _ENDINGS:
@@ -86,7 +86,7 @@ def load(path: str | Path, at: Pose2D | None = None) -> Slam:
 
 
 def _restore(data: dict[str, Any], at: Pose2D | None) -> Slam:
-    """A session from its arrays."""
+    """Restore a session from its arrays."""
     if int(data["format"]) != FORMAT:
         raise ValueError(f"its format is {int(data['format'])}, this coursekit reads {FORMAT}")
     slam = Slam(_parameters(str(data["parameters"])))
@@ -106,7 +106,7 @@ def _restore(data: dict[str, Any], at: Pose2D | None) -> Slam:
 
 
 def resume(slam: Slam, at: Pose2D) -> None:
-    """Go on from a pose in the map: the next keyframe is tied to the nearest old one."""
+    """Continue from a pose in the map: the next keyframe is connected to the nearest old one."""
     poses = slam.graph.poses
     for submap in cover(slam.keyframes, poses, slam.params):
         if submap.anchor not in {known.anchor for known in slam.search.submaps}:
@@ -116,7 +116,7 @@ def resume(slam: Slam, at: Pose2D) -> None:
 
 
 def _parameters(text: str) -> SlamParameters:
-    """Parameters from JSON; names that this version does not know are left out."""
+    """Read parameters from JSON; unknown names are ignored."""
     known = {item.name for item in dataclasses.fields(SlamParameters)}
     values: dict[str, Any] = {}
     for name, value in json.loads(text).items():
@@ -126,7 +126,7 @@ def _parameters(text: str) -> SlamParameters:
 
 
 def _restore_graph(slam: Slam, data: dict[str, Any]) -> None:
-    """Nodes and edges."""
+    """Restore nodes and edges."""
     for pose in data["poses"]:
         slam.graph.add_node(Pose2D.of(pose))
     rows = zip(data["pairs"], data["edge_motions"], data["precisions"], data["robust"], strict=True)
@@ -135,7 +135,7 @@ def _restore_graph(slam: Slam, data: dict[str, Any]) -> None:
 
 
 def _scans(params: SlamParameters, data: dict[str, Any]) -> list[Scan]:
-    """The keyframes' scans."""
+    """Restore the keyframes' scans."""
     hits = np.split(data["hits"], np.cumsum(data["hit_counts"])[:-1])
     misses = np.split(data["misses"], np.cumsum(data["miss_counts"])[:-1])
     rows = zip(data["scan_stamps"], data["origins"], hits, misses, strict=False)

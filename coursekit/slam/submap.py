@@ -1,4 +1,4 @@
-"""A piece of map that scans are matched against: wall points with normals, and fields that answer in one look-up."""
+"""A local map for scan matching: wall points with normals, and fields for constant-time look-ups."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from coursekit.slam.scan import Scan
 from coursekit.slam.submap_kernels import insert_points
 
 COARSE = 4
-"""Cells to a coarse cell, each way."""
+"""Size of a coarse cell, in cells."""
 LARGEST = 8000
-"""Cells each way; points that would need more are left out."""
+"""Maximum size in each direction [cells]; points that would exceed it are dropped."""
 FARTHEST = 200.0
-"""Points this far from the frame's origin [m] are left out: fields must not fill the memory."""
+"""Points farther than this from the frame's origin [m] are dropped: fields must not fill the memory."""
 MARGIN = 64
-"""Cells added around what must fit, so that growing is rare; a multiple of COARSE."""
+"""Extra cells when growing, to make it rare; a multiple of COARSE."""
 
 
 class Submap:
-    """Wall points of several scans in one frame; near points of one wall are merged into their mean.
+    """Wall points of several scans in one frame; nearby points of one wall are merged into their mean.
 
-    `nearest` gives the nearest wall point of a cell, `likelihood` (0 to 255) how likely a beam ends there, `coarse` the
-    highest likelihood of a block of cells and the blocks above and right of it.
+    `nearest` is the nearest wall point of a cell, `likelihood` (0 to 255) the likelihood of a beam's end there, `coarse` the
+    highest likelihood of a block of cells and the blocks above and to the right of it.
     """
 
     def __init__(self, params: SlamParameters, anchor: int = 0) -> None:
@@ -31,12 +31,12 @@ class Submap:
         self.anchor = anchor
         """The keyframe whose pose is this submap's frame."""
         self.members: dict[int, Pose2D] = {}
-        """Keyframes inside, and where they are in this frame."""
+        """Its keyframes, with their poses in this frame."""
         self.count = 0
         self.points = np.zeros((256, 2))
         self.normals = np.zeros((256, 2))
         self.weights = np.zeros(256)
-        """How many hits each point is the mean of."""
+        """The number of hits averaged in each point."""
         self.origin = np.zeros(2)
         """Lower left corner of the fields."""
         self.nearest = np.full((0, 0), -1, dtype=np.int32)
@@ -44,7 +44,7 @@ class Submap:
         self.coarse = np.zeros((0, 0), dtype=np.uint8)
 
     def insert(self, scan: Scan, pose: Pose2D) -> None:
-        """Add a scan's points as seen from `pose` in this frame."""
+        """Add a scan's points, seen from `pose` in this frame."""
         self._add(scan.points, scan.normals, pose)
         self._add(scan.filled, scan.filled_normals, pose)
 
@@ -64,7 +64,7 @@ class Submap:
         )  # fmt: skip
 
     def _make_room(self, points: Array) -> None:
-        """Enlarge arrays and fields so that the points fit."""
+        """Enlarge arrays and fields to fit the points."""
         while self.count + len(points) > len(self.points):
             self.points, self.normals = (
                 np.concatenate([a, np.zeros_like(a)]) for a in (self.points, self.normals)
@@ -91,14 +91,14 @@ class Submap:
         self.origin = self.origin - before * self.params.cell
 
     def finish(self) -> None:
-        """Drop the fields; `restore` makes them again."""
+        """Drop the fields; `restore` recreates them."""
         self.points, self.normals = self.points[: self.count].copy(), self.normals[: self.count].copy()
         self.weights = self.weights[: self.count].copy()
         self.nearest = np.full((0, 0), -1, dtype=np.int32)
         self.likelihood, self.coarse = (np.zeros((0, 0), dtype=np.uint8) for _ in range(2))
 
     def restore(self) -> None:
-        """Make the fields of a finished submap again."""
+        """Recreate the fields of a finished submap."""
         if self.nearest.size or not self.count:
             return
         points, normals, weights = self.points, self.normals, self.weights
@@ -113,5 +113,5 @@ class Submap:
 
 
 def _roomy(cells: np.ndarray) -> np.ndarray:
-    """Where cells are needed, at least MARGIN more, and whole coarse cells."""
+    """Round up the cells to add: at least MARGIN more, in whole coarse cells."""
     return np.where(cells > 0, -(-(cells + MARGIN) // COARSE) * COARSE, 0)

@@ -24,7 +24,7 @@ def _merge(px, py, nx, ny, k, points, normals, weights):  # type: ignore[no-unty
 
 @njit(cache=True)
 def _raise_coarse(coarse, row, column, value):  # type: ignore[no-untyped-def]
-    """Let the block of a cell, and those left of and below it, know its likelihood."""
+    """Raise the block of a cell, and those to the left and below it, to its likelihood."""
     i, j = row // 4, column // 4
     for a in range(max(i - 1, 0), min(i + 1, coarse.shape[0])):
         for b in range(max(j - 1, 0), min(j + 1, coarse.shape[1])):
@@ -34,7 +34,7 @@ def _raise_coarse(coarse, row, column, value):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def _paint(px, py, k, points, nearest, likelihood, coarse, ox, oy, cell, reach, table):  # type: ignore[no-untyped-def]
-    """Make point k known to the cells within reach."""
+    """Enter point k in the cells within reach."""
     steps = int(reach / cell) + 1
     column, row = int((px - ox) / cell), int((py - oy) / cell)
     scale = (len(table) - 1) / (reach * reach)
@@ -75,7 +75,7 @@ def insert_points(
     sigma,
     merge,
 ):  # type: ignore[no-untyped-def]
-    """Merge or append points, and paint the appended ones; returns the number of points."""
+    """Merge or append points, and paint the appended ones; return the number of points."""
     table = np.empty(1025, dtype=np.uint8)
     for t in range(1025):
         table[t] = int(255.0 * math.exp(-0.5 * t / 1024.0 * reach * reach / (sigma * sigma)) + 0.5)

@@ -1,4 +1,4 @@
-"""Submaps from keyframes whose poses are known: to go on after loading, and to localise in."""
+"""Submaps from keyframes with known poses: to continue after loading, and for localization."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from coursekit.slam.submap import Submap
 def submap_of(
     keyframes: Sequence[Keyframe], numbers: Iterable[int], poses: Array, params: SlamParameters
 ) -> Submap:
-    """One submap of these keyframes, in the frame of the first."""
+    """Return one submap of these keyframes, in the frame of the first."""
     chosen = list(numbers)
     frame = Pose2D.of(poses[chosen[0]])
     submap = Submap(params, chosen[0])
@@ -29,7 +29,7 @@ def submap_of(
 
 
 def cover(keyframes: Sequence[Keyframe], poses: Array, params: SlamParameters) -> list[Submap]:
-    """Finished submaps that overlap by half and hold every keyframe, as mapping would have left them."""
+    """Return finished submaps that overlap by half and contain every keyframe, as mapping would have left them."""
     size, submaps = params.submap_keyframes, []
     for first in range(0, len(keyframes), max(size // 2, 1)):
         submaps.append(submap_of(keyframes, range(first, min(first + size, len(keyframes))), poses, params))
@@ -38,14 +38,14 @@ def cover(keyframes: Sequence[Keyframe], poses: Array, params: SlamParameters) -
 
 
 def around(keyframes: Sequence[Keyframe], poses: Array, place: Pose2D, params: SlamParameters) -> Submap:
-    """A submap of the keyframes nearest to a place, not yet full."""
+    """Return a submap of the keyframes nearest to a pose, not yet full."""
     gaps = np.hypot(poses[:, 0] - place.x, poses[:, 1] - place.y)
     nearest = np.argsort(gaps, kind="stable")[: max(params.submap_keyframes // 2 - 1, 1)]
     return submap_of(keyframes, (int(number) for number in nearest), poses, params)
 
 
 def map_submap(points: Array, params: SlamParameters) -> tuple[Submap, Pose2D]:
-    """One submap of bare points (n, 2), such as the walls of a drawn map, and where its frame is in the map."""
+    """Return one submap of bare points (n, 2), such as the walls of a drawn map, and its frame's pose in the map."""
     submap = Submap(params)
     submap.members[0] = Pose2D()
     if not len(points):

@@ -1,4 +1,4 @@
-"""How far it is from anywhere to the nearest of some points: what a scan matcher asks again and again."""
+"""A distance field: the distance from any position to the nearest of some points, for scan matchers."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ MOST_CELLS = 50_000_000
 
 
 class WallField:
-    """Distances to the nearest of `points` (n, 2) [m], kept in cells; beyond `reach` they count as `reach` [m].
+    """Distances to the nearest of `points` (n, 2) [m], stored in cells; beyond `reach` they count as `reach` [m].
 
     >>> field = WallField(np.array([[0.0, 0.0], [1.0, 0.0]]))
     >>> field([[0.01, 0.3], [50.0, 50.0]]).round(1).tolist()
@@ -33,7 +33,7 @@ class WallField:
         self._gaps = np.minimum(distance_transform_edt(open_) * cell, reach)
 
     def __call__(self, points: Any) -> np.ndarray:
-        """Distance of each of the points (n, 2) [m]."""
+        """Return the distance at each of the points (n, 2) [m]."""
         at = np.floor((np.asarray(points, float).reshape(-1, 2) - self._corner) / self.cell).astype(int)
         rows, columns = self._gaps.shape
         inside = ((at >= 0) & (at < (columns, rows))).all(axis=1)

@@ -1,4 +1,4 @@
-"""Compiling the inner loops before they are needed: the first scan and the first loop take no longer than the next."""
+"""Compiles the inner loops in advance: the first scan and the first loop then take no longer than the next."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from coursekit.slam.scan import Laser, Scan
 from coursekit.slam.slam import Slam
 
 _SMALL = SlamParameters(submap_keyframes=4, loop_least_way=1.0)
-"""Loops are closed in a room, too."""
+"""Parameters with which loops are closed even in a room."""
 _WAY = [0.35 * (4 - abs(4 - step)) for step in range(9)]
-"""Where the robot is in the room [m]: there and back."""
+"""The robot's positions in the room [m]: there and back."""
 
 
 def warm() -> None:
-    """Run a tiny session once; about 20 s on the very first time on a machine, then a fraction of a second."""
+    """Run a tiny session once; about 20 s the first time on a machine, then a fraction of a second."""
     slam, laser = Slam(_SMALL), Laser(-math.pi, math.radians(4))
     for number, x in enumerate(_WAY):
         slam.add_ranges(float(number), _room(laser.angles(90), x), laser, Pose2D(x, 0.0, 0.0))
@@ -30,7 +30,7 @@ def warm() -> None:
 
 
 def _room(angles: Array, x: float) -> Array:
-    """The ranges from (x, 0) in a room from -2 to 4 m and from -2 to 2 m."""
+    """Return the ranges from (x, 0) in a room from -2 to 4 m and from -2 to 2 m."""
     ahead, aside = np.cos(angles), np.sin(angles)
     ends = np.where(ahead > 0, 4.0 - x, 2.0 + x)
     found: Array = np.minimum(ends / np.maximum(np.abs(ahead), 1e-9), 2.0 / np.maximum(np.abs(aside), 1e-9))

@@ -1,4 +1,4 @@
-"""Shortest ways along a graph (Dijkstra), compiled: asked for at each keyframe."""
+"""Shortest paths in a graph (Dijkstra), compiled, for each keyframe."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from numba import njit
 
 @njit(cache=True)
 def shortest_ways(first, second, lengths, size, start):  # type: ignore[no-untyped-def]
-    """Shortest way from a node to every other (size); edges (m) go both ways, inf where none leads.
+    """Return the shortest path lengths from a node to all (size); edges (m) are undirected, inf means unreachable.
 
     >>> shortest_ways(np.array([0, 1]), np.array([1, 2]), np.array([1.0, 2.0]), 4, 0).tolist()
     [0.0, 1.0, 3.0, inf]
     """
     count = len(lengths)
     newest, before = np.full(size, -1, np.int64), np.empty(2 * count, np.int64)
-    for k in range(2 * count):  # a chain of the edges at each node
+    for k in range(2 * count):  # a linked list of the edges at each node
         node = first[k] if k < count else second[k - count]
         before[k], newest[node] = newest[node], k
     ways = np.full(size, np.inf)

@@ -1,1 +1,1 @@
-"""The differences between Linux, macOS and Windows: no other room asks for the system, or uses parts of only one."""
+"""The differences between Linux, macOS and Windows: no other package checks the system, or uses features of only one."""

@@ -1,4 +1,4 @@
-"""Windows' lists of who may open a file, in its own notation (SDDL); on other systems there are none."""
+"""Windows' access control lists, in its own notation (SDDL); other systems have none."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _TOKEN_QUERY, _TOKEN_USER = 0x8, 1
 
 
 def read(path: Path) -> str:
-    """The list of a file or folder; OSError when it cannot be read."""
+    """Return the list of a file or folder; OSError when it cannot be read."""
     found, text = ctypes.c_void_p(), ctypes.c_wchar_p()
     names = _advapi()
     _check(names.GetNamedSecurityInfoW(str(path), _FILE, _DACL, None, None, None, None, ctypes.byref(found)), path)
@@ -27,7 +27,7 @@ def read(path: Path) -> str:
 
 
 def write(path: Path, access: str) -> None:
-    """Give a file or folder this list, and nothing of the folder above; OSError when that is refused."""
+    """Set the list of a file or folder, without inherited entries; OSError when that is refused."""
     found = ctypes.c_void_p()
     if not _advapi().ConvertStringSecurityDescriptorToSecurityDescriptorW(access, 1, ctypes.byref(found), None):
         raise _last_error(path)
@@ -39,7 +39,7 @@ def write(path: Path, access: str) -> None:
 
 
 def user() -> str:
-    """The number of the user as whom this program runs, such as S-1-5-21-...-1001."""
+    """Return the SID of the user who runs this program, such as S-1-5-21-...-1001."""
     token, size, text = ctypes.c_void_p(), ctypes.c_ulong(), ctypes.c_wchar_p()
     kernel, names = _kernel(), _advapi()
     if not names.OpenProcessToken(ctypes.c_void_p(-1), _TOKEN_QUERY, ctypes.byref(token)):
@@ -49,7 +49,7 @@ def user() -> str:
         data = ctypes.create_string_buffer(size.value)
         if not names.GetTokenInformation(token, _TOKEN_USER, data, size, ctypes.byref(size)):
             raise _last_error(Path())
-        number = ctypes.c_void_p.from_buffer(data)  # the first word of the answer leads to it
+        number = ctypes.c_void_p.from_buffer(data)  # the first word of the result points to it
         if not names.ConvertSidToStringSidW(number, ctypes.byref(text)):
             raise _last_error(Path())
         return text.value or ""

@@ -1,4 +1,4 @@
-"""A terminal for a child process: it writes as if somebody looked on."""
+"""A terminal for a child process, which then writes as to an interactive terminal."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from typing import Any, TextIO
 try:
     import pty
     import termios
-except ImportError:  # no terminals of this kind on Windows
+except ImportError:  # no pseudo-terminals on Windows
     pty = termios = None  # type: ignore[assignment]
 
 
 def open_terminal() -> tuple[TextIO, int] | None:
-    r"""Return (what reads it, the number of the child's end), None where the system has none. Lines end in \n.
+    r"""Return (reader, file descriptor of the child's end), or None without pseudo-terminals. Lines end in \n.
 
     >>> import os
     >>> reader, number = open_terminal()
@@ -30,7 +30,7 @@ def open_terminal() -> tuple[TextIO, int] | None:
 
 
 class _Reader(io.FileIO):
-    """Reads a terminal; Linux reports the closed end of the child as an error, which is no more than the end."""
+    """Reads a terminal; Linux reports the end of the child as an error, which is treated as the end of the file."""
 
     def readinto(self, buffer: Any) -> int | None:
         try:

@@ -1,4 +1,4 @@
-"""Child processes: how they begin so that a Ctrl-C reaches them alone, and how signals and text come to them."""
+"""Child processes: started so that this program's Ctrl-C does not reach them, and how to send them signals and text."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from typing import Any
 from . import which
 
 CTRL_BREAK: int = getattr(signal, "CTRL_BREAK_EVENT", 1)
-"""The signal in place of Ctrl-C on Windows, where Ctrl-C itself goes to nobody or to all of a console."""
+"""The replacement of Ctrl-C on Windows, where Ctrl-C itself reaches nothing or all programs of a console."""
 _NEW_GROUP: int = getattr(subprocess, "CREATE_NEW_PROCESS_GROUP", 0x200)
 
 
 def apart() -> dict[str, Any]:
-    """The words of `subprocess.Popen` that keep a child from hearing this program's Ctrl-C.
+    """Return the arguments of `subprocess.Popen` that isolate a child from this program's Ctrl-C.
 
     >>> apart()
     {'start_new_session': True}
@@ -26,7 +26,7 @@ def apart() -> dict[str, Any]:
 
 
 def send_signal(child: subprocess.Popen[Any], signum: int) -> None:
-    """Give a signal to a child that began `apart`, and to what it started; nothing when it has ended.
+    """Send a signal to a child started with `apart`, and to its descendants; do nothing when it has ended.
 
     Windows knows two: SIGINT becomes Ctrl-Break, every other one ends the child at once.
     """
@@ -44,14 +44,14 @@ def _send_on_windows(child: subprocess.Popen[Any], signum: int) -> None:
         if signum == signal.SIGINT:
             child.send_signal(CTRL_BREAK)
             return
-    except (OSError, SystemError):  # os.kill gives the second kind when it fails
-        pass  # this program has no console through which it could go
+    except (OSError, SystemError):  # os.kill raises SystemError when it fails
+        pass  # this program has no console to send it through
     with contextlib.suppress(OSError):
         child.terminate()
 
 
 def end_family(child: subprocess.Popen[Any]) -> None:
-    """End a child that began `apart`, and all that it has started, at once."""
+    """End a child started with `apart`, and all its descendants, at once."""
     if which.WINDOWS:
         with contextlib.suppress(OSError):
             subprocess.run(["taskkill", "/F", "/T", "/PID", str(child.pid)], stdin=subprocess.DEVNULL, capture_output=True)
@@ -63,7 +63,7 @@ def end_family(child: subprocess.Popen[Any]) -> None:
 
 
 def interrupt_self() -> None:
-    """Press Ctrl-C in this program; from any thread, and its main one sees it."""
+    """Send Ctrl-C to this program, from any thread; its main thread receives it."""
     if which.WINDOWS:  # os.kill would end the program there
         signal.raise_signal(signal.SIGINT)
     else:
@@ -71,7 +71,7 @@ def interrupt_self() -> None:
 
 
 def with_utf8(env: Mapping[str, str]) -> dict[str, str]:
-    """The environment in which a child that is a Python program writes UTF-8 to pipes, as it does on Linux.
+    """Return an environment in which a Python child writes UTF-8 to pipes, as it does on Linux.
 
     >>> with_utf8({"HOME": "/home/vera"})
     {'HOME': '/home/vera'}

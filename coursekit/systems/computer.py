@@ -1,4 +1,4 @@
-"""The kind of this computer, where the course has to know it."""
+"""Facts about this computer that the course needs."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from pathlib import Path
 from . import which
 
 SYNCHRONISED = ("OneDrive", "Dropbox", "Google Drive", "GoogleDrive", "iCloud Drive", "Mobile Documents", "Nextcloud")
-"""Names of folders that a program copies to other computers while it is worked in."""
+"""Names of folders that a program synchronises with other computers."""
 _LONG_PATHS = r"SYSTEM\CurrentControlSet\Control\FileSystem"
 
 
 def bits() -> int:
-    """How wide this Python's addresses are.
+    """Return the address size of this Python.
 
     >>> bits() in (32, 64)
     True
@@ -25,17 +25,17 @@ def bits() -> int:
 
 
 def is_intel_mac() -> bool:
-    """Whether this is a Mac with Intel's processor, or a Python made for one."""
+    """Whether this is a Mac with an Intel processor, or a Python built for one."""
     return which.MAC and platform.machine() == "x86_64"
 
 
 def is_arm_python_on_windows() -> bool:
-    """Whether this Python was made for Windows on ARM, for which few packages exist."""
+    """Whether this Python was built for Windows on ARM, for which few packages exist."""
     return which.WINDOWS and platform.machine().upper() == "ARM64" and "ARM64" in sys.version
 
 
 def socket_path_bytes() -> int:
-    """How many bytes the path of a socket may have, with the zero at its end; Windows has none of that kind.
+    """Return the maximum length of a socket path in bytes, including the final zero; Windows has no such sockets.
 
     >>> socket_path_bytes() >= 104
     True
@@ -44,12 +44,12 @@ def socket_path_bytes() -> int:
 
 
 def is_from_the_store() -> bool:
-    """Whether this Python was installed from Microsoft's Store, which shows programs other folders than it writes to."""
+    """Whether this Python is from Microsoft's Store, which redirects the files that programs write to other folders."""
     return which.WINDOWS and "WindowsApps" in sys.base_prefix
 
 
 def synchronised_by(folder: Path) -> str:
-    """By which program a folder is copied to other computers; empty when its path names none.
+    """Return the program that synchronises a folder with other computers; empty if its path names none.
 
     >>> synchronised_by(Path("/home/vera/OneDrive - School/course"))
     'OneDrive'
@@ -59,7 +59,7 @@ def synchronised_by(folder: Path) -> str:
 
 
 def has_long_paths() -> bool:
-    """Whether programs may open files whose paths have more than 260 characters: Windows has to be told."""
+    """Whether programs may open files with paths of more than 260 characters: Windows needs a setting for it."""
     if not which.WINDOWS:
         return True
     import winreg
@@ -70,7 +70,7 @@ def has_long_paths() -> bool:
 
 
 def runs_scripts() -> bool:
-    """Whether PowerShell runs scripts such as install\\setup.ps1; True where there is none."""
+    """Whether PowerShell runs scripts such as install\\setup.ps1; True on other systems."""
     if not which.WINDOWS:
         return True
     command = ["powershell", "-NoProfile", "-NonInteractive", "-Command", "Get-ExecutionPolicy"]

@@ -1,4 +1,4 @@
-r"""Keys of Windows' console: the codes that msvcrt gives, and what a terminal of Linux sends for the same keys.
+r"""Keys of Windows' console: the codes of msvcrt, and the characters that a Linux terminal sends for the same keys.
 
 >>> codes_of("\x1b[A"), sent_for("\xe0", "H") == "\x1b[A"
 (['à', 'H'], True)
@@ -13,7 +13,7 @@ from typing import Any
 from . import which
 
 SPECIAL = ("\0", "\xe0")
-"""The codes that come before that of a key that is no character; the second is a letter, too."""
+"""The first codes of keys that are not characters; the second one is also a letter."""
 SENT = {
     "H": "\x1b[A",
     "P": "\x1b[B",
@@ -26,22 +26,22 @@ SENT = {
     "I": "\x1b[5~",
     "Q": "\x1b[6~",
 }
-"""Arrows, Home, End, Insert, Delete and the two Page keys."""
+"""The characters sent for arrows, Home, End, Insert, Delete and the two Page keys."""
 _CODES = {sent: code for code, sent in SENT.items()}
 
 
 def is_there(number: int) -> bool:
-    """Whether a file of this number is Windows' console."""
+    """Whether a file descriptor is Windows' console."""
     return which.WINDOWS and os.isatty(number)
 
 
 def has_key() -> bool:
-    """Whether a key was pressed that nobody has read."""
+    """Whether an unread key press is available."""
     return bool(_msvcrt().kbhit())
 
 
 def key() -> str:
-    """The next key, as a terminal of Linux sends it; empty for one that has nothing there."""
+    """Return the next key as a Linux terminal sends it; empty for a key that it does not have."""
     first: str = _msvcrt().getwch()
     if first in SPECIAL and (first == "\0" or has_key()):
         return sent_for(first, _msvcrt().getwch())
@@ -49,12 +49,12 @@ def key() -> str:
 
 
 def sent_for(special: str, code: str) -> str:
-    """The characters that a terminal sends for a key that msvcrt gives as these two."""
+    """Return the characters that a terminal sends for a key with these two msvcrt codes."""
     return SENT.get(code, "") if special in SPECIAL else special + code
 
 
 def codes_of(typed: str) -> list[str]:
-    r"""How msvcrt gives what a terminal has sent: character by character, or two codes for one of the keys above.
+    r"""Convert a terminal's characters to msvcrt's codes: character by character, or two codes for one of the keys above.
 
     >>> codes_of("w\n")
     ['w', '\r']
@@ -65,7 +65,7 @@ def codes_of(typed: str) -> list[str]:
 
 
 def begins_key(typed: str) -> bool:
-    """Whether more may come of what a terminal sends for one key."""
+    """Whether the characters may be the beginning of a key's sequence."""
     return any(sent.startswith(typed) and sent != typed for sent in _CODES)
 
 

@@ -1,6 +1,6 @@
-"""Copies that stand for links, where an account may make none: whoever looks a package up gets them as new as their sources.
+"""Copies instead of links, for accounts that may not create links: looking up a package updates its copies.
 
-`colcon build --symlink-install` notes them beside what it installs.
+`colcon build --symlink-install` records them beside the installed files.
 """
 
 from __future__ import annotations
@@ -17,25 +17,25 @@ from typing import Any
 from coursekit.files import is_file, put_in_place, read_text, write_whole
 
 LISTS = PurePath("share", "ament_index", "resource_index", "coursekit_copies")
-"""Below a prefix: a file for each package that has such copies."""
+"""Folder below a prefix, with a file for each package that has such copies."""
 
 
 def note(prefix: Path, package: str, copies: Mapping[str, Path], modules: Iterable[Path] = ()) -> None:
-    """Write down of a package which installed file is a copy of which source, and which modules are read from the source.
+    """Record a package's copies with their sources, and the modules that are read from the source.
 
-    The files' names are relative to the prefix.
+    The names of the copies are relative to the prefix.
     """
     said = {"files": {name: str(source) for name, source in copies.items()}, "modules": list(map(str, modules))}
     write_whole(prefix / LISTS / package, json.dumps(said, indent=1), parents=True)
 
 
 def forget(prefix: Path, package: str) -> None:
-    """From now on what is installed stays as it is until the next build."""
+    """Stop updating a package: its installed files stay unchanged until the next build."""
     (prefix / LISTS / package).unlink(missing_ok=True)
 
 
 def renew(prefix: Path, package: str) -> None:
-    """Copy what was changed since; a source that is gone, or a copy that somebody has open, stays as it is."""
+    """Copy changed sources; a missing source, or a copy that another program has open, is skipped."""
     for copy, source in _files(prefix, package).items():
         with contextlib.suppress(OSError):
             if _is_newer(source, copy):
@@ -43,7 +43,7 @@ def renew(prefix: Path, package: str) -> None:
 
 
 def fresh_sources(prefix: Path, package: str) -> set[Path]:
-    """The files, and the folders of modules, that may be changed without a build."""
+    """Return the files, and the folders of modules, that may be changed without a build."""
     modules = _said(prefix, package).get("modules")
     folders = [Path(str(one)) for one in modules] if isinstance(modules, list) else []
     return {one.resolve() for one in [*_files(prefix, package).values(), *folders]}
@@ -58,7 +58,7 @@ def _said(prefix: Path, package: str) -> dict[str, Any]:
 
 
 def _files(prefix: Path, package: str) -> dict[Path, Path]:
-    """Each copy and its source; what lies elsewhere than below the prefix is none of ours."""
+    """Return each copy with its source; files outside of the prefix are ignored."""
     files = _said(prefix, package).get("files")
     if not isinstance(files, dict):
         return {}
@@ -74,7 +74,7 @@ def _is_newer(source: Path, copy: Path) -> bool:
 
 
 def _replace(copy: Path, source: Path) -> None:
-    """At once, for a launch may be reading it."""
+    """Replace atomically, because a launch may be reading the file."""
     number, fresh = tempfile.mkstemp(dir=copy.parent, prefix=f".{copy.name[:80]}.")
     os.close(number)
     try:

@@ -1,4 +1,4 @@
-"""The signals with which a person or a program ends a command."""
+"""The signals by which users and programs end a command."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import signal
 
 
 def endings() -> dict[int, int]:
-    """Each such signal of this system, and which one it means: Windows' Ctrl-Break is one more Ctrl-C.
+    """Return each such signal of this system with its meaning: Windows' Ctrl-Break means Ctrl-C.
 
     >>> [f"{signal.Signals(came).name} is {signal.Signals(means).name}" for came, means in endings().items()][:2]
     ['SIGINT is SIGINT', 'SIGTERM is SIGTERM']

@@ -1,4 +1,4 @@
-"""The working folder, also where somebody removed it while a program runs in it."""
+"""The working folder, even if it was removed while a program runs in it."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import os
 
 
 def working_folder() -> str:
-    """The working folder; where it was removed its name, under which it may be made again.
+    """Return the working folder; if it was removed, its former path, where it may be created again.
 
     >>> working_folder() == os.getcwd()
     True

@@ -1,4 +1,4 @@
-"""Pipes beside the usual three that a child gets: by number, or on Windows by handle."""
+"""Additional pipes for a child: by file descriptor, or on Windows by handle."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from . import which
 
 
 def name_for_child(pipe: int) -> str:
-    """How a child is told of a pipe that it is given.
+    """Return the name by which a child can open an inherited pipe.
 
     >>> name_for_child(7)
     '7'
@@ -20,7 +20,7 @@ def name_for_child(pipe: int) -> str:
 
 
 def given(pipes: Sequence[int]) -> dict[str, Any]:
-    """The words of `subprocess.Popen` that give a child these pipes.
+    """Return the arguments of `subprocess.Popen` that let a child inherit these pipes.
 
     >>> given([7, 8])
     {'pass_fds': (7, 8)}
@@ -36,7 +36,7 @@ def given(pipes: Sequence[int]) -> dict[str, Any]:
 
 
 def opened(name: str) -> int:
-    """In the child: the number of a pipe that it was told of.
+    """Return, in the child, the file descriptor of an inherited pipe.
 
     >>> opened("7")
     7

@@ -1,6 +1,6 @@
-"""The keyboard of a terminal, which belongs to the job in its foreground: a job in the background waits for its turn.
+"""The keyboard of a terminal, which belongs to the foreground job: a background job waits until it is in front.
 
-On Windows it is the console's: a key that a terminal of Linux sends as several bytes comes as these bytes.
+On Windows it is the console's: a key that a Linux terminal sends as several bytes is converted to these bytes.
 """
 
 from __future__ import annotations
@@ -23,16 +23,16 @@ except ImportError:  # Windows
     termios = tty = None  # type: ignore[assignment]
 
 TURN_SECONDS = 0.2
-"""A job in the background looks so often whether it was brought to the front."""
+"""Interval in which a background job checks whether it is in front [s]."""
 KEY_SECONDS = 0.01
-"""Windows' console is looked at so often: a read could not be ended, once a program wants keys instead of lines."""
+"""Polling interval of Windows' console [s]: a blocking read could not end when a program switches from lines to keys."""
 _JOB_SIGNALS = [getattr(signal, name) for name in ("SIGTTIN", "SIGTTOU") if hasattr(signal, name)]
 
 
 class Keyboard:
-    """Standard input. After `want_keys` each key is passed on at once, without echo; at the end it is as it was.
+    """Standard input. After `want_keys` each key is passed on at once, without echo; at exit the settings are restored.
 
-    Without this a job that is started with `&` is "Stopped": the system stops who reads or sets a terminal from behind.
+    Without this a job started with `&` is "Stopped": the system stops background jobs that read or configure a terminal.
     """
 
     def __init__(self) -> None:
@@ -58,14 +58,14 @@ class Keyboard:
                 signal.signal(number, handler)
 
     def in_front(self) -> bool:
-        """Whether what is typed is for us."""
+        """Whether this job is in the foreground of the terminal."""
         try:
             return self._is_terminal and os.tcgetpgrp(self._number) == os.getpgrp()
         except OSError:
             return False
 
     def want_keys(self) -> None:
-        """Pass each key on from now on, or as soon as we are in front."""
+        """Pass each key on from now on, or as soon as this job is in front."""
         self._wants_keys = True
         self._set()
 
@@ -76,7 +76,7 @@ class Keyboard:
                 tty.setcbreak(self._number)
 
     def read(self) -> bytes:
-        """The typed characters, empty at the end; in the background it waits."""
+        """Return the typed characters, empty at the end; wait while in the background."""
         while True:
             self._set()
             if self._is_console and (key := self._key_of_console()):
@@ -90,7 +90,7 @@ class Keyboard:
 
 
     def _key_of_console(self) -> bytes:
-        """The next key; nothing when a line is being typed, which is then to be read."""
+        """Return the next key; empty in line mode, when a line must be read instead."""
         while True:
             while not console.has_key():
                 time.sleep(KEY_SECONDS)
@@ -101,7 +101,7 @@ class Keyboard:
 
 
 def _has_shell(number: int) -> bool:
-    """Whether the terminal is still there: one that was closed has no job in front."""
+    """Whether the terminal is still open: a closed one has no foreground job."""
     try:
         return os.tcgetpgrp(number) > 0
     except OSError:

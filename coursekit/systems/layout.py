@@ -1,4 +1,4 @@
-"""Where setuptools puts what it installs: scripts and modules lie elsewhere on Windows."""
+"""Installation paths of setuptools: scripts and modules are in other places on Windows."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _SCRIPT = "-script.py"
 
 
 def executable_files(folder: Path, name: str) -> list[Path]:
-    """The files that `name` may stand for, the likeliest first: NAME.exe counts on Windows.
+    """Return the possible files of executable `name`, the likeliest first: on Windows also NAME.exe.
 
     >>> [one.name for one in executable_files(Path("lib/demo"), "talker")]
     ['talker']
@@ -20,7 +20,7 @@ def executable_files(folder: Path, name: str) -> list[Path]:
 
 
 def executable_name(path: Path) -> str:
-    """By what name an executable is called: NAME of NAME.exe.
+    """Return the name of an executable: NAME for NAME.exe.
 
     >>> executable_name(Path("lib/demo/talker.exe")), executable_name(Path("lib/demo/talker"))
     ('talker', 'talker')
@@ -29,18 +29,18 @@ def executable_name(path: Path) -> str:
 
 
 def is_executables_part(path: Path) -> bool:
-    """Whether a file is no program by itself but belongs to one: NAME-script.py is what NAME.exe starts."""
+    """Whether a file is only part of an executable: NAME-script.py is started by NAME.exe."""
     return path.name.endswith(_SCRIPT) and path.with_name(path.name.removesuffix(_SCRIPT) + ".exe").is_file()
 
 
 def python_script(path: Path) -> Path:
-    """The file that Python runs for an executable: NAME-script.py for setuptools' NAME.exe, else the file itself."""
+    """Return the file that Python runs for an executable: NAME-script.py for setuptools' NAME.exe, else the file itself."""
     script = path.with_name(path.stem + _SCRIPT)
     return script if path.suffix == ".exe" and script.is_file() else path
 
 
 def site_packages(prefix: Path) -> Path:
-    """The folder of Python modules that are installed under a prefix.
+    """Return the folder of Python modules below a prefix.
 
     >>> import sysconfig
     >>> site_packages(Path("install/demo")) == Path(sysconfig.get_path("purelib", "posix_prefix", {"base": "install/demo"}))

@@ -1,4 +1,4 @@
-"""Names that differ in case only: files on macOS and Windows, variables on Windows are one, on a robot's Linux two."""
+"""Names that differ only in case: the same file on macOS and Windows, the same variable on Windows, two on Linux."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from . import which
 
 
 def other_spelling(path: Path) -> str:
-    """The name in its folder that is `path`'s but for its case, where this system takes the two for one; else empty.
+    """Return the actual name in the folder if it differs from `path` only in case and names the same file here; else ''.
 
     >>> other_spelling(Path("/nowhere/at/all"))
     ''
@@ -25,7 +25,7 @@ def other_spelling(path: Path) -> str:
 
 
 def variable_name(name: str) -> str:
-    """How a variable of the environment is kept here: on Windows `Path`, `path` and `PATH` are one, in capitals.
+    """Return a variable's name as stored here: on Windows `Path`, `path` and `PATH` are the same, in capitals.
 
     >>> variable_name("PATH")
     'PATH'

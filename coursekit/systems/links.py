@@ -1,4 +1,4 @@
-"""Symbolic links: Windows gives them to administrators and in its developer mode only."""
+"""Symbolic links: on Windows only administrators and developer mode may create them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 
 def can_link(folder: Path) -> bool:
-    """Whether this user may make symbolic links that work, in the folder or in the nearest one above it that exists.
+    """Whether this user can create working symbolic links in the folder, or in its nearest existing parent.
 
     >>> can_link(Path(tempfile.gettempdir()) / "not" / "there")
     True
@@ -19,7 +19,7 @@ def can_link(folder: Path) -> bool:
         with tempfile.TemporaryDirectory(dir=folder, prefix=".link") as trial:
             Path(trial, "file").touch()
             os.symlink(Path(trial, "file"), Path(trial, "link"))
-            return Path(trial, "link").is_file()  # some file systems take links that lead nowhere
+            return Path(trial, "link").is_file()  # some file systems accept links that do not work
     except (OSError, NotImplementedError):
         return False
 

@@ -1,4 +1,4 @@
-"""Locks between programs, by a file."""
+"""Locks between programs, based on a file."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from . import which
 
 @contextlib.contextmanager
 def alone(path: Path) -> Iterator[None]:
-    """Keep other programs that ask for the same file waiting while the block runs.
+    """Make other programs with the same lock file wait while the block runs.
 
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder, alone(Path(folder, "lock")):
@@ -33,7 +33,7 @@ def _lock_file(file: int) -> None:
 
 
 def _lock_byte(file: int) -> None:
-    """Windows tries for ten seconds, then says that the file is taken."""
+    """Lock a byte: Windows tries for ten seconds, then reports that the file is locked."""
     import msvcrt
 
     while True:

@@ -1,4 +1,4 @@
-"""Waiting for what comes through a pipe: `select` knows only sockets on Windows."""
+"""Waiting for pipes: on Windows `select` supports only sockets."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from typing import Any
 from . import which
 
 STEP = 0.005
-"""How often a pipe is looked into on Windows [s]."""
-_now, _sleep = time.monotonic, time.sleep  # the real ones: in a process those of `time` are the session's
+"""Polling interval of a pipe on Windows [s]."""
+_now, _sleep = time.monotonic, time.sleep  # the real ones: in a process `time` is replaced by the session
 _select = select.select
 
 
 def readable(pipe: int, seconds: float) -> bool:
-    """Whether there is something to read, or the end, within so many real seconds.
+    """Return whether there is data, or the end of the file, within so many real seconds.
 
     >>> import os
     >>> read, write = os.pipe()
@@ -37,7 +37,7 @@ def readable(pipe: int, seconds: float) -> bool:
 
 
 def wait_readable(sources: Sequence[Any], seconds: float | None = None) -> list[Any]:
-    """Which pipes (numbers) and sockets have something to read, or their end; waits at most so many real seconds.
+    """Return the pipes (file descriptors) and sockets with data or at their end; wait at most so many real seconds.
 
     >>> import socket
     >>> one, other = socket.socketpair()
@@ -58,14 +58,14 @@ def wait_readable(sources: Sequence[Any], seconds: float | None = None) -> list[
 
 
 def _step(left: float | None, has_pipes: bool) -> float | None:
-    """How long sockets alone are waited for."""
+    """Return the timeout for waiting for sockets alone."""
     if not has_pipes:
         return left
     return STEP if left is None else min(STEP, left)
 
 
 def _ready_sockets(sockets: list[Any], seconds: float | None) -> list[Any]:
-    """Windows refuses to wait for no socket at all."""
+    """Return the ready sockets: Windows cannot wait for an empty list."""
     if sockets:
         return list(_select(sockets, [], [], seconds)[0])
     _sleep(seconds or 0.0)
@@ -73,22 +73,22 @@ def _ready_sockets(sockets: list[Any], seconds: float | None) -> list[Any]:
 
 
 def never_wait(pipe: int) -> None:
-    """From now on reading the pipe by `read_now` waits for nothing."""
+    """Make `read_now` non-blocking for the pipe."""
     if not which.WINDOWS:
         os.set_blocking(pipe, False)
 
 
 def read_now(pipe: int, size: int) -> bytes:
-    """At most so many bytes, empty at the end; BlockingIOError when nothing has come yet."""
+    """Return at most so many bytes, empty at the end; BlockingIOError when there is no data yet."""
     if which.WINDOWS and not peek(pipe):
         raise BlockingIOError
     return os.read(pipe, size)
 
 
 def wait_for_end(pipe: int) -> None:
-    """Return when nobody can write to the pipe any more; what comes through it until then is thrown away.
+    """Return when all writers of the pipe have closed it; data received until then is discarded.
 
-    On Windows no read waits meanwhile: it would hold up all who look at this pipe, as Fortran's library does when it is
+    On Windows no read blocks meanwhile: it would block everyone who inspects this pipe, as Fortran's library does when it is
     loaded.
     """
     while wait_readable([pipe]) and os.read(pipe, 4096):
@@ -96,10 +96,10 @@ def wait_for_end(pipe: int) -> None:
 
 
 def peek(pipe: int) -> bool:
-    """On Windows: whether a read of the pipe returns at once, also with the end."""
+    """On Windows, return whether a read of the pipe returns at once, with data or at the end."""
     import msvcrt
 
     there = ctypes.c_ulong()
     handle = ctypes.c_void_p(msvcrt.get_osfhandle(pipe))  # type: ignore[attr-defined]
     found = ctypes.windll.kernel32.PeekNamedPipe(handle, None, 0, None, ctypes.byref(there), None)  # type: ignore[attr-defined]
-    return not found or there.value > 0  # it fails where the other end is closed: a read says so
+    return not found or there.value > 0  # it fails if the other end is closed: a read reports that

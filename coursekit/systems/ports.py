@@ -1,4 +1,4 @@
-"""Ports of this computer."""
+"""TCP ports of this computer."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import socket
 
 
 def free_port() -> int:
-    """A port of loopback that nobody listens at in this moment.
+    """Return a loopback port that is currently unused.
 
     >>> 0 < free_port() < 65536
     True

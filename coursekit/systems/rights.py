@@ -1,4 +1,4 @@
-"""Folders and files that only this user can open: by their mode, and on Windows by their list of who may."""
+"""Folders and files that only this user can open: by their mode, and on Windows by their access control list."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from pathlib import Path
 from . import access_lists, which
 
 _OURS = "D:P(A;OICI;FA;;;SY)(A;OICI;FA;;;BA)(A;OICI;FA;;;{user})"
-"""The system, administrators and the user, as Windows writes lists of access; nothing comes from the folder above."""
+"""The system, administrators and the user, in Windows' notation of access control lists; nothing is inherited."""
 _TRUSTED = ("SY", "BA", "LA", "DA", "OW", "CO")
-"""The accounts that may be in such a list beside the user: the system, administrators, the owner."""
+"""The accounts allowed in such a list beside the user: the system, administrators, the owner."""
 _ENTRY = re.compile(r"\(([^;()]*);[^;()]*;[^;()]*;[^;()]*;[^;()]*;([^;()]*)[;)]")
 
 
 def make_folder(path: Path) -> None:
-    """Make a folder that is for this user only, unless it is there; OSError says why it cannot be made."""
+    """Create a folder for this user only, unless it exists; raises OSError."""
     fresh = not path.exists()
     path.mkdir(mode=0o700, parents=True, exist_ok=True)
     if fresh and access_lists.THERE:
@@ -25,7 +25,7 @@ def make_folder(path: Path) -> None:
 
 
 def fault(path: Path) -> str:
-    """Why others could look into a folder, or put another one in its place; empty when they cannot."""
+    """Return why others could read a folder, or replace it; empty when they cannot."""
     if access_lists.THERE:
         others = readers(access_lists.read(path), access_lists.user())
         return f"'{path}' can be opened by others: {', '.join(others)}" if others else ""
@@ -38,7 +38,7 @@ def fault(path: Path) -> str:
 
 
 def is_root() -> bool:
-    """Whether this program may do everything; Windows' administrators are asked each time, and are none.
+    """Whether this program has all rights; Windows' administrators must confirm each time, and do not count.
 
     >>> is_root() == (not which.WINDOWS and os.geteuid() == 0)
     True
@@ -47,12 +47,12 @@ def is_root() -> bool:
 
 
 def user_name() -> str:
-    """The part of a file's name that tells users apart, where several share a folder."""
+    """Return the user-specific part of a file name, for folders shared by several users."""
     return os.environ.get("USERNAME", "user") if which.WINDOWS else str(os.getuid())
 
 
 def readers(access: str, user: str) -> list[str]:
-    """The accounts beside the user and administrators that may do something with a file, by a list as Windows writes it.
+    """Return the accounts other than the user and administrators with access to a file, according to an SDDL list.
 
     >>> readers("D:(A;OICI;FA;;;SY)(A;;FR;;;WD)(A;;FA;;;S-1-5-21-7-1001)(D;;FA;;;BG)", "S-1-5-21-7-1001")
     ['WD']
@@ -64,7 +64,7 @@ def readers(access: str, user: str) -> list[str]:
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a file that is for this user only from its first moment on; another one of its name is replaced."""
+    """Write a file that is for this user only from its creation on; an existing file is replaced."""
     path.unlink(missing_ok=True)
     number = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
     with os.fdopen(number, "w", encoding="utf-8") as file:

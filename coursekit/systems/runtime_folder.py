@@ -1,4 +1,4 @@
-"""The user's own folder for sockets and the like, which nobody else can open."""
+"""The user's private folder for sockets and similar files."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from coursekit.systems.computer import socket_path_bytes
 
 
 def folder() -> Path:
-    """The folder; made on first use. PermissionError when every place for it can be opened by others.
+    """Return the folder, created on first use. PermissionError when others can open every candidate.
 
-    Tests that pytest-xdist runs side by side, and the programs that they start, have one for each worker.
+    Tests that pytest-xdist runs in parallel, and the programs that they start, have one for each worker.
     """
     path = choose()[0]
     worker = os.environ.get("PYTEST_XDIST_WORKER")
@@ -25,7 +25,7 @@ def folder() -> Path:
 
 
 def choose() -> tuple[Path, list[str]]:
-    """The folder, and what is wrong with the places that come before it; PermissionError as `folder`."""
+    """Return the folder, and the problems of the candidates before it; PermissionError as in `folder`."""
     faults: list[str] = []
     for path in _places():
         fault = _fault(path)
@@ -39,7 +39,7 @@ def choose() -> tuple[Path, list[str]]:
 
 
 def _places() -> Iterator[Path]:
-    """The user's runtime folder, else one in /tmp, which somebody else may have taken, else one at home."""
+    """Yield the user's runtime folder, or one in /tmp (which another user may have created), then one in the home folder."""
     named = os.environ.get("COURSEKIT_RUNTIME_DIR")
     if named:
         yield Path(named).expanduser() / "coursekit"
@@ -51,7 +51,7 @@ def _places() -> Iterator[Path]:
 
 
 def _fault(path: Path) -> str:
-    """Make the folder; why it cannot be used, '' when it can."""
+    """Create the folder; return why it cannot be used, '' when it can."""
     socket = path / f"session-{os.environ.get('ROS_DOMAIN_ID') or 0}-{os.getpid()}"
     length, most = len(os.fsencode(socket)), socket_path_bytes() - 1
     if length > most:

@@ -19,15 +19,15 @@ class _Elsewhere(enum.IntEnum):
 
 
 _KNOWN: tuple[Any, ...] = (signal.Signals, _Elsewhere)
-"""Those of this system, then those that Windows lacks."""
+"""The signals of this system, then those that Windows lacks."""
 
 
 ABORT = 6
-"""How Linux and macOS number SIGABRT, with which a C++ program ends that throws; Windows has it as 22."""
+"""The number of SIGABRT on Linux and macOS, which ends a C++ program after an uncaught exception; on Windows it is 22."""
 
 
 def signal_called(which: str | int) -> signal.Signals:
-    """The signal of a name or number; KeyError for a name and ValueError for a number that there is not.
+    """Return the signal with a name or number; KeyError for an unknown name, ValueError for an unknown number.
 
     >>> signal_called("SIGKILL").value, signal_called(2).name
     (9, 'SIGINT')
@@ -40,7 +40,7 @@ def signal_called(which: str | int) -> signal.Signals:
 
 
 def described(signum: int) -> str:
-    """A shell's words about a program that this signal ended.
+    """Return a shell's message about a program that was ended by this signal.
 
     >>> described(9)
     'Killed'

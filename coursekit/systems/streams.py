@@ -1,4 +1,4 @@
-"""The streams of a command: UTF-8 on every system, whatever the code page."""
+"""The standard streams of a command: UTF-8 on every system, whatever the code page."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from . import which
 
 
 def use_utf8() -> None:
-    """Have this program's standard streams read and write UTF-8, where Windows would have its code page; harmless twice.
+    """Make this program's standard streams use UTF-8, instead of the code page on Windows; harmless when repeated.
 
-    A character that a console cannot show is no reason to end a command: it is written as an escape.
+    A character that a console cannot display must not end a command: it is written as an escape.
     """
     if not which.WINDOWS:
         return
@@ -22,9 +22,9 @@ def use_utf8() -> None:
 
 
 def reader_has_gone(error: OSError) -> bool:
-    """Whether writing to a pipe failed because nobody reads it any more, as `head` does when it has its lines.
+    """Return whether writing to a pipe failed because its reader has closed it, as `head` does after its lines.
 
-    Windows says "Invalid argument" then.
+    Windows then reports "Invalid argument".
     """
     nameless_invalid = error.errno == errno.EINVAL and error.filename is None
     return isinstance(error, BrokenPipeError) or (which.WINDOWS and nameless_invalid)

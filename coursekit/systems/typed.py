@@ -1,4 +1,4 @@
-"""The words and keys of this computer: messages ask here, and name those that its shells and keyboard have."""
+"""Commands and keys in the form of this computer's shells and keyboard, for messages."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from . import which
 
 
 def source_workspace() -> str:
-    """The line that makes a terminal know a workspace, in its folder, after a build.
+    """Return the command that sources a workspace in its folder, after a build.
 
     >>> source_workspace()
     'source install/setup.bash'
@@ -17,7 +17,7 @@ def source_workspace() -> str:
 
 
 def set_variable(name: str, value: str) -> str:
-    """The line that sets an environment variable for programs that are started next in the same terminal.
+    """Return the command that sets an environment variable for later programs in the same terminal.
 
     >>> set_variable("ROS_DOMAIN_ID", "7")
     'export ROS_DOMAIN_ID=7'
@@ -26,7 +26,7 @@ def set_variable(name: str, value: str) -> str:
 
 
 def line_here(command: str) -> str:
-    """A line of the course's as this computer's shells have it; most are the same everywhere.
+    """Return a command of the course in the form of this computer's shells; most are the same everywhere.
 
     >>> line_here("printenv ROS_DISTRO")
     'printenv ROS_DISTRO'
@@ -36,7 +36,7 @@ def line_here(command: str) -> str:
 
 
 def install(requirement: str) -> str:
-    """The line that installs a package: bash, zsh, PowerShell and cmd all take its marks for quotation marks.
+    """Return the command that installs a package: its quotation marks work in bash, zsh, PowerShell and cmd.
 
     >>> install("setuptools<80")
     'pip install "setuptools<80"'
@@ -45,7 +45,7 @@ def install(requirement: str) -> str:
 
 
 def shortcut(key: str) -> str:
-    """A key with the one beside it that gives commands.
+    """Return the shortcut of a key with this system's modifier key.
 
     >>> shortcut("S")
     'Ctrl+S'

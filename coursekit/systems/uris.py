@@ -1,4 +1,4 @@
-"""Files named by `file://`: on Windows a drive's letter, or a computer, comes before the path."""
+"""Files named by `file://`: on Windows the path is preceded by a drive letter or a computer name."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ _DRIVE = re.compile(r"/?[A-Za-z]:")
 
 
 def path_of(uri: str) -> Path:
-    """The file of a `file://` URI as it is written: `%20` stays what it is, for it may be part of a name.
+    """Return the file of a `file://` URI without decoding it: `%20` is kept, because it may be part of a name.
 
-    Programs write "file://" before a path, and that may begin with a drive's letter: it names no computer.
+    Programs put "file://" before a path that may begin with a drive letter, which is not a computer name.
 
     >>> path_of("file:///home/vera/map.yaml").as_posix()
     '/home/vera/map.yaml'

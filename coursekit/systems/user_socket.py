@@ -1,4 +1,4 @@
-"""Sockets that only this user can call: Unix sockets, else a loopback port whose token only this user can read."""
+"""Sockets for connections by this user only: Unix sockets, else a loopback port with a token that only this user can read."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ from . import rights, which
 HAS_UNIX = hasattr(socket, "AF_UNIX") and not which.WINDOWS
 CONNECT_SECONDS = 5.0
 TOKEN_SECONDS = 2.0
-"""How long a caller on a loopback port may take to say its token [s]."""
+"""Timeout for a caller's token on a loopback port [s]."""
 
 
 class NobodyListens(ConnectionError):
-    """Nobody listens at the file."""
+    """No program listens at the file."""
 
 
 def listen_at(path: Path) -> socket.socket:
-    """Listen at a file, or at a loopback port that it names with a token; only this user can read it."""
+    """Listen at a Unix socket file, or at a loopback port with number and token in the file, which only this user can read."""
     path.unlink(missing_ok=True)
     if HAS_UNIX:
         server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
         with contextlib.suppress(OSError):
-            os.fchmod(server.fileno(), 0o600)  # so Linux makes it; elsewhere it is the folder that nobody can enter
+            os.fchmod(server.fileno(), 0o600)  # Linux creates the file with this mode; elsewhere its folder protects it
         server.bind(str(path))
         path.chmod(0o600)
     else:
@@ -40,7 +40,7 @@ def listen_at(path: Path) -> socket.socket:
 
 
 def connect_at(path: Path) -> socket.socket:
-    """Connect to who listens at a file. Raises NobodyListens."""
+    """Connect to the program that listens at a file. Raises NobodyListens."""
     try:
         if HAS_UNIX:
             client = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
@@ -53,7 +53,7 @@ def connect_at(path: Path) -> socket.socket:
 
 
 def token_at(path: Path) -> str:
-    """The first word to the loopback port that a file names; empty for Unix sockets. Raises NobodyListens."""
+    """Return the token for the loopback port in a file; empty for Unix sockets. Raises NobodyListens."""
     if HAS_UNIX:
         return ""
     try:
@@ -63,12 +63,12 @@ def token_at(path: Path) -> str:
 
 
 def said_at(path: Path) -> dict[str, Any]:
-    """Where there are no Unix sockets: the port and the token that the file holds."""
+    """Return the port and the token in the file, on systems without Unix sockets."""
     return dict(json.loads(path.read_text(encoding="utf-8")))
 
 
 def call(path: Path) -> socket.socket:
-    """Connect to who listens at a file and say the token. Raises NobodyListens."""
+    """Connect to the program that listens at a file, and send the token. Raises NobodyListens."""
     token = token_at(path).encode()
     peer = connect_at(path)
     try:
@@ -81,7 +81,7 @@ def call(path: Path) -> socket.socket:
 
 
 def accept(server: socket.socket, path: Path) -> socket.socket:
-    """The next caller that says the token of the file, where there is one; OSError when the server is closed."""
+    """Return the next caller that sends the file's token, if there is one; OSError when the server is closed."""
     token = token_at(path).encode()
     while True:
         peer, _ = server.accept()

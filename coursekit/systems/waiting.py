@@ -1,4 +1,4 @@
-"""Waits that Ctrl-C ends: on Windows it waits itself until a lock or a socket lets the main thread go on."""
+"""Waits that Ctrl-C can end: on Windows a Ctrl-C is otherwise delayed until the lock or socket releases the main thread."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from typing import Any
 from . import which
 
 SLICE = 0.1
-"""How long the main thread is out of Ctrl-C's reach on Windows [s]."""
+"""Interval in which the main thread on Windows checks for Ctrl-C [s]."""
 _now = time.monotonic  # the real one
 _select = select.select
 _get_ident = threading.get_ident
 
 
 def acquire(lock: Any, seconds: float | None = None) -> bool:
-    """`lock.acquire` for at most so many seconds, None for as long as it takes.
+    """`lock.acquire` for at most so many seconds; None for no limit.
 
     >>> acquire(threading.Lock()), acquire(threading.Lock(), 0.0)
     (True, True)
@@ -36,7 +36,7 @@ def acquire(lock: Any, seconds: float | None = None) -> bool:
 
 
 def lines(peer: socket.socket) -> Iterator[str]:
-    r"""The lines that come through a socket, in UTF-8, without their ends; they end when the other side hangs up.
+    r"""Yield the lines received on a socket, in UTF-8, without line ends, until the other side closes it.
 
     >>> here, there = socket.socketpair()
     >>> here.sendall("ñ\n\ntwo".encode()), here.close()
@@ -55,5 +55,5 @@ def lines(peer: socket.socket) -> Iterator[str]:
 
 def _receive(peer: socket.socket) -> bytes:
     while which.WINDOWS and not _select([peer], [], [], SLICE)[0]:
-        pass  # here a Ctrl-C is seen
+        pass  # Ctrl-C is handled here
     return peer.recv(65536)

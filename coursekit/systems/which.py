@@ -1,4 +1,4 @@
-"""Which system this is."""
+"""The operating system of this computer."""
 
 from __future__ import annotations
 
@@ -6,6 +6,6 @@ import os
 import sys
 
 WINDOWS = os.name == "nt"
-"""Read it as `which.WINDOWS`: tests set it, to see on Linux what happens there."""
+"""Read it as `which.WINDOWS`: tests set it to check Windows' behaviour on Linux."""
 MAC = sys.platform == "darwin"
-"""Likewise: `which.MAC`."""
+"""Read it as `which.MAC`, likewise."""

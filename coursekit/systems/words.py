@@ -1,4 +1,4 @@
-r"""Command lines to words and back, as people of this system write them: on Windows a backslash is part of a path."""
+r"""Splitting and joining command lines in the conventions of this system: on Windows a backslash is part of a path."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ _BEFORE_QUOTE = re.compile(r'(\\*)"')
 _AT_END = re.compile(r"(\\+)\Z")
 _PLAIN = re.compile(r"""[^\s"']+""")
 _FOLDER = re.compile(r"(?:[A-Za-z]:(?=[\\/]))?[^;:]+")
-"""On Windows, where a drive has a colon."""
+"""A folder on Windows, where a drive contains a colon."""
 
 
 def split_words(text: str) -> list[str]:
-    r"""The words of a command line; ValueError when a quotation does not end.
+    r"""Split a command line; ValueError for an unclosed quotation.
 
-    On Linux and macOS as the shell has them. On Windows as programs there read their command line, a backslash counting
-    only before a double quote; single quotes group too, as in PowerShell, except after a letter or digit.
+    On Linux and macOS it follows the shell. On Windows it follows the programs' own rules: a backslash is special only
+    before a double quote; single quotes group too, as in PowerShell, except after a letter or digit.
 
     >>> split_words("topic pub /chat std_msgs/msg/String '{data: hello world}'")[-1]
     '{data: hello world}'
@@ -28,7 +28,7 @@ def split_words(text: str) -> list[str]:
 
 
 def join_words(words: Iterable[str]) -> str:
-    """The command line whose words these are.
+    """Join words to a command line.
 
     >>> join_words(["ros2", "bag", "info", "my bag"])
     "ros2 bag info 'my bag'"
@@ -37,7 +37,7 @@ def join_words(words: Iterable[str]) -> str:
 
 
 def plain_words(text: str) -> list[str]:
-    """The words of a command line that needs no shell; none when it does, or is not plain.
+    """Return the words of a command line that needs no shell; empty if it needs one, or is malformed.
 
     >>> plain_words("ros2 topic list | sort"), plain_words("echo 'a | b'")
     ([], ['echo', 'a | b'])
@@ -52,9 +52,9 @@ def plain_words(text: str) -> list[str]:
 
 
 def split_folders(text: str) -> list[str]:
-    """The folders of a variable that a package has put together, without empty ones.
+    """Split a path list that was joined by a package, without empty parts.
 
-    Launch files that were written on Linux join with a colon, on every system: on Windows both separators count.
+    Launch files written on Linux join with a colon, on every system: on Windows both separators count.
 
     >>> split_folders("/opt/models:/home/vera/models:")
     ['/opt/models', '/home/vera/models']
@@ -69,7 +69,7 @@ def _with_operators(text: str) -> shlex.shlex:
 
 
 def shell_command(text: str, env: Mapping[str, str]) -> list[str]:
-    """The command that has this user's shell carry out a text.
+    """Return the command that runs a text in this user's shell.
 
     >>> shell_command("echo $HOME", {"SHELL": "/bin/bash"})
     ['/bin/bash', '-c', 'echo $HOME']

@@ -1,4 +1,4 @@
-"""Robots: reading and checking their description (URDF, xacro), where their links are, what they look like and weigh.
+"""Robots: parsing and checking their description (URDF, xacro), the poses, shapes and masses of their links.
 
 Numbers in, numbers out: nothing of ROS is needed here.
 """

@@ -1,4 +1,4 @@
-"""Errors in a robot's description: the place, urdfdom's words, and the cure."""
+"""Errors in a robot's description: the location, urdfdom's words, and the remedy."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from coursekit.suggestions import did_you_mean
 
 
 class UrdfError(ValueError):
-    """A description that is no robot.
+    """An invalid robot description.
 
-    `what` is the fault in urdfdom's words, `file`, `line` and `element` are the place, `cure` says what to do, and
+    `what` is the fault in urdfdom's words, `file`, `line` and `element` are the location, `cure` is the remedy, and
     `chain` holds the lines that urdfdom adds when the fault ends the reading of a larger element.
     """
 
@@ -38,7 +38,7 @@ class UrdfError(ValueError):
         return f"{where}{self.what}\n{self.cure}" if self.cure else where + self.what
 
     def within(self, outer: str) -> UrdfError:
-        """The same fault, as part of a larger element; `outer` is what urdfdom says about that."""
+        """Return the same fault as part of a larger element; `outer` is urdfdom's message about that element."""
         return UrdfError(
             self.what,
             file=self.file,
@@ -50,15 +50,15 @@ class UrdfError(ValueError):
 
 
 class Negative(UrdfError):
-    """A mass or a size below zero, of which urdfdom says nothing and which is refused here all the same."""
+    """A negative mass or size, which urdfdom accepts but which is refused here."""
 
 
 class MeshError(UrdfError):
-    """A mesh file that is not there or cannot be read; the text names the folders that were searched."""
+    """A mesh file that is missing or cannot be read; the message names the folders that were searched."""
 
 
 def close(name: str, known: Iterable[str]) -> str:
-    """A hint with the nearest names, or with all of them.
+    """Return a hint with the most similar names, or with all of them.
 
     >>> close("base_lnk", ["base_link", "wheel"])
     "Did you mean 'base_link'?"

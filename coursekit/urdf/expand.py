@@ -1,4 +1,4 @@
-"""xacro files as URDF text."""
+"""Expansion of xacro files to URDF text."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _alone = threading.Lock()
 
 
 def expand(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = None) -> str:
-    """The output of `xacro PATH name:=value ...`; `$(find package)` looks in the ament index. Raises UrdfError.
+    """Return the output of `xacro PATH name:=value ...`; `$(find package)` uses the ament index. Raises UrdfError.
 
     In ROS 2: `ros2 run xacro xacro PATH`, or `Command(['xacro ', path])` in a launch file.
     """
@@ -41,7 +41,7 @@ def expand(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = N
 
 
 def _fault(error: BaseException, file: str, said: str) -> UrdfError:
-    """xacro's complaint with the file that it was in."""
+    """Convert xacro's error to one with the file in which it occurred."""
     stack: list[Any] = list(getattr(__import__("xacro"), "filestack", None) or [])
     named = [str(one) for one in stack if one]
     inner = named[-1] if named else file

@@ -1,6 +1,6 @@
-"""`${...}` of xacro files, computed within bounds: a description computes numbers, it does not reach into Python.
+"""`${...}` of xacro files, evaluated with limits: a description computes numbers, it has no access to Python.
 
-xacro's own evaluator looks for names with two underscores in the outermost code only, and computes `9**9**9` for ever.
+xacro's own evaluator checks names with two underscores only in the outermost code, and computes `9**9**9` for ever.
 """
 
 from __future__ import annotations
@@ -11,21 +11,21 @@ from types import CodeType
 from typing import Any
 
 BITS = 100_000
-"""Bits that an integer may have."""
+"""Maximum size of an integer [bits]."""
 LENGTH = 1_000_000
-"""Elements or letters that a list or text may have."""
+"""Maximum length of a list or string."""
 _GUARDED = {ast.Pow: "pow", ast.LShift: "shift", ast.Mult: "times"}
 
 
 class Unbounded(ValueError):
-    """An expression that is none of a robot's description."""
+    """An expression that does not belong in a robot's description."""
 
 
 def evaluate(expression: str, names: dict[str, Any], local: Any = None) -> Any:
-    """The value of a Python expression with these names.
+    """Evaluate a Python expression with these names.
 
     Raises:
-        Unbounded: for private names, and for results that are too large; other errors as Python has them.
+        Unbounded: for private names, and for results that are too large; other errors as in Python.
 
     >>> evaluate("2 * pi", {"pi": 3})
     6
@@ -33,7 +33,7 @@ def evaluate(expression: str, names: dict[str, Any], local: Any = None) -> Any:
     Traceback (most recent call last):
     coursekit.urdf.expressions.Unbounded: 9 ** 387420489 has too many digits
     """
-    names.update(_HELPERS)  # in place: xacro's tables of names look further when they are asked
+    names.update(_HELPERS)  # in place: xacro's name tables look up missing names elsewhere
     return eval(_compiled(expression.strip()), names, local)
 
 
@@ -56,7 +56,7 @@ def _names(node: ast.AST) -> Sequence[str]:
 
 
 class _Guard(ast.NodeTransformer):
-    """Lets the operators that make large things from small ones look first."""
+    """Replaces the operators that make large objects from small ones by checked functions."""
 
     def visit_BinOp(self, node: ast.BinOp) -> ast.AST:
         self.generic_visit(node)

@@ -1,4 +1,4 @@
-"""Whether a link's inertia can be that of a real body, and what its shape would have."""
+"""Checks whether a link's inertia is physically possible, and compares it with that of its shape."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from .model import Box, Cylinder, Geometry, Inertial, Link, Robot, Sphere
 from .shapes import matrix_of, mesh_of
 
 FAR = 10.0
-"""Times that a moment may differ from the shape's own before it is told."""
+"""Factor by which a moment may differ from the shape's before it is reported."""
 
 
 @dataclass(frozen=True)
 class Finding:
-    """One thing about one link; `wrong` if no body can be like that, else it is only unlikely."""
+    """A finding about a link; `wrong` if it is physically impossible, else it is only unlikely."""
 
     link: str
     text: str
@@ -28,7 +28,7 @@ class Finding:
 
 
 def matrix(inertial: Inertial) -> np.ndarray:
-    """The inertia about the centre of mass as a symmetric 3x3 matrix [kg m^2].
+    """Return the inertia about the centre of mass as a symmetric 3x3 matrix [kg m^2].
 
     >>> matrix(Inertial(2.0, (1.0, 0.1, 0.0, 1.0, 0.0, 2.0))).tolist()
     [[1.0, 0.1, 0.0], [0.1, 1.0, 0.0], [0.0, 0.0, 2.0]]
@@ -38,7 +38,7 @@ def matrix(inertial: Inertial) -> np.ndarray:
 
 
 def principal(inertial: Inertial) -> np.ndarray:
-    """The three moments about the principal axes, ascending [kg m^2].
+    """Return the three principal moments, ascending [kg m^2].
 
     >>> principal(Inertial(2.0, (1.0, 0.5, 0.0, 1.0, 0.0, 2.0))).round(6).tolist()
     [0.5, 1.5, 2.0]
@@ -47,7 +47,7 @@ def principal(inertial: Inertial) -> np.ndarray:
 
 
 def of_shape(geometry: Geometry, mass: float, near: Path | None = None) -> np.ndarray:
-    """The inertia (3x3) [kg m^2] of a shape filled evenly with `mass` [kg], about its centre of mass.
+    """Return the inertia (3x3) [kg m^2] of a shape with uniform density and `mass` [kg], about its centre of mass.
 
     >>> of_shape(Box((1.0, 1.0, 1.0)), 6.0).diagonal().tolist()
     [1.0, 1.0, 1.0]
@@ -66,7 +66,7 @@ def of_shape(geometry: Geometry, mass: float, near: Path | None = None) -> np.nd
 
 
 def check_link(link: Link, near: Path | None = None) -> list[Finding]:
-    """The faults and oddities of a link's mass and inertia; empty if all is well."""
+    """Return the findings about a link's mass and inertia; empty if all is well."""
     inertial = link.inertial
     if inertial is None:
         return []
@@ -102,15 +102,15 @@ def _against_shape(link: Link, moments: np.ndarray, near: Path | None) -> list[F
 
 
 def check(robot: Robot) -> list[Finding]:
-    """The faults and oddities of the masses and inertias of a robot, link by link.
+    """Return the findings about the masses and inertias of a robot, link by link.
 
-    In ROS 2 nobody checks this; Gazebo's robot trembles or flies away.
+    ROS 2 itself does not check them; in Gazebo such a robot trembles or flies away.
     """
     return [finding for _, link in robot.walk() for finding in _seen(link, robot.file)]
 
 
 def _seen(link: Link, near: Path | None) -> list[Finding]:
-    """The findings on a link; that its mesh cannot be read is one."""
+    """Return the findings about a link; an unreadable mesh is one."""
     try:
         return check_link(link, near)
     except MeshError as error:
@@ -118,12 +118,12 @@ def _seen(link: Link, near: Path | None) -> list[Finding]:
 
 
 def total_mass(robot: Robot) -> float:
-    """The mass of the whole robot [kg]."""
+    """Return the mass of the whole robot [kg]."""
     return sum(link.inertial.mass for link in robot.links.values() if link.inertial is not None)
 
 
 def centre_of_mass(link: Link) -> np.ndarray:
-    """Where a link's mass is, in its frame [m]; at its origin if it has none."""
+    """Return the centre of mass in a link's frame [m]; the origin if the link has no mass."""
     return matrix_of(link.inertial.origin)[:3, 3] if link.inertial is not None else np.zeros(3)
 
 

@@ -14,7 +14,7 @@ _LIMIT = 'Add <limit lower="-1.57" upper="1.57" effort="10" velocity="1"/> (rad 
 
 
 def read_joint(element: Element) -> Joint:
-    """A joint whose links need not exist yet; raises UrdfError."""
+    """Read a joint whose links need not exist yet; raises UrdfError."""
     name = element.get("name")
     if not name:
         raise element.error("unnamed joint found", 'Write <joint name="..." type="fixed">.', (_OUTER,))

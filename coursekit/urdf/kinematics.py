@@ -1,7 +1,7 @@
-"""Where all links are for given joint positions (forward kinematics).
+"""Forward kinematics: the poses of all links for given joint positions.
 
-A robot's tree never changes while its joints move, so it is compiled once: `_compile` writes a Python function with one
-line of arithmetic for each number that is not constant. Constant parts, zeros and ones are worked out beforehand.
+A robot's tree never changes while its joints move, so it is compiled once: `_compile` generates a Python function with
+one line of arithmetic for each number that is not constant. Constant parts, zeros and ones are computed in advance.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ if TYPE_CHECKING:
     import numpy as np
 
 Term = float | str
-"""A number known beforehand, or the name of a variable of the written function."""
+"""A constant, or the name of a variable in the generated function."""
 
 
 def pose_of(origin: Origin) -> Pose:
-    """An origin as a pose.
+    """Convert an origin to a pose.
 
     >>> pose_of(Origin((1.0, 2.0, 3.0)))
     (1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 1.0)
@@ -34,12 +34,12 @@ def pose_of(origin: Origin) -> Pose:
 
 
 def joint_pose(joint: Joint, position: float = 0.0) -> Pose:
-    """The child link's pose in the parent link, with the joint at `position` (rad or m)."""
+    """Return the child link's pose in the parent link, with the joint at `position` (rad or m)."""
     return joint_motion(joint)(position)
 
 
 def joint_motion(joint: Joint) -> Callable[[float], Pose]:
-    """The function from a joint's position (rad or m) to the child link's pose in the parent link."""
+    """Return the function from a joint's position (rad or m) to the child link's pose in the parent link."""
     writer = _Writer()
     pose = ", ".join(map(str, _joint_terms(writer, joint, {joint.name: "position"})))
     names: dict[str, Any] = {"sin": math.sin, "cos": math.cos}
@@ -58,7 +58,7 @@ class Kinematics:
     >>> Kinematics(robot).poses({"slide": 0.25})["tip"]
     (0.0, 0.0, 0.25, 0.0, 0.0, 0.0, 1.0)
 
-    In ROS 2: what robot_state_publisher and tf2 do together.
+    In ROS 2: robot_state_publisher together with tf2.
     """
 
     def __init__(self, robot: Robot) -> None:
@@ -69,9 +69,9 @@ class Kinematics:
         self._run = _compile(robot, self.links)
 
     def poses(self, positions: Mapping[str, float] | None = None) -> dict[str, Pose]:
-        """Each link's pose in the root link; joints that are not given are at 0, mimics follow.
+        """Return each link's pose in the root link; missing joints are at 0, mimics follow.
 
-        Raises LookupError for a name that is no joint which moves.
+        Raises LookupError for a name that is not a movable joint.
         """
         if not positions:
             return self._run({})
@@ -88,7 +88,7 @@ class Kinematics:
                 raise LookupError(f"{self.robot.name} has no joint '{name}'. {close(name, sorted(self._known))}")
 
     def matrices(self, positions: Mapping[str, float] | None = None) -> np.ndarray:
-        """The same as an array of 4x4 matrices (number of links, 4, 4), in the order of `links`."""
+        """Return the poses as an array of 4x4 matrices (number of links, 4, 4), in the order of `links`."""
         import numpy as np
 
         poses = np.array(list(self.poses(positions).values()))
@@ -102,7 +102,7 @@ class Kinematics:
 
 @lru_cache(maxsize=1)
 def _rotations() -> np.ndarray:
-    """(16, 16): from the products of a quaternion's numbers (xx, xy, ..., ww) to the rotation in a 4x4 matrix."""
+    """Return (16, 16): maps the products of a quaternion's components (xx, xy, ..., ww) to the rotation in a 4x4 matrix."""
     import numpy as np
 
     found = np.zeros((4, 4, 4, 4))
@@ -119,20 +119,20 @@ def _rotations() -> np.ndarray:
 
 
 class _Writer:
-    """Lines of arithmetic; whatever is known beforehand does not become a line."""
+    """Lines of arithmetic; constant terms do not become lines."""
 
     def __init__(self) -> None:
         self.lines: list[str] = []
         self._count = 0
 
     def keep(self, expression: str) -> str:
-        """A new variable with that value."""
+        """Store an expression in a new variable."""
         self._count += 1
         self.lines.append(f"v{self._count} = {expression}")
         return f"v{self._count}"
 
     def sum(self, *products: tuple[Term, ...]) -> Term:
-        """The sum of products, each of numbers and names."""
+        """Return the sum of products, each of numbers and names."""
         constant, words = 0.0, []
         for product in products:
             factor = math.prod(one for one in product if not isinstance(one, str))
@@ -158,7 +158,7 @@ def _signed(factor: float, names: str) -> str:
 
 
 def _compile(robot: Robot, links: list[str]) -> Callable[[Mapping[str, float]], dict[str, Any]]:
-    """A function from positions to the dict of poses."""
+    """Generate the function from positions to the dict of poses."""
     writer = _Writer()
     names: dict[str, Any] = {"sin": math.sin, "cos": math.cos}
     names |= {f"J{number}": name for number, name in enumerate(robot.joints)}
@@ -178,7 +178,7 @@ def _compile(robot: Robot, links: list[str]) -> Callable[[Mapping[str, float]], 
 
 
 def _positions(robot: Robot, writer: _Writer) -> dict[str, str]:
-    """The variable of each joint's position: given, or that of the joint that it mimics, or 0."""
+    """Return the variable of each joint's position: the given one, else that of the mimicked joint, else 0."""
     numbers = {name: number for number, name in enumerate(robot.joints)}
     found: dict[str, str] = {}
 
@@ -212,7 +212,7 @@ def _joint_terms(writer: _Writer, joint: Joint, variables: Mapping[str, str]) ->
 
 
 def _compose(writer: _Writer, a: list[Term], b: list[Term]) -> list[Term]:
-    """`compose`, as lines."""
+    """Generate `compose` as lines."""
     x, y, z, qx, qy, qz, qw = a
     bx, by, bz, rx, ry, rz, rw = b
     add = writer.sum

@@ -17,9 +17,9 @@ _ABOUT_GEOMETRY = 'Put a shape in it, such as <geometry><box size="0.1 0.1 0.1"/
 
 
 def read_link(element: Element, faults: list[UrdfError]) -> Link:
-    """A link; raises UrdfError where it has no name or something of it is negative.
+    """Read a link; raises UrdfError if it has no name or a negative value.
 
-    As in urdfdom another fault ends only the reading of this link: it keeps what came before, and `faults` grows.
+    As in urdfdom, other faults end only the reading of this link: it keeps its earlier parts, and `faults` grows.
     """
     name = element.get("name")
     if not name:
@@ -159,7 +159,7 @@ def _not_negative(shape: Element, name: str, value: float) -> None:
 
 
 def read_material(element: Element, *, visual: bool = False) -> Material:
-    """A material; in a visual its name alone is enough. Raises UrdfError."""
+    """Read a material; in a visual the name alone is sufficient. Raises UrdfError."""
     name = element.get("name")
     if name is None or not (name or visual):
         what = "Visual material must contain a name attribute" if visual else "Material must contain a name attribute"

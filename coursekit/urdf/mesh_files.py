@@ -1,4 +1,4 @@
-"""Mesh files as triangles: whatever is wrong with one, it is a MeshError."""
+"""Mesh files as triangles; every error in one becomes a MeshError."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ from .errors import MeshError
 from .model import Colour
 
 GREY: Colour = (0.7, 0.7, 0.7, 1.0)
-"""The colour of parts without a material: as grey as a part fresh from the machine."""
+"""The colour of parts without a material: a machined-metal grey."""
 FORMATS = (".stl", ".dae", ".obj", ".ply", ".glb", ".gltf", ".off")
 MOST_FACES = 5_000_000
-"""Triangles of one file; a scan with more fills the memory of a laptop."""
+"""Maximum number of triangles in a file; a scan with more fills the memory of a laptop."""
 _MATERIALS = re.compile(rb"<bind_material\b.*?</bind_material>", re.DOTALL)
-"""Where a DAE file looks for a texture that is not there, its reader leaves the whole shape out."""
+"""The DAE reader drops the whole shape if a texture is missing, so material bindings are removed."""
 _COUNTS = re.compile(rb'"count"\s*:\s*(\d+)|^element \w+ (\d+)', re.MULTILINE)
-"""The sizes that a GLB or PLY file promises: its reader takes memory for them first."""
+"""The sizes declared in a GLB or PLY file: its reader allocates memory for them first."""
 _reading: ContextVar[bool] = ContextVar("_reading", default=False)
-logging.getLogger("trimesh").addFilter(lambda _record: not _reading.get())  # it tells tracebacks: we tell what was wrong
+logging.getLogger("trimesh").addFilter(lambda _record: not _reading.get())  # it logs tracebacks; MeshError replaces them
 
 
 @dataclass(frozen=True)
@@ -44,14 +44,14 @@ class Surface:
 
 @dataclass(frozen=True)
 class MeshFile:
-    """The content of a file, and a line for each part that is drawn plainer than it was meant."""
+    """The content of a file, and a note for each part that is drawn in a simplified form."""
 
     surfaces: tuple[Surface, ...]
     notes: tuple[str, ...] = ()
 
 
 def load_mesh(path: Path) -> MeshFile:
-    """A mesh file, read once as long as it does not change. Raises MeshError."""
+    """Load a mesh file, cached until it changes. Raises MeshError."""
     try:
         changed = path.stat().st_mtime_ns
     except (OSError, ValueError) as error:
@@ -70,7 +70,7 @@ def _load(path: Path, _changed: int) -> MeshFile:
     try:
         with np.errstate(all="ignore"):
             made = _read(path, kind)
-    except Exception as error:  # the readers of six formats fail in as many ways
+    except Exception as error:  # the readers of six formats raise all kinds of exceptions
         what = f"is no {kind[1:].upper()} mesh that can be read: {type(error).__name__}: {error}"
         raise MeshError(what[:500], file=str(path), cure="Export it again, or try another format.") from None
     finally:
@@ -97,7 +97,7 @@ def _parts(data: bytes, kind: str, beside: Any) -> list[Surface]:
     import trimesh
 
     scene = trimesh.load_scene(io.BytesIO(data), file_type=kind[1:], resolver=beside)
-    if kind == ".dae" and scene.units:  # COLLADA says its unit; RViz and Gazebo heed it, as we do
+    if kind == ".dae" and scene.units:  # COLLADA specifies its unit; RViz and Gazebo respect it, too
         scene = scene.convert_units("meters")
     meshes = [part for part in scene.dump() if isinstance(part, trimesh.Trimesh)]
     if sum(len(one.faces) for one in meshes) > MOST_FACES:
@@ -115,7 +115,7 @@ def _surface(mesh: Any) -> Surface:
 
 
 def _colour(material: Any) -> Colour:
-    """Of a material: its main colour times the mean of its texture."""
+    """Return a material's colour: its main colour times the mean of its texture."""
     from .textures import mean_of
 
     if material is None or getattr(material, "main_color", None) is None:
@@ -124,7 +124,7 @@ def _colour(material: Any) -> Colour:
     picture = getattr(material, "baseColorTexture", None) or getattr(material, "image", None)
     try:
         tint = mean_of(picture) if picture is not None else (255, 255, 255)
-    except Exception:  # a texture inside of the file that is broken
+    except Exception:  # a broken texture embedded in the file
         tint = (255, 255, 255)
     return red * tint[0] / 255.0, green * tint[1] / 255.0, blue * tint[2] / 255.0, alpha
 

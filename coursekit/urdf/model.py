@@ -1,4 +1,4 @@
-"""A robot as data: links, joints and what they are made of. Lengths in metres, angles in radians, masses in kilograms."""
+"""A robot as data: links, joints, shapes and materials. Lengths in metres, angles in radians, masses in kilograms."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from .xml_tree import Element
 
 Vector = tuple[float, float, float]
 Colour = tuple[float, float, float, float]
-"""Red, green, blue and how opaque, from 0 to 1."""
+"""Red, green, blue and opacity, from 0 to 1."""
 ZERO: Vector = (0.0, 0.0, 0.0)
 MOVING = ("revolute", "continuous", "prismatic")
-"""Joints with one number as position; `floating` and `planar` have more, `fixed` has none."""
+"""Joint types with a single position value; `floating` and `planar` have more, `fixed` has none."""
 JOINT_TYPES = ("fixed", "revolute", "continuous", "prismatic", "floating", "planar")
 
 
 @dataclass(frozen=True)
 class Origin:
-    """Where something is in its parent's frame: shifted by `xyz`, turned by roll, pitch and yaw (fixed axes x, y, z)."""
+    """A pose in the parent's frame: translated by `xyz`, rotated by roll, pitch and yaw (fixed axes x, y, z)."""
 
     xyz: Vector = ZERO
     rpy: Vector = ZERO
@@ -28,14 +28,14 @@ class Origin:
 
 @dataclass(frozen=True)
 class Box:
-    """A block about its centre; `size` are its edges."""
+    """A block around its centre; `size` are its edge lengths."""
 
     size: Vector
 
 
 @dataclass(frozen=True)
 class Cylinder:
-    """A cylinder about its centre, along z."""
+    """A cylinder around its centre, along z."""
 
     radius: float
     length: float
@@ -43,14 +43,14 @@ class Cylinder:
 
 @dataclass(frozen=True)
 class Sphere:
-    """A ball about its centre."""
+    """A sphere around its centre."""
 
     radius: float
 
 
 @dataclass(frozen=True)
 class Mesh:
-    """A shape from a file; `filename` as written (package://..., file://..., or a path)."""
+    """A shape from a file, with `filename` as written (package://..., file://..., or a path)."""
 
     filename: str
     scale: Vector = (1.0, 1.0, 1.0)
@@ -61,7 +61,7 @@ Geometry = Box | Cylinder | Sphere | Mesh
 
 @dataclass(frozen=True)
 class Material:
-    """A named colour or texture; both are None where only the name is known."""
+    """A named colour or texture; both are None if only the name is known."""
 
     name: str
     colour: Colour | None = None
@@ -81,7 +81,7 @@ class Visual:
 
 @dataclass(frozen=True)
 class Collision:
-    """The shape of a link that others bump into."""
+    """The collision shape of a link."""
 
     geometry: Geometry
     origin: Origin = Origin()
@@ -91,7 +91,7 @@ class Collision:
 
 @dataclass(frozen=True)
 class Inertial:
-    """Mass, and inertia about the centre of mass that `origin` gives [kg, kg m^2]: ixx, ixy, ixz, iyy, iyz, izz."""
+    """Mass, and inertia about the centre of mass at `origin` [kg, kg m^2]: ixx, ixy, ixz, iyy, iyz, izz."""
 
     mass: float
     inertia: tuple[float, float, float, float, float, float]
@@ -101,7 +101,7 @@ class Inertial:
 
 @dataclass(frozen=True)
 class Link:
-    """A rigid part, and a frame of its name."""
+    """A rigid part, with a frame of the same name."""
 
     name: str
     visuals: tuple[Visual, ...] = ()
@@ -112,7 +112,7 @@ class Link:
 
 @dataclass(frozen=True)
 class Limit:
-    """The reach of a joint (rad or m), its greatest effort (Nm or N) and velocity (rad/s or m/s)."""
+    """The position limits of a joint (rad or m), its maximum effort (Nm or N) and velocity (rad/s or m/s)."""
 
     lower: float = 0.0
     upper: float = 0.0
@@ -141,7 +141,7 @@ class Safety:
 
 @dataclass(frozen=True)
 class Joint:
-    """How `child` hangs on `parent`; `axis` has length 1."""
+    """The connection of `child` to `parent`; `axis` has length 1."""
 
     name: str
     type: str
@@ -158,7 +158,7 @@ class Joint:
 
     @property
     def moves(self) -> bool:
-        """Whether one number is its position."""
+        """Whether its position is a single number."""
         return self.type in MOVING
 
 
@@ -174,11 +174,11 @@ class Robot:
     gazebo: tuple[Element, ...] = ()
     """The `<gazebo>` elements, for simulators."""
     warnings: tuple[str, ...] = ()
-    """Allowed content that is probably not meant, with its place."""
+    """Permitted content that is probably unintended, with its location."""
     faults: tuple[UrdfError, ...] = ()
-    """Errors that urdfdom reports and passes over: the link lacks the element in question and all after it."""
+    """Errors that urdfdom reports and skips: the link lacks the invalid element and all later ones."""
     file: Path | None = None
-    """Where it was read from; paths of meshes are relative to its folder."""
+    """The file that it was read from; paths of meshes are relative to its folder."""
 
     def __post_init__(self) -> None:
         below: dict[str, list[Joint]] = {name: [] for name in self.links}
@@ -188,29 +188,29 @@ class Robot:
         object.__setattr__(self, "_above", {joint.child: joint for joint in self.joints.values()})
 
     def link(self, name: str) -> Link:
-        """A link by name; LookupError names close ones."""
+        """Return a link by name; LookupError suggests similar names."""
         if name not in self.links:
             raise LookupError(f"{self.name} has no link '{name}'. {close(name, self.links)}")
         return self.links[name]
 
     def joint(self, name: str) -> Joint:
-        """A joint by name; LookupError names close ones."""
+        """Return a joint by name; LookupError suggests similar names."""
         if name not in self.joints:
             raise LookupError(f"{self.name} has no joint '{name}'. {close(name, self.joints)}")
         return self.joints[name]
 
     def joints_below(self, link: str) -> tuple[Joint, ...]:
-        """The joints whose parent a link is, in the order of the file."""
+        """Return the joints whose parent is this link, in file order."""
         below: dict[str, tuple[Joint, ...]] = self._below  # type: ignore[attr-defined]
         return below[self.link(link).name]
 
     def joint_above(self, link: str) -> Joint | None:
-        """The joint that a link hangs on; None for the root."""
+        """Return the joint above a link; None for the root."""
         above: dict[str, Joint] = self._above  # type: ignore[attr-defined]
         return above.get(self.link(link).name)
 
     def walk(self) -> Iterator[tuple[int, Link]]:
-        """(depth, link) from the root on, each link after its parent, branch by branch."""
+        """Yield (depth, link) from the root on, each link after its parent, branch by branch."""
         waiting = [(0, self.root)]
         while waiting:
             depth, name = waiting.pop()
@@ -218,7 +218,7 @@ class Robot:
             waiting += [(depth + 1, joint.child) for joint in reversed(self.joints_below(name))]
 
     def moving_joints(self) -> list[Joint]:
-        """The joints that one can move, in the order of the file, without those that mimic another."""
+        """Return the movable joints in file order, except those that mimic another."""
         return [joint for joint in self.joints.values() if joint.moves and joint.mimic is None]
 
 

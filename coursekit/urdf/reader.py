@@ -1,4 +1,4 @@
-"""A robot description as text or file, read and checked."""
+"""Reading and checking robot descriptions, as text or as files."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from .xml_tree import Element, read
 
 VERSIONS = ("1.0", "1.1", "1.2")
 XACRO_DEFINITIONS = ("xacro:include", "xacro:arg", "xacro:property", "xacro:macro")
-"""Names that may be left over in an expanded file; anything else of xacro's means that links are missing."""
+"""Names that may remain in an expanded file; any other xacro element means that links are missing."""
 EXPAND = "Expand the file first: xacro robot.urdf.xacro > robot.urdf."
 
 
 def parse(text: str, file: str | os.PathLike[str] = "") -> Robot:
-    """A robot from the text of its description; `file` is told in errors, and mesh paths are relative to its folder.
+    """Parse a robot's description; `file` is named in errors, and mesh paths are relative to its folder.
 
-    Raises UrdfError, which names file, line and element and says what to do.
+    Raises UrdfError with file, line, element and remedy.
 
     >>> robot = parse('<robot name="ball"><link name="base_link"/></robot>')
     >>> robot.name, robot.root
@@ -60,15 +60,15 @@ def parse(text: str, file: str | os.PathLike[str] = "") -> Robot:
 
 
 def load(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = None) -> Robot:
-    """A robot from a .urdf or .xacro file; `arguments` are the xacro's (`name:=value` on a command line).
+    """Load a robot from a .urdf or .xacro file; `arguments` are xacro arguments (`name:=value` on a command line).
 
-    Raises UrdfError: also when there is no such file.
+    Raises UrdfError, also when there is no such file.
     """
     return parse(load_text(path, arguments), path)
 
 
 def load_text(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = None) -> str:
-    """The description in a .urdf or .xacro file, as text, not yet checked; raises UrdfError."""
+    """Return the description in a .urdf or .xacro file as text, not yet checked; raises UrdfError."""
     from .expand import expand
 
     path = Path(path)
@@ -117,7 +117,7 @@ def _materials(root: Element) -> dict[str, Material]:
 
 
 def _coloured(link: Link, element: Element, materials: dict[str, Material], warnings: list[str]) -> Link:
-    """The link with each visual's material looked up, as urdfdom does: the first definition of a name counts."""
+    """Return the link with each visual's material resolved, as in urdfdom: the first definition of a name counts."""
     visuals = []
     for visual in link.visuals:
         material = visual.material

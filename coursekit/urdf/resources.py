@@ -1,12 +1,12 @@
-"""Where a file of a robot is: `package://`, `model://`, `file://` and plain paths, resolved here and nowhere else.
+"""Finding a robot's files: `package://`, `model://`, `file://` and plain paths, all resolved here.
 
-`package://NAME/rest` is looked for in this order:
+`package://NAME/rest` is searched in this order:
 
 1. folders given to `add_package_path` (the newest first), and those in ROS_PACKAGE_PATH: NAME inside the folder, or the
    folder itself when it is called NAME;
 2. `share/NAME` of every prefix in AMENT_PREFIX_PATH, the sourced workspaces;
 3. `share/NAME` of coursekit's own underlay;
-4. the folders above the robot's file: one that is called NAME, or that has a folder NAME.
+4. the folders above the robot's file: one that is named NAME, or that contains a folder NAME.
 """
 
 from __future__ import annotations
@@ -24,14 +24,14 @@ from coursekit.systems.words import split_folders
 from .errors import MeshError, close
 
 MODEL_PATHS = ("GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH", "GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "SDF_PATH")
-"""Variables of Gazebo, old and new, that name folders of models."""
+"""Environment variables of Gazebo, old and new, with folders of models."""
 UNDERLAY = Path(__file__).resolve().parents[1]
 _added: list[Path] = []
 _environment: list[Callable[[], Mapping[str, str]]] = []
 
 
 def take_environment_from(source: Callable[[], Mapping[str, str]]) -> None:
-    """Ask `source` for AMENT_PREFIX_PATH and ROS_PACKAGE_PATH from now on, instead of the process's environment.
+    """Take AMENT_PREFIX_PATH and ROS_PACKAGE_PATH from `source` from now on, instead of the process's environment.
 
     A notebook's kernel has not sourced the workspace that is built in it.
     """
@@ -41,7 +41,7 @@ def take_environment_from(source: Callable[[], Mapping[str, str]]) -> None:
 def add_package_path(folder: str | os.PathLike[str]) -> None:
     """Search this folder first for packages; NotADirectoryError if there is no such folder.
 
-    In ROS 2 one builds and sources a workspace instead, or sets ROS_PACKAGE_PATH for older tools.
+    In ROS 2, build and source a workspace instead, or set ROS_PACKAGE_PATH for older tools.
     """
     path = Path(folder).expanduser().resolve()
     if not path.is_dir():
@@ -51,14 +51,14 @@ def add_package_path(folder: str | os.PathLike[str]) -> None:
 
 
 def remove_package_path(folder: str | os.PathLike[str]) -> None:
-    """Take a folder back; harmless when it was not added."""
+    """Remove a folder; harmless when it was not added."""
     path = Path(folder).expanduser().resolve()
     if path in _added:
         _added.remove(path)
 
 
 def package_paths() -> list[Path]:
-    """The folders in which packages are looked for, in order; a package is a folder inside one of them."""
+    """Return the folders searched for packages, in order; a package is a folder inside one of them."""
     environment = _environment[0]() if _environment else os.environ
     listed = [Path(one) for one in environment.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if one]
     prefixes = [Path(one) for one in environment.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
@@ -67,7 +67,7 @@ def package_paths() -> list[Path]:
 
 
 def find_package(name: str, near: Path | None = None) -> Path:
-    """The folder of a package; `near` is the robot's file. MeshError tells the folders that were searched."""
+    """Return the folder of a package; `near` is the robot's file. MeshError lists the folders searched."""
     searched = package_paths()
     for folder in searched:
         if is_folder(folder / name):
@@ -95,14 +95,14 @@ def _where(name: str, searched: list[Path]) -> str:
 
 
 def model_folders() -> list[Path]:
-    """Folders in which Gazebo looks for models and what they are made of, as the environment names them."""
+    """Return the folders in which Gazebo searches for models and their files, from the environment."""
     environment = _environment[0]() if _environment else os.environ
     told = (one for name in MODEL_PATHS for one in split_folders(environment.get(name, "")))
     return list(dict.fromkeys(Path(one).expanduser() for one in told))
 
 
 def _in_models(uri: str, near: Path | None) -> Path:
-    """The file of a `model://NAME/rest`: in Gazebo's folders, else in a package of that name."""
+    """Return the file of a `model://NAME/rest`: in Gazebo's folders, else in a package of that name."""
     rest = unquote(uri.removeprefix("model://"))
     for folder in model_folders():
         if is_file(folder / rest):
@@ -116,16 +116,16 @@ def _in_models(uri: str, near: Path | None) -> Path:
 
 
 def find_file(uri: str, near: Path | None = None) -> Path:
-    """The file that a URI or path of a description means; `near` is the robot's file.
+    """Return the file for a URI or path in a description; `near` is the robot's file.
 
-    Raises MeshError if the package or the file is not there, or the URI is of another kind.
+    Raises MeshError if the package or the file is missing, or the URI has an unknown scheme.
 
     >>> find_file("package://turtlesim/package.xml").name
     'package.xml'
     """
     try:
         parts = urlsplit(uri)
-    except ValueError as error:  # brackets in it
+    except ValueError as error:  # invalid brackets
         raise MeshError(f"'{uri}' is no URI: {error}", cure="Use package://NAME/path, file:///path, or a path.") from None
     if parts.scheme == "package":
         name, _, rest = uri.removeprefix("package://").partition("/")
@@ -136,7 +136,7 @@ def find_file(uri: str, near: Path | None = None) -> Path:
     elif parts.scheme == "model":
         path = _in_models(uri, near)
     elif parts.scheme == "file":
-        path = path_of(uri)  # most are written as they are; a '%' or '#' may be part of a name
+        path = path_of(uri)  # most are not escaped: a '%' or '#' may be part of a name
         computer = parts.netloc if which.WINDOWS else ""
         path = path if path.is_absolute() and is_file(path) else path_of(f"file://{computer}{unquote(parts.path)}")
     elif len(parts.scheme) > 1:

@@ -1,4 +1,4 @@
-"""Shapes as triangles: what viewers draw and simulators bump into."""
+"""Shapes as triangles, for viewers and simulators."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from .model import Box, Collision, Cylinder, Geometry, Link, Mesh, Origin, Robot
 from .resources import find_file
 
 ROUND = 32
-"""Corners of a cylinder's circle."""
+"""Number of corners of a cylinder's circle."""
 
 
 def matrix_of(origin: Origin) -> np.ndarray:
-    """An origin as a 4x4 matrix.
+    """Convert an origin to a 4x4 matrix.
 
     >>> matrix_of(Origin((1.0, 2.0, 3.0)))[:, 3].tolist()
     [1.0, 2.0, 3.0, 1.0]
@@ -38,7 +38,7 @@ def matrix_of(origin: Origin) -> np.ndarray:
 
 
 def mesh_of(geometry: Geometry, near: Path | None = None) -> Any:
-    """A shape in its own frame as one trimesh.Trimesh, a mesh's scale applied. Raises MeshError."""
+    """Return a shape in its own frame as one trimesh.Trimesh, with a mesh's scale applied. Raises MeshError."""
     import trimesh
 
     parts = surfaces_of(geometry, near)
@@ -46,7 +46,7 @@ def mesh_of(geometry: Geometry, near: Path | None = None) -> Any:
 
 
 def surfaces_of(geometry: Geometry, near: Path | None = None) -> list[Surface]:
-    """A shape in its own frame; a DAE, OBJ or GLB file may have several colours. Raises MeshError."""
+    """Return the surfaces of a shape in its own frame; a DAE, OBJ or GLB file may have several colours. Raises MeshError."""
     if isinstance(geometry, Mesh):
         path = find_file(geometry.filename, near)
         return [_scaled(one, geometry.scale) for one in load_mesh(path).surfaces]
@@ -54,7 +54,7 @@ def surfaces_of(geometry: Geometry, near: Path | None = None) -> list[Surface]:
 
 
 def notes_of(geometry: Geometry, near: Path | None = None) -> tuple[str, ...]:
-    """A line for each part of a mesh file that is drawn plainer than it was meant. Raises MeshError."""
+    """Return a note for each part of a mesh file that is drawn in a simplified form. Raises MeshError."""
     if not isinstance(geometry, Mesh):
         return ()
     path = find_file(geometry.filename, near)
@@ -77,12 +77,12 @@ def _primitive(geometry: Box | Cylinder | Sphere) -> Surface:
 def _scaled(surface: Surface, scale: tuple[float, float, float]) -> Surface:
     if scale == (1.0, 1.0, 1.0):
         return surface
-    faces = surface.faces if np.prod(scale) > 0 else surface.faces[:, ::-1]  # a mirrored shape stays outside out
+    faces = surface.faces if np.prod(scale) > 0 else surface.faces[:, ::-1]  # mirroring flips the orientation of faces
     return Surface(surface.vertices * np.array(scale), faces, surface.colour)
 
 
 def link_surfaces(robot: Robot, link: Link | str, *, collision: bool = False) -> list[Surface]:
-    """The surfaces of a link (visual or collision), in the link's frame: the visual's colour wins over the file's.
+    """Return the surfaces of a link (visual or collision) in the link's frame: the visual's colour overrides the file's.
 
     Raises MeshError, which names the robot's file and the element.
     """
@@ -112,7 +112,7 @@ def _part_surfaces(robot: Robot, link: Link, part: Visual | Collision) -> list[S
 def robot_surfaces(
     robot: Robot, positions: dict[str, float] | None = None, *, collision: bool = False
 ) -> Iterator[tuple[str, Surface]]:
-    """(link name, surface in the root's frame) of the whole robot, with its joints at `positions`."""
+    """Yield (link name, surface in the root's frame) for the whole robot, with its joints at `positions`."""
     kinematics = Kinematics(robot)
     for name, matrix in zip(kinematics.links, kinematics.matrices(positions), strict=True):
         for surface in link_surfaces(robot, name, collision=collision):

@@ -1,4 +1,4 @@
-"""A robot in words: what `check_urdf` prints, and Graphviz text as `urdf_to_graphviz` writes it."""
+"""A robot as text: the output of `check_urdf`, and Graphviz text in the format of `urdf_to_graphviz`."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .model import Joint, Robot
 
 
 def branches(robot: Robot) -> Iterator[tuple[int, int, Joint]]:
-    """(depth, number among its siblings, joint) from the root on; siblings by their joints' names, as in urdfdom."""
+    """Yield (depth, number among its siblings, joint) from the root on; siblings by their joints' names, as in urdfdom."""
 
     def below(link: str, depth: int) -> list[tuple[int, int, Joint]]:
         joints = sorted(robot.joints_below(link), key=lambda joint: joint.name)
@@ -23,7 +23,7 @@ def branches(robot: Robot) -> Iterator[tuple[int, int, Joint]]:
 
 
 def check_text(robot: Robot) -> str:
-    """The output of `check_urdf` for a valid robot."""
+    """Return the output of `check_urdf` for a valid robot."""
     lines = [
         f"robot name is: {robot.name}",
         "---------- Successfully Parsed XML ---------------",
@@ -34,7 +34,7 @@ def check_text(robot: Robot) -> str:
 
 
 def error_text(error: UrdfError) -> str:
-    """The output of `check_urdf` for a fault: urdfdom's lines, then the place and the cure."""
+    """Return the output of `check_urdf` for a fault: urdfdom's lines, then the location and the remedy."""
     lines = [f"Error:   {line}" for line in (error.what, *error.chain)]
     place = f"{error.file}:{error.line}" if error.line else error.file
     lines.append(f"         at {place}{f' in {error.element}' if error.element else ''}")
@@ -42,7 +42,7 @@ def error_text(error: UrdfError) -> str:
 
 
 def graphviz_text(robot: Robot) -> str:
-    """The tree in Graphviz's language: links as boxes, joints as blue ellipses, origins beside the arrows."""
+    """Return the tree in Graphviz's language: links as boxes, joints as blue ellipses, origins beside the arrows."""
     found = [joint for _, _, joint in branches(robot)]
     links = [robot.root, *(joint.child for joint in found)]
     lines = ["digraph G {", "node [shape=box];", *(f"{_quoted(name)} [label={_quoted(name)}];" for name in links)]

@@ -1,4 +1,4 @@
-"""The files that a mesh refers to: textures, materials and buffers, found as Gazebo does, and read nowhere else."""
+"""The files that a mesh refers to (textures, materials, buffers), searched only where Gazebo searches."""
 
 from __future__ import annotations
 
@@ -16,38 +16,38 @@ from .resources import model_folders
 
 PICTURES = (".png", ".jpg", ".jpeg", ".tga", ".tif", ".tiff", ".bmp", ".gif", ".dds", ".webp")
 FOLDERS = ("", "materials/textures", "textures", "materials", "meshes")
-"""Of a model: where textures lie."""
+"""Folders of a model that may contain textures."""
 MOST = 64 << 20
-"""The largest file beside a mesh that is read [bytes]."""
+"""Maximum size of a file beside a mesh [bytes]."""
 MOST_POINTS = 4096 * 4096
-"""Of a texture; more is drawn plain."""
+"""Maximum number of pixels of a texture; with a larger one the mesh is drawn plain."""
 
 
 class Beside(Resolver):
-    """The files beside a mesh; `notes` tells in one line each what was not found or could not be read.
+    """The files beside a mesh; `notes` has one line for each file that was not found or could not be read.
 
-    A texture becomes a picture of one point in its mean colour: nothing more of it is drawn, and nothing huge is kept.
+    A texture is replaced by an image of one pixel in its mean colour: only that is drawn, and no large image is kept.
     """
 
     def __init__(self, mesh: Path) -> None:
         self.mesh = mesh
         self.notes: list[str] = []
-        self.roots = list(dict.fromkeys(_model_of(one) for one in (mesh, mesh.resolve())))  # an install of links, too
+        self.roots = list(dict.fromkeys(_model_of(one) for one in (mesh, mesh.resolve())))  # for symlink installs, too
 
     def write(self, name: str, data: Any) -> None:
-        """Nothing is written."""
+        """Refuse: nothing is written."""
         raise PermissionError(name)
 
     def namespaced(self, namespace: str) -> Beside:
-        """The same: names are looked for, not followed."""
+        """Return itself: names are searched for, not followed."""
         return self
 
     def keys(self) -> list[str]:
-        """Nothing is listed."""
+        """Return nothing: files are not listed."""
         return []
 
     def get(self, name: str) -> bytes:
-        """The contents of a file beside the mesh; FileNotFoundError where there is none inside its model's folder."""
+        """Return the contents of a file beside the mesh; FileNotFoundError if its model's folder contains none."""
         word = unquote(name).replace("\\", "/").removeprefix("file://").strip()
         path = next((one for one in self._places(word) if is_file(one) and self._inside(one)), None)
         picture = Path(word).suffix.lower() in PICTURES
@@ -60,7 +60,7 @@ class Beside(Resolver):
         try:
             data = read_bytes(path, MOST)
             return _dot(mean_colour(data)) if picture else data
-        except Exception as error:  # the readers of ten formats fail in as many ways
+        except Exception as error:  # the readers of ten formats raise all kinds of exceptions
             self._note(f"{kind} '{name}' cannot be read ({type(error).__name__}): it is drawn plain")
             if not picture:
                 raise FileNotFoundError(name) from None
@@ -83,7 +83,7 @@ class Beside(Resolver):
 
 
 def _model_of(mesh: Path) -> Path:
-    """The folder of the model or package that a mesh is part of: at the most four above it; else its own folder."""
+    """Return the folder of the model or package of a mesh, at most four levels above it; else its own folder."""
     folder = mesh.absolute().parent
     for one in [folder, *folder.parents][:5]:
         if is_file(one / "model.config") or is_file(one / "package.xml"):
@@ -92,7 +92,7 @@ def _model_of(mesh: Path) -> Path:
 
 
 def mean_colour(data: bytes) -> tuple[int, int, int]:
-    """The mean colour of a picture, 0 to 255 each; any exception of the picture library, ValueError for huge ones."""
+    """Return the mean colour of an image, 0 to 255 each; any exception of the image library, ValueError for huge ones."""
     from PIL import Image
 
     with warnings.catch_warnings():
@@ -102,10 +102,10 @@ def mean_colour(data: bytes) -> tuple[int, int, int]:
 
 
 def mean_of(picture: Any) -> tuple[int, int, int]:
-    """The mean colour of a picture that is open already."""
+    """Return the mean colour of an open image."""
     if picture.width * picture.height > MOST_POINTS:
         raise ValueError(f"{picture.width}x{picture.height} points")
-    red, green, blue = picture.convert("RGB").resize((1, 1), 4).getpixel((0, 0))  # 4: the mean of a box
+    red, green, blue = picture.convert("RGB").resize((1, 1), 4).getpixel((0, 0))  # 4: box filter
     return red, green, blue
 
 

@@ -1,4 +1,4 @@
-"""Whether links and joints are one tree."""
+"""Checks that links and joints form one tree."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .model import Joint, Link
 from .xml_tree import Element
 
 MOST_NAMES = 12
-"""Of a longer loop only the beginning is told."""
+"""Maximum number of names reported for a loop."""
 _TREE = "Failed to build tree: "
 _ROOT = "Failed to find root link: "
 
@@ -20,7 +20,7 @@ def _element(root: Element, tag: str, name: str) -> Element:
 
 
 def find_root(root: Element, links: Mapping[str, Link], joints: Mapping[str, Joint]) -> str:
-    """The name of the only link without a parent; raises UrdfError if the joints do not make one tree of the links."""
+    """Return the only link without a parent; raises UrdfError if the joints do not form one tree of the links."""
     elements = {element.get("name"): element for element in root.all("joint")}
     for joint in joints.values():
         _check_ends(elements[joint.name], joint, links)
@@ -77,7 +77,7 @@ def _two_roots(root: Element, tops: list[str]) -> UrdfError:
 
 
 def _climbs(name: str, above: Mapping[str, Joint], reached: set[str]) -> bool:
-    """Whether the way up ends at a link that is known to hang on the root; then all on the way are known too."""
+    """Whether the path up ends at a link known to be below the root; then all links on the path become known, too."""
     way: set[str] = set()
     while name not in reached:
         if name in way:
@@ -89,7 +89,7 @@ def _climbs(name: str, above: Mapping[str, Joint], reached: set[str]) -> bool:
 
 
 def _loop(root: Element, start: str, above: Mapping[str, Joint], what: str) -> UrdfError:
-    """The error that names the loop which the way up from `start` ends in."""
+    """Return the error that names the loop at the end of the path up from `start`."""
     way: dict[str, None] = {}
     while start not in way:
         way[start] = None
@@ -103,7 +103,7 @@ def _loop(root: Element, start: str, above: Mapping[str, Joint], what: str) -> U
 
 
 def check_mimics(root: Element, joints: Mapping[str, Joint], warnings: list[str]) -> dict[str, Joint]:
-    """The joints, those that mimic an unmoving one without that; UrdfError if one mimics nothing, or itself."""
+    """Return the joints, without mimics of fixed joints; UrdfError if one mimics an unknown joint, or itself."""
     elements = {one.get("name"): one.first("mimic") or one for one in root.all("joint")}
     checked = dict(joints)
     for joint in joints.values():
@@ -130,7 +130,7 @@ def check_mimics(root: Element, joints: Mapping[str, Joint], warnings: list[str]
 
 
 def _leaders(name: str, joints: Mapping[str, Joint], free: set[str]) -> list[str]:
-    """The joints that a mimic joint follows, one after the other, to a free one, or to the first that comes again."""
+    """Return the chain of joints that a mimic joint follows, up to a free one, or to the first repeated one."""
     way: dict[str, None] = {}
     while name not in free and name not in way:
         way[name] = None

@@ -1,4 +1,4 @@
-"""Numbers in attributes, with urdfdom's words where they are wrong."""
+"""Parsing numbers in attributes, with urdfdom's error texts."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _SPACES = " \t\n\r"
 
 
 def plain(text: str) -> float | None:
-    """The number that a text is, or None: no nan, no inf, no hexadecimal, as C++ reads it.
+    """Return the number in a text, or None: no nan, no inf, no hexadecimal, as in C++.
 
     >>> plain(" 1e-3 "), plain("nan"), plain("0x10")
     (0.001, None, None)
@@ -26,7 +26,7 @@ def plain(text: str) -> float | None:
 
 
 def number(element: Element, name: str, default: float, what: str = "{name} value ({text}) is not a valid float") -> float:
-    """An attribute as a number, or the default where it is not given."""
+    """Return an attribute as a number, or the default if it is missing."""
     text = element.get(name)
     if text is None:
         return default
@@ -37,7 +37,7 @@ def number(element: Element, name: str, default: float, what: str = "{name} valu
 
 
 def vector(element: Element, name: str, default: Vector, prefix: str = "") -> Vector:
-    """An attribute of three numbers."""
+    """Return an attribute of three numbers."""
     text = element.get(name)
     if text is None:
         return default
@@ -63,7 +63,7 @@ def _several(element: Element, name: str, text: str, count: int, kind: str, pref
 
 
 def origin(element: Element) -> Origin:
-    """The `<origin>` of an element; at its place where there is none."""
+    """Return the `<origin>` of an element; the identity if it is missing."""
     child = element.first("origin")
     if child is None:
         return Origin()
@@ -71,7 +71,7 @@ def origin(element: Element) -> Origin:
 
 
 def colour(element: Element, material: str) -> Colour:
-    """The `rgba` of a `<color>`."""
+    """Return the `rgba` of a `<color>`."""
     text = element.get("rgba")
     if text is None:
         raise element.error(f"Material [{material}] color has no rgba", 'Write rgba="0.2 0.4 0.8 1".')

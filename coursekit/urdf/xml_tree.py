@@ -1,4 +1,4 @@
-"""XML with line numbers, read safely: no entities of the document's own, nothing from outside, no depth without end."""
+"""XML with line numbers, parsed safely: no entities, no external resources, limited depth."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from xml.parsers import expat
 from .errors import UrdfError
 
 DEEPEST = 200
-"""Elements in elements; a robot needs about 10."""
+"""Maximum depth of elements; a robot needs about 10."""
 TRUNCATED = {expat.errors.codes[expat.errors.XML_ERROR_NO_ELEMENTS], 5, 4, 15}
 _EARLY = re.compile(r"\A\s+<\?xml\b[^>]*\?>")
-"""Blank lines before the declaration: TinyXML, which urdfdom reads with, takes them."""
+"""Blank lines before the declaration, which TinyXML, urdfdom's parser, accepts."""
 
 
 @dataclass(eq=False)
@@ -29,19 +29,19 @@ class Element:
     text: str = ""
 
     def get(self, name: str) -> str | None:
-        """An attribute, or None."""
+        """Return an attribute, or None."""
         return self.attributes.get(name)
 
     def first(self, tag: str) -> Element | None:
-        """The first child of that name, or None."""
+        """Return the first child with that tag, or None."""
         return next((child for child in self.children if child.tag == tag), None)
 
     def all(self, tag: str) -> Iterator[Element]:
-        """All children of that name."""
+        """Return all children with that tag."""
         return (child for child in self.children if child.tag == tag)
 
     def label(self) -> str:
-        """How to speak of it: `<origin> of <joint name="j">`."""
+        """Return a label for messages: `<origin> of <joint name="j">`."""
         own = f'<{self.tag} name="{self.attributes["name"]}">' if "name" in self.attributes else f"<{self.tag}>"
         above = self.parent
         while above is not None and "name" not in above.attributes:
@@ -53,11 +53,11 @@ class Element:
     def error(
         self, what: str, cure: str = "", chain: tuple[str, ...] = (), kind: type[UrdfError] = UrdfError
     ) -> UrdfError:
-        """A fault at this place, to be raised."""
+        """Return an error at this location, to be raised."""
         return kind(what, file=self.file, line=self.line, element=self.label(), cure=cure, chain=chain)
 
     def tell(self, path: str) -> str:
-        """The text of a descendant ('ray/range/min'), stripped; '' where there is none."""
+        """Return the stripped text of a descendant ('ray/range/min'); '' if it is missing."""
         place: Element | None = self
         for tag in path.split("/"):
             place = place.first(tag) if place is not None else None
@@ -137,7 +137,7 @@ class _Builder:
 
 
 def read(text: str, file: str = "") -> Element:
-    """The root element of an XML text; raises UrdfError with file and line.
+    """Return the root element of an XML text; raises UrdfError with file and line.
 
     >>> read("<robot name='r'><link name='a'/></robot>").first("link").label()
     '<link name="a">'

@@ -2,7 +2,7 @@
 
 
 def counted(number: int, one: str, many: str = "") -> str:
-    """So many of something.
+    """Return a number with its noun, in singular or plural.
 
     >>> counted(1, "notebook"), counted(2, "notebook"), counted(0, "copy", "copies")
     ('1 notebook', '2 notebooks', '0 copies')

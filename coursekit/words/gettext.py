@@ -1,9 +1,8 @@
-"""`gettext("Trying out ch02.q1")`: a sentence in the course's language.
+"""`gettext("Trying out ch02.q1")`: translate a sentence to the course's language.
 
-English is the key, and is shown where nothing is translated.
-
-A catalogue's entry may have fields, `{0} m from a side`: it stands for every sentence that has something at those places.
-So what says a sentence makes it in English, and where it is shown it is translated as a whole.
+English is the key, and is shown if there is no translation.
+An entry of the catalogue may have fields, `{0} m from a side`: it matches every sentence with any text in the fields.
+So code produces its sentences in English, and the display translates each as a whole.
 """
 
 from __future__ import annotations
@@ -18,29 +17,29 @@ from pathlib import Path
 
 ENGLISH = "en"
 LANGUAGE = "COURSEKIT_LANGUAGE"
-"""The variable of the environment that names the language by its code."""
+"""The environment variable with the language code."""
 FIELD = re.compile(r"\{(\d+)\}")
 _LONGEST_CODE, _LONGEST = 8, 500
-"""Letters of a language's code; and of a sentence: a longer one holds something of the student's, and is shown as it is."""
+"""Maximum length of a language code; and of a sentence: a longer one contains student text, and is shown untranslated."""
 _DEEPEST = 3
-"""A field's own words may have fields again."""
+"""Maximum nesting: the text of a field may itself match an entry with fields."""
 _LEAST, _LEAST_INSIDE = 4, 9
-"""Letters outside of its fields that an entry needs, or it would stand for anything; more within another's field, which may
-hold what a student's program said."""
+"""Minimum number of letters outside of its fields: an entry with fewer would match anything. It is higher for the text of
+another entry's field, which may contain output of a student's program."""
 _reader: ContextVar[str] = ContextVar("reader", default="")
-"""The language of whom something is written for; '' where it is the course's."""
+"""The language of the person addressed; '' for the course's language."""
 
 
 def language() -> str:
-    """The code of the course's language, or of the reader's where something is written for one (`speaking`)."""
+    """Return the code of the course's language, or of the addressed person's language (`speaking`)."""
     return _reader.get() or os.environ.get(LANGUAGE) or ENGLISH
 
 
 @contextlib.contextmanager
 def speaking(code: str) -> Iterator[None]:
-    """Have what is said inside be in this language, whatever the course's is: a teacher marks for students of several.
+    """Use this language inside the block, whatever the course's is: a teacher marks students of several languages.
 
-    What is no language of ours is English: the code may come from a file of a student's.
+    An unknown language falls back to English: the code may come from a student's file.
 
     >>> with speaking("es"):
     ...     print(language())
@@ -54,7 +53,7 @@ def speaking(code: str) -> Iterator[None]:
 
 
 def gettext(text: str) -> str:
-    """The text in the course's language.
+    """Translate a text to the course's language.
 
     >>> gettext("No topics: start a node.")
     'No topics: start a node.'
@@ -64,7 +63,7 @@ def gettext(text: str) -> str:
 
 @functools.cache
 def words_of(code: str) -> Words:
-    """The translations into a language; none for English, and for languages that nobody has translated the course into."""
+    """Return the translations to a language; empty for English, and for languages without a catalogue."""
     if not _is_ours(code):
         return Words({})
     import polib
@@ -73,17 +72,17 @@ def words_of(code: str) -> Words:
 
 
 def _is_ours(code: str) -> bool:
-    """Whether there is a catalogue for a language."""
+    """Whether there is a catalogue for this language."""
     return code.isascii() and code.isalpha() and len(code) <= _LONGEST_CODE and catalogue_of(code).is_file()
 
 
 def catalogue_of(code: str) -> Path:
-    """The file of a language's words."""
+    """Return a language's catalogue file."""
     return Path(__file__).with_name(f"{code}.po")
 
 
 class Words:
-    """Translations of sentences, by their English.
+    """Translations of sentences, keyed by the English text.
 
     >>> words = Words({"{0} m of line": "{0} m de línea", "none": "ninguno"})
     >>> words.translated("7 m of line"), words.translated("none m of line"), words.translated("else")
@@ -97,7 +96,7 @@ class Words:
         self._patterns = [(_pattern(text), by_english[text], _letters(text)) for text in known]
 
     def translated(self, text: str, depth: int = 0) -> str:
-        """The sentence, or itself where there is no translation; of several entries the one that says most."""
+        """Return the translation, or the text itself if there is none; of several matches the most specific."""
         if text in self.by_english:
             return self.by_english[text]
         if len(text) > _LONGEST or depth > _DEEPEST:

@@ -68,7 +68,7 @@ def veils(
 ) -> Array:
     """Remove points between a near and a far object, as measured by beams that touch both.
 
-    Where the line to a neighbouring beam's point meets the beam at an angle outside `angles` [rad], points behind it are removed.
+    Where the line to a neighbouring beam's point meets the beam at an angle outside `angles` [rad], farther points go.
     """
     offsets = [k for k in range(-window, window + 1) if k]
     turn = np.array(offsets)[:, None] * increment

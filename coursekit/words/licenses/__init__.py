@@ -1,4 +1,4 @@
-"""Texts of the licenses that `ros2 pkg create` can put into a package, and `ament_copyright` knows."""
+"""Texts of the licenses that `ros2 pkg create` can add to a package, and that `ament_copyright` recognizes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ NAMES = (
 
 
 def text(name: str) -> str | None:
-    """Return the text of a license, or None when we have no such license."""
+    """Return the text of a license, or None for an unknown one."""
     if name not in NAMES:
         return None
     return (Path(__file__).parent / f"{name}.txt").read_text(encoding="utf-8")

@@ -56,7 +56,7 @@ class Publisher(Endpoint):
         keeps = self.qos.durability == TRANSIENT_LOCAL
         depth = None if self.qos.history == KEEP_ALL else self.qos.depth
         self._history: deque[tuple[Any, int]] | None = deque(maxlen=depth) if keeps else None
-        self._last_sent = self._last_sign = 0  # messages keep a deadline, any sign of life keeps a lease
+        self._last_sent = self._last_sign = 0  # a deadline is met by messages, a lease by any sign of life
         self._live = True
         self._deadline_timer: Any = None
         self._lease_timer: Any = None

@@ -114,7 +114,7 @@ class VirtualClock:
         self.running: ExecutionContext = GreenletContext(getcurrent())
         self.main = self.running
         self.children = 0
-        """Number of live child processes: while there are any, time passes no faster than on the wall."""
+        """Number of live child processes: while there are any, time passes no faster than on the wall clock."""
         self.frozen = 0
         """Number of child processes that take no virtual time (a build): while there are any, time does not advance."""
         self.partner: Any = None

@@ -78,7 +78,7 @@ class Planner:
         x, y = costs.x + (columns + 0.5) * costs.resolution, costs.y + (rows + 0.5) * costs.resolution
         gaps = np.hypot(x - goal[0], y - goal[1])
         if len(gaps) and gaps.min() <= self.tolerance:
-            # cells around an obstacle are about equally near: always choosing the nearest one, the robot would never stop
+            # cells around an obstacle are about equally near: a robot that always heads for the nearest one would never stop
             good = gaps <= min(gaps.min() + (NEARER if before else 0.0), self.tolerance)
             moved = np.hypot(x - before[0], y - before[1]) if before else gaps
             return int(reached[np.where(good, moved, np.inf).argmin()])

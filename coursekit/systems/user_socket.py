@@ -1,4 +1,4 @@
-"""Sockets for connections by this user only: Unix sockets, else a loopback port with a token that only this user can read."""
+"""Sockets for this user's connections only: Unix sockets, else a loopback port with a token that only this user can read."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class NobodyListens(ConnectionError):
 
 
 def listen_at(path: Path) -> socket.socket:
-    """Listen at a Unix socket file, or at a loopback port with number and token in the file, which only this user can read."""
+    """Listen at a Unix socket file, or a loopback port with number and token in the file; only this user can read it."""
     path.unlink(missing_ok=True)
     if HAS_UNIX:
         server = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)

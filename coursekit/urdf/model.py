@@ -164,7 +164,7 @@ class Joint:
 
 @dataclass(frozen=True)
 class Robot:
-    """A whole robot, valid: one root, no loops, all names known."""
+    """A valid robot: one root, no loops, all names known."""
 
     name: str
     links: dict[str, Link]

@@ -103,7 +103,7 @@ def _loop(root: Element, start: str, above: Mapping[str, Joint], what: str) -> U
 
 
 def check_mimics(root: Element, joints: Mapping[str, Joint], warnings: list[str]) -> dict[str, Joint]:
-    """Return the joints, without mimics of fixed joints; UrdfError if one mimics an unknown joint, or itself."""
+    """Return the joints, with mimics of fixed joints removed; UrdfError if one mimics an unknown joint, or itself."""
     elements = {one.get("name"): one.first("mimic") or one for one in root.all("joint")}
     checked = dict(joints)
     for joint in joints.values():

@@ -1,4 +1,4 @@
-"""The lab: what notebooks use. `from coursekit.lab import *` starts the session of the kernel."""
+"""The lab: the functions for notebooks. `from coursekit.lab import *` starts the kernel's session."""
 
 from coursekit.grade.checking import check, hint
 from coursekit.grade.progress import progress

@@ -1,4 +1,4 @@
-"""A widget's forms where there is no browser, by MIME type: the lab adds to them."""
+"""The MIME bundle of a widget, which the lab extends with forms that need no browser."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 
 
 def forms_of(bundle: Any) -> dict[str, Any] | None:
-    """The forms in what a widget's `_repr_mimebundle_` gave; None when it shows nothing.
+    """Return the forms in the result of a widget's `_repr_mimebundle_`; None when the widget shows nothing.
 
     >>> forms_of(({"text/plain": "a"}, {}))
     {'text/plain': 'a'}
@@ -18,7 +18,7 @@ def forms_of(bundle: Any) -> dict[str, Any] | None:
 
 
 def with_text(bundle: Any, text: str) -> Any:
-    """The bundle, with this text as its plain form.
+    """Return the bundle with `text` as its plain-text form.
 
     >>> with_text({"text/plain": "Box()"}, "[pad /cmd_vel]")
     {'text/plain': '[pad /cmd_vel]'}
@@ -30,7 +30,7 @@ def with_text(bundle: Any, text: str) -> Any:
 
 
 def with_picture(bundle: Any, png: Callable[[], bytes]) -> Any:
-    """The bundle, with this picture as a form; nothing is drawn when the widget shows nothing.
+    """Return the bundle with a PNG form; `png` is not called when the widget shows nothing.
 
     >>> with_picture({"text/plain": "Box()"}, lambda: b"PNG")["image/png"]
     'UE5H'

@@ -1,4 +1,4 @@
-"""The objects of each cell of the notebook: a cell that is run again replaces those that it made."""
+"""Track the objects made by each notebook cell: running a cell again replaces the objects that it made before."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from coursekit.words.gettext import gettext
 from .panel import Panel, open_panels
 
 _running: dict[str, Cells] = {}
-"""The cells of this kernel, under 'cells'; nothing outside of one."""
+"""The `Cells` of this kernel, under the key 'cells'; empty outside of a kernel."""
 
 
 class Cells:
-    """Knows which processes and nodes each cell made, so that running it again replaces them."""
+    """Tracks which processes and nodes each cell made, so that running the cell again replaces them."""
 
     def __init__(self, session: Session, shell: Any, on_begin: Callable[[], None]) -> None:
         self.session = session
@@ -27,18 +27,18 @@ class Cells:
         self.cell = ""
         self.made: dict[str, list[Any]] = {}
         self.ran: dict[str, str] = {}
-        """The text of each cell as it was run last."""
+        """The text of each cell at its last run."""
         self.counts: Counter[str] = Counter()
-        """How often the running cell has done what."""
+        """How often the running cell has done each thing; see `run_number`."""
         session.on_start.append(self._note_process)
         shell.events.register("pre_run_cell", self._begin)
         shell.events.register("post_run_cell", self._end)
-        session.in_cell = bool(shell.kernel.get_parent())  # the one that imports the lab, or the kernel starts with it
+        session.in_cell = bool(shell.kernel.get_parent())  # true if a cell imports the lab, not the kernel
         _running["cells"] = self
 
     @property
     def in_cell(self) -> bool:
-        """Whether a cell runs now."""
+        """Whether a cell is running."""
         return bool(self.session.in_cell)
 
     def _note_process(self, process: Any) -> None:
@@ -47,7 +47,7 @@ class Cells:
 
     def _note_nodes(self) -> None:
         nodes = [node for graph in self.session.graphs.values() for node in graph.nodes if node.process is None]
-        seen = [node for node in nodes if not node.name.startswith("_")]  # hidden ones belong to panels
+        seen = [node for node in nodes if not node.name.startswith("_")]  # hidden nodes belong to panels
         for one in [*seen, *(panel for panel in open_panels() if panel.of_cell), *_contexts()]:
             if not any(one is known for made in self.made.values() for known in made):
                 self.made.setdefault(self.cell, []).append(one)
@@ -56,7 +56,7 @@ class Cells:
         self.cell = getattr(info, "cell_id", None) or ""
         self.counts.clear()
         if self.cell:
-            self.ran.pop(self.cell, None)  # the cell that runs comes last
+            self.ran.pop(self.cell, None)  # the running cell moves to the end
             self.ran[self.cell] = str(getattr(info, "raw_cell", "") or "")
         replaced = [_describe(one) for one in self.made.pop(self.cell, []) if _end_one(one)]
         if replaced:
@@ -71,19 +71,19 @@ class Cells:
 
 
 def _contexts() -> list[Any]:
-    """What `rclpy.init()` has begun in cells and is not shut down."""
-    module = sys.modules.get("rclpy.context")  # not imported: nobody has called it
+    """Return the contexts that `rclpy.init()` began in cells and that are not shut down."""
+    module = sys.modules.get("rclpy.context")  # not imported means never used
     return list(module._contexts_here()) if module is not None else []
 
 
 def last_runs() -> dict[str, str]:
-    """The text of each cell as it was run last, by the cell's id."""
+    """Return the text of each cell at its last run, by cell id."""
     cells = _running.get("cells")
     return dict(cells.ran) if cells is not None else {}
 
 
 def adopt(old: Any, new: Any) -> Any:
-    """Let `new` belong to the cell that made `old`: it was started again, not by a cell. Returns `new`."""
+    """Assign `new` to the cell that made `old`, after a restart that no cell caused. Returns `new`."""
     cells = _running.get("cells")
     for made in cells.made.values() if cells is not None else ():
         if old in made:
@@ -92,13 +92,13 @@ def adopt(old: Any, new: Any) -> Any:
 
 
 def this_cell() -> str:
-    """The id of the cell that runs now or ran last; '' outside of a kernel."""
+    """Return the id of the cell that is running or ran last; '' outside of a kernel."""
     cells = _running.get("cells")
     return cells.cell if cells is not None else ""
 
 
 def run_number(what: str) -> int:
-    """Which time it is that the running cell does this: 0, then 1, ..."""
+    """Return how often the running cell has done this before: 0, then 1, ..."""
     cells = _running.get("cells")
     if cells is None:
         return 0
@@ -107,14 +107,16 @@ def run_number(what: str) -> int:
 
 
 def give_to(cell: str, process: Any) -> None:
-    """Let a process belong to a cell: it was started by what the cell shows."""
+    """Assign a process to a cell: something that the cell shows has started it."""
     cells = _running.get("cells")
     if cells is not None and cell:
         cells.made.setdefault(cell, []).append(process)
 
 
 def _describe(one: Any) -> str:
-    """A node by its name, a process as it was typed; one that the course started by a path has a name of its own."""
+    """Describe a node by its name and a process by its command line; a process started by an absolute path has its own
+    name.
+    """
     if hasattr(one, "full_name"):
         return gettext(f"node {one.full_name}")
     if hasattr(one, "try_shutdown"):
@@ -123,7 +125,7 @@ def _describe(one: Any) -> str:
 
 
 def _end_one(one: Any) -> bool:
-    """End a process, node, context or panel of an earlier run; whether it is worth a word that it was still there."""
+    """End a process, node, context or panel of an earlier run. Returns whether the user should be notified."""
     if isinstance(one, Panel):
         one.close()
         return False

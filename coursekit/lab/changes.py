@@ -1,10 +1,10 @@
-"""Changes to a text that may be made again: what is there already is not added a second time. No files, no Jupyter."""
+"""Repeatable changes to a text: an addition that is already present is not made again. Uses neither files nor Jupyter."""
 
 from __future__ import annotations
 
 
 def edited(text: str, old: str, new: str) -> str | None:
-    """`text` with `new` in place of `old`, or as it is if that was done before; None where it cannot be done.
+    """Return `text` with `new` in place of `old`, or unchanged if that was done before; None if `old` is missing.
 
     >>> once = edited("scripts: [", "[", "[ a,")
     >>> once == edited(once, "[", "[ a,")
@@ -16,7 +16,9 @@ def edited(text: str, old: str, new: str) -> str | None:
 
 
 def is_done(text: str, old: str, new: str) -> bool:
-    """Whether `new` is there; an addition also where others were put between its lines, or into one, since."""
+    """Whether `new` is present. An addition also counts if lines were since inserted between its lines, or words into
+    them.
+    """
     if new in text:
         return True
     above, anchor, below = text.partition(old)
@@ -27,7 +29,7 @@ def is_done(text: str, old: str, new: str) -> bool:
 
 
 def undone(text: str, old: str, new: str) -> str:
-    """`text` before `old` became `new`; as it is where that cannot be told."""
+    """Return `text` as it was before `old` became `new`; unchanged if that cannot be determined."""
     if new in text:
         return text.replace(new, old, 1)
     before, found, after = new.partition(old)
@@ -38,7 +40,7 @@ def undone(text: str, old: str, new: str) -> str:
 
 
 def appended(text: str, piece: str, former: str | None) -> str:
-    """`text` with `piece` at its end, or in place of the former one of the same cell.
+    """Return `text` with `piece` at its end, or in place of the former piece of the same cell.
 
     >>> appended("a\\nb\\nc\\n", "B\\n", former="b\\n")
     'a\\nB\\nc\\n'
@@ -54,7 +56,7 @@ def _lines(text: str) -> list[str]:
 
 
 def _has_lines(text: str, wanted: list[str]) -> bool:
-    """Whether these lines are in `text` in this order; each may have got more words."""
+    """Whether these lines are in `text` in this order; extra words within a line are allowed."""
     rest = iter(_lines(text))
     return all(any(_within(line, there) for there in rest) for line in wanted)
 

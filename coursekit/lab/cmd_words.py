@@ -1,4 +1,4 @@
-"""Commands that Windows' shell does not have, and what stands for them there, in a cell."""
+"""Shell commands that Windows' cmd lacks, and their replacements in a cell."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _BETWEEN = re.compile(r"&&|\|\||[;|&]")
 
 
 def hint(line: str) -> str:
-    """The command in place of one of bash in a line that failed; empty when it has none.
+    """Suggest a replacement for a bash command in a line that failed; empty when there is none.
 
     >>> hint("source setup.bash && ros2 node list")
     "`!` runs Windows' cmd, which has no `source`: cells know what `%colcon build` has built, so leave it out."

@@ -1,4 +1,4 @@
-"""`%%commands`: a table of commands, each of which runs from its row."""
+"""`%%commands`: a table of commands, each with a button that runs it."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from .magics import CourseMagics, workspace, workspace_environment
 from .terminal import Terminal
 
 SHELL_ONLY = ("source", "export", "cd", "echo", "rm")
-"""Words that only a shell knows, or that change it: such a row is for a terminal."""
+"""Commands that only a shell has, or that change its state: their rows can only be typed in a terminal."""
 
 
 @dataclass(frozen=True)
@@ -37,12 +37,12 @@ class Row:
 
     @property
     def runs(self) -> bool:
-        """Whether it can run from here."""
+        """Whether the row can be run from the notebook."""
         return self.command.split()[0] not in SHELL_ONLY
 
 
 def read_rows(text: str) -> list[Row]:
-    """The rows of lines `COMMAND | WHAT IT DOES`; ValueError for a line that is none.
+    """Parse lines of the form `COMMAND | WHAT IT DOES`; ValueError for any other line.
 
     >>> read_rows("ros2 node list | all nodes")
     [Row(command='ros2 node list', meaning='all nodes')]
@@ -58,7 +58,7 @@ def read_rows(text: str) -> list[Row]:
 
 
 def start(command: str, magics: CourseMagics) -> Terminal:
-    """Start a command line in a terminal of its own; LookupError when there is no such program."""
+    """Start a command line in its own terminal; LookupError when there is no such program."""
     words = split_words(command)
     if words[:1] in (["ros2"], ["colcon"]):
         shown = getattr(magics, words[0])(command.split(None, 1)[1] + " &" if len(words) > 1 else "-h &")
@@ -78,7 +78,7 @@ def start(command: str, magics: CourseMagics) -> Terminal:
 
 
 class CommandRow(ipywidgets.VBox):  # type: ignore[misc]
-    """A line to change, a button that runs it, and below them its terminal."""
+    """An editable command line with a run button, and its terminal below."""
 
     def __init__(self, row: Row, magics: CourseMagics) -> None:
         self.row = row
@@ -112,13 +112,13 @@ class CommandRow(ipywidgets.VBox):  # type: ignore[misc]
 
 
 def _wrapped(text: str) -> Any:
-    """A text beside a row, on as many lines as it needs: a label is cut at the page's edge."""
+    """Return a text that wraps beside its row: a Label would be cut off at the page's edge."""
     layout = ipywidgets.Layout(flex="1 1 0", width="auto", min_width="0")
     return ipywidgets.HTML(f"<div style='line-height: 1.4; padding: 5px 4px'>{html.escape(text)}</div>", layout=layout)
 
 
 class CommandTable(ipywidgets.VBox):  # type: ignore[misc]
-    """Rows of commands; printed, it is a table."""
+    """A column of `CommandRow`; its `repr` is a text table."""
 
     def __init__(self, rows: list[Row], magics: CourseMagics) -> None:
         self.rows = [CommandRow(row, magics) for row in rows]
@@ -138,7 +138,7 @@ class CommandMagics(Magics):
 
     @cell_magic
     def commands(self, _line: str, cell: str) -> CommandTable:
-        """A table whose lines are `COMMAND | WHAT IT DOES`; each has a button that runs it, and may be changed before.
+        """Show a table of lines `COMMAND | WHAT IT DOES`; each row has a run button, and its command can be edited.
 
         %%commands
         ros2 node list | all nodes

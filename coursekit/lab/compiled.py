@@ -1,4 +1,4 @@
-"""Whether there are programs in C++ to run: a course can be taken without a compiler."""
+"""Detect whether compiled C++ programs are available: the course can be taken without a compiler."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from coursekit.processes.executables import PackageNotFound, executables_of
 
 
 def compiled(package: str) -> bool:
-    """Whether a package has programs: one in C++ has them once it was built where there is a compiler.
+    """Whether a package has executables; a C++ package has them only after it was built with a compiler.
 
     >>> compiled("demo_nodes_py"), compiled("geometry_msgs"), compiled("no_such_package")
     (True, False, False)

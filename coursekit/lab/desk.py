@@ -1,4 +1,4 @@
-"""The desk: viewer, pad and other panels docked beside the notebook, in sight while it is read and scrolled."""
+"""The desk: the viewer, pad and other panels docked beside the notebook, visible while the notebook scrolls."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ NOTHING = "Nothing is on the desk. Put panels there: desk(viewer(), pad())"
 
 
 class _Floor(anywidget.AnyWidget):
-    """Brings the desk's style to the page, and says when the student has closed the desk."""
+    """Loads the desk's style into the page, and reports when the student closes the desk."""
 
     _esm = script("desk.js")
     _css = style("desk.css")
 
 
 class Desk:
-    """The views beside the notebook; made by `desk`."""
+    """The panels docked beside the notebook; made by `desk`."""
 
     def __init__(self) -> None:
         self.panels: list[Any] = []
@@ -38,18 +38,18 @@ class Desk:
         self._column.add_class("ck-desk")
 
     def put(self, panels: list[Any]) -> None:
-        """Show these and no others, from top to bottom."""
+        """Show exactly these panels, from top to bottom."""
         self.panels = panels
         self._column.children = tuple(panels)
 
     def close(self) -> None:
-        """Take it away. Its panels live on: `viewer` and the others show themselves in a cell, too."""
+        """Remove the desk. Its panels stay alive and can still be shown in a cell."""
         if self._sidecar is not None:
             self._sidecar.close()
             self._sidecar = None
 
     def _dock(self) -> None:
-        """Open it on the page, unless it is open; a page that is loaded anew opens it by itself."""
+        """Open the desk on the page unless it is open; a reloaded page opens it by itself."""
         if self._sidecar is not None:
             return
         from sidecar import Sidecar
@@ -60,7 +60,7 @@ class Desk:
         self._sidecar.append_display_data(ipywidgets.VBox([self._column, floor]).add_class("ck-room"))
 
     def _still(self) -> dict[str, str]:
-        """How it looks where no browser is: the first panel's picture that there is."""
+        """Return the still picture for use without a browser: that of the first panel that has one."""
         forms = (forms_of(one._repr_mimebundle_()) or {} for one in self.panels)
         return next(({"image/png": one["image/png"]} for one in forms if "image/png" in one), {})
 
@@ -70,23 +70,23 @@ class Desk:
     def _repr_mimebundle_(self, **options: Any) -> Any:
         if not self.panels or current().clock.virtual:
             return {"text/plain": repr(self), **self._still()}
-        if "__vsc_ipynb_file__" in running_variables():  # VS Code has no place beside a notebook: the cell shows it
+        if "__vsc_ipynb_file__" in running_variables():  # VS Code cannot dock beside a notebook: the cell shows the panels
             return self._column._repr_mimebundle_(**options)
         self._dock()
         return {"text/plain": gettext(f"On the desk, beside this notebook: {', '.join(map(_named, self.panels))}")}
 
 
 _desks: list[Desk] = []
-"""The desk of this kernel, once there is one."""
+"""The desk of this kernel; empty until it is made."""
 
 
 def desk(*panels: Any) -> Desk:
-    """Dock panels beside the notebook, from top to bottom: `desk(viewer(), pad())`; without any, all that are open.
+    """Dock panels beside the notebook, from top to bottom: `desk(viewer(), pad())`; without arguments, all open panels.
 
-    The notebook has one desk: what is put there next takes the place of what was there.
+    A notebook has one desk: the new panels replace those already on it.
 
     Raises:
-        BadArgument: when something is not a panel.
+        BadArgument: when an argument is not a panel.
     """
     for one in panels:
         if not isinstance(one, ipywidgets.DOMWidget):
@@ -98,7 +98,7 @@ def desk(*panels: Any) -> Desk:
 
 
 def _put_on_desk(view: View) -> None:
-    """Put a view below those that are on the desk."""
+    """Add a view below those already on the desk."""
     others = [one for one in (_desks[0].panels if _desks else []) if one is not view and one.comm is not None]
     desk(*others, view)._dock()
 

@@ -1,4 +1,4 @@
-"""A view's button that asks for the desk, in pages."""
+"""The button of a view that moves it to the desk."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ import anywidget
 
 
 class View(anywidget.AnyWidget):
-    """The base of all views that a cell shows and that may go to the desk."""
+    """The base of all views that a cell shows and that can be docked on the desk."""
 
     put_on_desk: ClassVar[Callable[[View], object]]
-    """The function behind the button; the desk gives it when it is imported."""
+    """The button's callback; `coursekit.lab.desk` sets it when imported."""
 
     def __init__(self, **traits: Any) -> None:
         super().__init__(**traits)

@@ -1,4 +1,4 @@
-"""Driving by hand: what keys and sticks say becomes geometry_msgs/Twist, and silence becomes a stop."""
+"""Driving by hand: keys and sticks become geometry_msgs/Twist messages; without input for a while the robot stops."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from coursekit.processes.session import current
 from .errors import BadArgument
 
 SILENCE_SECONDS = 0.5
-"""A browser that says nothing for this long (closed, asleep) has let go of its keys."""
+"""Timeout of the browser's input: after it (page closed, computer asleep) the keys count as released [s]."""
 BEAT_SECONDS = 0.1
-"""A held key is published this often."""
+"""The period at which a held key is published [s]."""
 KEYS = {
     "up": (1.0, 0.0, 0.0),
     "down": (-1.0, 0.0, 0.0),
@@ -25,11 +25,11 @@ KEYS = {
     "strafe left": (0.0, 1.0, 0.0),
     "strafe right": (0.0, -1.0, 0.0),
 }
-"""The meaning of a key: forward, to the left, turn to the left; each from -1 to 1."""
+"""The velocity of each key: forward, left, rotation to the left; each from -1 to 1."""
 
 
 def meaning(keys: str) -> tuple[float, float, float]:
-    """The meaning of keys held together, for example 'up+left'; ValueError for a key that is unknown.
+    """Return the velocity of keys held together, for example 'up+left'; ValueError for an unknown key.
 
     >>> meaning("up+left")
     (1.0, 0.0, 1.0)
@@ -45,7 +45,7 @@ def meaning(keys: str) -> tuple[float, float, float]:
 class Driver:
     """Publishes velocities on `topic`; full deflection is `linear` m/s and `angular` rad/s.
 
-    It is a node of the graph by itself, so it needs no rclpy.init, and comes back after `reset()`.
+    It creates its own graph node. It therefore needs no rclpy.init, and rejoins the graph after `reset()`.
     """
 
     def __init__(self, topic: str, linear: float, angular: float, node_name: str = "") -> None:
@@ -60,7 +60,7 @@ class Driver:
         self._far: set[str] = set()
 
     def join(self) -> Any:
-        """Be in the graph; the publisher."""
+        """Join the graph if necessary, and return the publisher."""
         graph = current().graph(domain_id())
         if self._node is None or self._node not in graph.nodes:
             self._node = graph.add_node(self.node_name, "/")
@@ -68,9 +68,9 @@ class Driver:
         return self._publisher
 
     def lost(self) -> str:
-        """Where the robot was that heard this over a network, when it does not any more; '' while it does, or never did.
+        """Return the address of remote subscribers that are gone; '' while connected, or if there never were any.
 
-        Then what drove it ends here too: nothing goes on by itself when the link is there again.
+        On a loss this also stops the drive: motion must not resume by itself when the link is back.
         """
         if self._node is None or not self._publisher.alive:
             return ""
@@ -90,7 +90,7 @@ class Driver:
             self._node = None
 
     def drive(self, forward: float, left: float = 0.0, turn: float = 0.0) -> None:
-        """Publish one velocity, each part from -1 to 1; not repeated it ends after SILENCE_SECONDS."""
+        """Publish one velocity, each component from -1 to 1. Unless repeated, it ends after SILENCE_SECONDS."""
         forward, left, turn = (max(-1.0, min(1.0, float(part))) for part in (forward, left, turn))
         twist = Twist()
         twist.linear.x, twist.linear.y = forward * self.linear, left * self.linear
@@ -105,12 +105,12 @@ class Driver:
         self.join().publish(twist)
 
     def stop(self) -> None:
-        """Publish zero, if it moves."""
+        """Publish zero if the robot is moving."""
         if self.moving:
             self.drive(0.0)
 
     def press(self, keys: str = "up", seconds: float = 1.0) -> None:
-        """Hold keys ('up', 'up+left', ...) for some seconds of session time, then let go."""
+        """Hold keys ('up', 'up+left', ...) for `seconds` of session time, then release them."""
         forward, left, turn = meaning(keys)
         clock = current().clock
         end = clock.steady() + round(seconds * 1e9)
@@ -122,7 +122,7 @@ class Driver:
             self.stop()
 
     def hear(self, message: dict[str, Any]) -> bool:
-        """Do what the browser says, if it is about driving."""
+        """Handle a browser message of type "drive". Returns whether it was one."""
         if message.get("type") != "drive":
             return False
         parts = [float(message.get(name) or 0.0) for name in ("x", "y", "turn")]

@@ -1,4 +1,4 @@
-"""What to do after rclpy's errors that come of running cells again, or in another order; said below the traceback."""
+"""Advice below the traceback for rclpy errors caused by running cells again or in another order."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ _INIT_TWICE = r"RuntimeError: Context\.init\(\) must only be called once"
 _ENDED_ALREADY = r"RuntimeError: Context must be initialized before it can be shutdown|RCLError: failed to shutdown"
 _NOT_BEGUN = r"NotInitializedException|ExternalShutdownException|RCLError: .*context is invalid"
 _DECLARED_TWICE = r"ParameterAlreadyDeclaredException"
-"""The beginnings of errors."""
+"""Patterns for the beginnings of error messages."""
 
 
 def install(shell: Any) -> None:
-    """Have cells that end with such an error say what to do."""
+    """Print advice after cells that end with such an error."""
     shell.events.register("post_run_cell", _look)
 
 
@@ -26,7 +26,7 @@ def _look(result: Any) -> None:
 
 
 def advice(error: BaseException) -> str:
-    """What to do after this error; empty for others.
+    """Return advice for this error; empty for other errors.
 
     >>> advice(RuntimeError("Context must be initialized before it can be shutdown"))
     'rclpy is shut down already: this cell has nothing left to do, go on.'

@@ -1,4 +1,4 @@
-"""Errors of the lab's functions: a student sees the line and the cure, not the inside of coursekit."""
+"""Errors of the lab's functions: a student sees the line and the remedy, not coursekit's internals."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ _OURS = Path(__file__).parents[1]
 
 
 class Plain(Exception):
-    """Shown in two lines by notebooks, the call and what is wrong with it; a program gets an exception like any other."""
+    """Shown by notebooks in two lines: the call and its problem. A program gets an ordinary exception."""
 
     def _render_traceback_(self) -> list[str]:
-        """IPython shows this instead of a traceback."""
+        """Return the two lines that IPython shows instead of a traceback."""
         theirs = [one for one in traceback.extract_tb(self.__traceback__) if _OURS not in Path(one.filename).parents]
         called = theirs[-1].line if theirs else ""
         said = gettext(str(self))
@@ -22,19 +22,19 @@ class Plain(Exception):
 
 
 class BadArgument(Plain, ValueError):
-    """An argument that cannot be meant."""
+    """An argument without a valid meaning."""
 
 
 class NotThere(Plain, LookupError):
-    """A thing that does not exist, or not yet."""
+    """An object that does not exist, or does not exist yet."""
 
 
 class NotNow(Plain, RuntimeError):
-    """It cannot be done in this moment."""
+    """An operation that is impossible at the moment."""
 
 
 class TooLate(Plain, TimeoutError):
-    """It did not happen in its time."""
+    """An event that did not happen within its timeout."""
 
 
 __all__ = ["BadArgument", "NotNow", "NotThere", "Plain", "TooLate"]

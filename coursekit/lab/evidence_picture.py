@@ -1,4 +1,4 @@
-"""Evidence as a picture: what was shown, one below the other, under a line that says who, where and when."""
+"""Evidence as a picture: the shown objects from top to bottom, below a line with the name, place and time."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ from collections.abc import Sequence
 from typing import Any
 
 WIDTH = 9.0
-"""Inches."""
+"""The page width in inches."""
 PART = 0.96
-"""How much of the width a part takes."""
+"""The fraction of the page width that a part takes."""
 DPI = 120
 _COLUMNS_OF_PART = round(PART * WIDTH * DPI)
 LINE = 0.17
-"""Inches of a line of text."""
+"""The height of a text line in inches."""
 MOST_LINES = 60
 _COLUMNS = 110
 
 
 def page(heading: str, things: Sequence[Any], kind: str) -> bytes:
-    """A PNG or PDF (`kind`) with all things below the heading."""
+    """Return a PNG or PDF (`kind`) of all `things` below the heading."""
     from matplotlib.figure import Figure
 
     parts = [_part(one) for one in things]
@@ -44,7 +44,7 @@ def page(heading: str, things: Sequence[Any], kind: str) -> bytes:
 
 
 def _part(thing: Any) -> Any:
-    """An image (rows, columns, colours), or text."""
+    """Return an image (rows, columns, channels), or text."""
     data = _image_bytes(thing)
     if data is None:
         lines = [line[at : at + _COLUMNS] for line in _text(thing).splitlines() for at in range(0, len(line) or 1, _COLUMNS)]
@@ -56,7 +56,7 @@ def _part(thing: Any) -> Any:
     if image is None:
         raise ValueError("its picture cannot be read")
     rows, columns = image.shape[:2]
-    if columns > _COLUMNS_OF_PART:  # OpenCV is quick at what matplotlib takes a second for
+    if columns > _COLUMNS_OF_PART:  # OpenCV scales quickly; matplotlib takes a second
         size = (_COLUMNS_OF_PART, max(1, round(rows * _COLUMNS_OF_PART / columns)))
         image = cv2.resize(image, size, interpolation=cv2.INTER_AREA)
     return cv2.cvtColor(image, cv2.COLOR_BGR2RGB)

@@ -1,6 +1,6 @@
-"""Python's values in the line of a magic: `%ros2 run nav2_map_server map_saver_cli -f {workspace()}/room`.
+"""Python values in the line of a magic: `%ros2 run nav2_map_server map_saver_cli -f {workspace()}/room`.
 
-IPython puts them in before the line is divided into words, and a folder such as `José Luis` would become two.
+IPython inserts them before the line is split into words; a folder such as `José Luis` would become two words.
 """
 
 from __future__ import annotations
@@ -16,15 +16,15 @@ from IPython.utils.text import DollarFormatter
 from coursekit.words.gettext import gettext
 
 _PLACE = re.compile("\ue000([0-9]+)\ue001")
-"""Stands for a path until the line is divided; of letters that nobody types."""
+"""The placeholder of a path until the line is split; private-use characters, which nobody types."""
 _NAME = re.compile(r"(?<!\{)\{([A-Za-z_]\w*)\}(?!\})")
-"""A name in braces; IPython leaves the whole line as it is when one has no value."""
+"""A name in braces; IPython leaves the whole line unchanged when one name has no value."""
 _NOWHERE = 100_000
-"""Further than any caller is: only names of the notebook are known."""
+"""A depth beyond any caller: only the notebook's variables are then visible."""
 
 
 class Values(DollarFormatter):
-    """Puts values in; a path stays part of one word, whatever is in its name, and other values may be several words.
+    """Inserts values. A path stays part of one word, whatever its name contains; other values may become several words.
 
     >>> values = Values()
     >>> line = values.vformat("run a b {folder}/x {more}", (), {"folder": PurePath("/my ws"), "more": "-r c:=d"})
@@ -37,20 +37,20 @@ class Values(DollarFormatter):
         self._paths: list[str] = []
 
     def format_field(self, value: Any, format_spec: str) -> str:
-        """The text of a value, or what stands for it."""
+        """Return the text of a value, or the placeholder of a path."""
         if not _is_path(value):
             return str(super().format_field(value, format_spec))
         self._paths.append(str(value))
         return f"\ue000{len(self._paths) - 1}\ue001"
 
     def restored(self, word: str) -> str:
-        """A word with its paths."""
+        """Return a word with its placeholders replaced by paths."""
         return _PLACE.sub(lambda found: self._paths[int(found[1])], word)
 
     def expanded(self, shell: Any, line: str) -> str:
-        """The line of a magic with values of the cell or the function that called it."""
+        """Return the line of a magic with values of the calling cell or function inserted."""
         depth = _frames_to_caller()
-        if shell is None or (depth is None and "{" in line):  # called by a program, whose braces are YAML's
+        if shell is None or (depth is None and "{" in line):  # called by a program: its braces are YAML
             return line
         expanded = str(shell.var_expand(line, depth=_NOWHERE if depth is None else depth, formatter=self))
         for name in _NAME.findall(expanded) if expanded == line else ():
@@ -63,7 +63,7 @@ def _is_path(value: Any) -> bool:
 
 
 def _frames_to_caller() -> int | None:
-    """How many frames above `expanded` the code is that calls the magic; None where IPython did not call it."""
+    """Count the frames from `expanded` up to the code that calls the magic; None if IPython did not call it."""
     frame, depth = sys._getframe(1), 0
     while frame is not None:
         if frame.f_code.co_name == "run_line_magic":

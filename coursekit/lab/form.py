@@ -1,4 +1,4 @@
-"""Forms for messages: which control each field needs, and what was typed back into a message."""
+"""Forms for messages: the control for each field, and the conversion of typed input back into a message."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _WHOLE = {"int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint6
 
 
 def schema(kind: Any) -> list[dict[str, Any]]:
-    """For each field of a message class: name, type, control ('check', 'whole', 'number', 'text', 'list', 'group').
+    """Describe each field of a message class: name, type, control ('check', 'whole', 'number', 'text', 'list', 'group').
 
     >>> from geometry_msgs.msg import Point
     >>> schema(Point)[0]
@@ -63,7 +63,7 @@ def _plain(value: Any) -> Any:
 
 
 def filled(message: Any, typed: dict[str, Any]) -> Any:
-    """`message` with what was typed; ValueError names the field that does not fit.
+    """Fill `message` with the typed values; ValueError names the field whose value does not fit.
 
     >>> from geometry_msgs.msg import Twist
     >>> filled(Twist(), {"linear": {"x": "0.5"}}).linear.x

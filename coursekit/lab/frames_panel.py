@@ -1,4 +1,4 @@
-"""The tree of frames in a notebook: a still picture, or a live one that follows /tf and /tf_static."""
+"""The tree of frames in a notebook: a still picture, or a live view that follows /tf and /tf_static."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from .hidden import HiddenNode
 from .panel import Panel, static
 
 LISTEN_SECONDS = 1.0
-"""How long `frames()` listens before it shows what it heard."""
+"""How long `frames()` listens before it shows the result."""
 
 
 def frames(seconds: float = LISTEN_SECONDS, *, live: bool = False, details: bool = False) -> FrameTree | FramesPanel:
-    """The tree of frames, as view_frames draws it, after listening for `seconds`.
+    """Show the tree of frames, as view_frames draws it, after listening for `seconds`.
 
-    `details` writes broadcaster and times beside each frame. `live=True` follows every change, and shows where a frame
-    is when it is clicked.
+    `details` adds broadcaster and times to each frame. `live=True` follows every change, and shows the pose of a
+    frame when it is clicked.
     """
     if live:
         return FramesPanel(details=details)
@@ -34,7 +34,7 @@ def frames(seconds: float = LISTEN_SECONDS, *, live: bool = False, details: bool
 
 
 class FramesPanel(Panel):
-    """A picture of the frames that follows what is broadcast; `picture()` is the present one."""
+    """A live picture of the broadcast frames; `picture()` returns the current one."""
 
     _esm = static("frames.js")
     _css = static("frames.css")
@@ -47,11 +47,11 @@ class FramesPanel(Panel):
         self._buffer = listen_to_frames(self.hidden.node, self.changed)
 
     def picture(self) -> FrameTree:
-        """The tree as it is now."""
+        """Return the current tree."""
         return FrameTree(self._buffer, self._buffer.now(self.session.clock.now()), details=self._details)
 
     def where(self, frame: str) -> str:
-        """Where a frame is in its parent and in the root of its tree."""
+        """Return the pose of a frame in its parent and in the root of its tree, as text."""
         lines, parent = [frame], self._buffer.parent(frame)
         root = frame
         while (above := self._buffer.parent(root)) is not None and above != frame:
@@ -68,21 +68,21 @@ class FramesPanel(Panel):
         return "\n".join(lines)
 
     def text(self) -> str:
-        """The tree in lines."""
+        """Return the tree as text."""
         return self.picture().text()
 
     def shown(self) -> dict[str, Any]:
-        """The picture, and where the chosen frame is."""
+        """Return the picture, and the pose of the selected frame."""
         said = self.where(self._chosen) if self._chosen else ""
         return {"svg": self.picture().svg(), "chosen": self._chosen, "where": said, "details": self._details}
 
     def on_choose(self, message: dict[str, Any]) -> None:
-        """A frame was clicked; '' closes the text."""
+        """Select the clicked frame; '' closes the text."""
         self._chosen = str(message.get("name", ""))
         self._push()
 
     def on_details(self, message: dict[str, Any]) -> None:
-        """The box was ticked."""
+        """Switch the details on or off."""
         self._details = bool(message.get("on"))
         self._push()
 

@@ -1,4 +1,4 @@
-"""The graph in a notebook: a still picture, or a live one that follows what happens."""
+"""The graph in a notebook: a still picture, or a live view that follows changes."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ _OPTIONS = ("services", "actions", "hidden", "debug")
 
 
 def graph(view: str = "all", *, live: bool = False, **options: bool) -> GraphPicture | GraphPanel:
-    """The graph of nodes and topics, as rqt_graph draws it.
+    """Show the graph of nodes and topics, as rqt_graph draws it.
 
-    `view` is 'nodes', 'active' (topics that connect) or 'all'; `services`, `actions`, `hidden` (names that begin with
-    '_') and `debug` (/rosout, /parameter_events, parameter services) add more. `live=True` follows every change, and
-    shows the details of what is clicked.
+    `view` is 'nodes', 'active' (topics that connect nodes) or 'all'; `services`, `actions`, `hidden` (names that
+    begin with '_') and `debug` (/rosout, /parameter_events, parameter services) add more. `live=True` follows every
+    change, and shows the details of a clicked node or topic.
     """
     unknown = sorted(set(options) - set(_OPTIONS))
     if unknown:
@@ -30,7 +30,7 @@ def graph(view: str = "all", *, live: bool = False, **options: bool) -> GraphPic
 
 
 class GraphPanel(Panel):
-    """A picture that follows the graph; `picture()` is the present one."""
+    """A live picture of the graph; `picture()` returns the current one."""
 
     _esm = static("graph.js")
     _css = static("graph.css")
@@ -41,24 +41,24 @@ class GraphPanel(Panel):
         self._view = view
         self._options = {name: options.get(name, False) for name in _OPTIONS}
         self._chosen = ""
-        self.picture()  # an unknown view is told now
+        self.picture()  # raises for an unknown view
         super().__init__()
         self._graph.watch(self.changed)
 
     def picture(self) -> GraphPicture:
-        """The graph as it is now."""
+        """Return a picture of the current graph."""
         return GraphPicture(self._graph, self._view, **self._options)
 
     def details(self, name: str) -> str:
-        """The output of `ros2 node info` or `ros2 topic info -v` for it."""
+        """Return the output of `ros2 node info` or `ros2 topic info -v` for a node or topic."""
         return details(self._graph, name)
 
     def text(self) -> str:
-        """The graph in lines."""
+        """Return the graph as text."""
         return self.picture().text()
 
     def shown(self) -> dict[str, Any]:
-        """The picture, and what was chosen."""
+        """Return the picture and the selection."""
         said = self.details(self._chosen) if self._chosen else ""
         return {
             "svg": self.picture().svg(),
@@ -69,24 +69,24 @@ class GraphPanel(Panel):
         }
 
     def on_view(self, message: dict[str, Any]) -> None:
-        """Another view was chosen."""
+        """Switch to another view."""
         if message.get("view") in VIEWS:
             self._view = str(message["view"])
         self._push()
 
     def on_option(self, message: dict[str, Any]) -> None:
-        """A box was ticked."""
+        """Switch an option on or off."""
         if message.get("name") in _OPTIONS:
             self._options[str(message["name"])] = bool(message.get("on"))
         self._push()
 
     def on_choose(self, message: dict[str, Any]) -> None:
-        """A node or topic was clicked; '' closes the details."""
+        """Select the clicked node or topic; '' closes the details."""
         self._chosen = str(message.get("name", ""))
         self._push()
 
     def leave(self) -> None:
-        """Watch no more."""
+        """Stop watching the graph."""
         self._graph.unwatch(self.changed)
 
 

@@ -1,4 +1,4 @@
-"""`evidence("s2", graph())` and `hand_in()`: what a practice assignment asks for, and the one file that is handed in."""
+"""`evidence("s2", graph())` and `hand_in()`: the evidence for a practice assignment, and the one file to hand in."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ _NAME = re.compile(r"s\d+(_\d+)?(\.(png|pdf))?")
 
 
 def course_folder() -> Path:
-    """The student's course."""
+    """Return the folder of the student's course."""
     return Path(os.environ.get("COURSEKIT_COURSE", ".")).resolve()
 
 
 def student(name: str = "") -> str:
-    """The student's name: `name`, which is remembered, or the remembered one, or the variable `me` of chapter 0."""
+    """Return the student's name: `name`, which is stored, or the stored name, or the variable `me` of chapter 0."""
     file = course_folder() / ".coursekit" / "student.json"
     shell = running_shell()
     me = shell.user_ns.get("me", "") if shell is not None else ""
@@ -52,7 +52,7 @@ def student(name: str = "") -> str:
 
 
 class Evidence:
-    """A picture that was written; shows itself, but not on the virtual clock: it differs each time."""
+    """A picture that was written. It shows itself, except on the virtual clock, because it differs each time."""
 
     def __init__(self, file: Path, picture: bytes) -> None:
         self.file = file
@@ -66,13 +66,14 @@ class Evidence:
 
 
 def evidence(name: str, *things: Any, by: str = "") -> Evidence | None:
-    """Write what a practice assignment asks for: `evidence("s4_1", graph(), terminal("server_exe"))`.
+    """Write the evidence that a practice assignment asks for: `evidence("s4_1", graph(), terminal("server_exe"))`.
 
-    `name` is as in the assignment, with `.pdf` for a PDF; each of `things` is a terminal, a graph, frames, a viewer, a
-    window, or text. The file lies in `evidence/` of the course folder and shows who (`by`, said once), where and when.
+    `name` is as in the assignment, with `.pdf` for a PDF; each of `things` is a terminal, a graph, frames, a viewer,
+    a window, or text. The file is written to `evidence/` in the course folder and shows the student's name (`by`,
+    given once), the place and the time.
     """
     if os.environ.get("COURSEKIT_GRADING"):
-        return None  # this is a clean run
+        return None  # a clean run
     if not _NAME.fullmatch(name) or not things:
         raise BadArgument(f'Give the name and what is shown: evidence("s2", graph()). Got the name {name!r}.')
     who, facts = student(by), who_and_where()
@@ -88,7 +89,7 @@ def evidence(name: str, *things: Any, by: str = "") -> Evidence | None:
 
 
 class HandedIn:
-    """The file to hand in, or that was handed in at a time, and the mark of the clean run; shows itself."""
+    """The file to hand in, or that was handed in at time `at`, and the mark of the clean run."""
 
     def __init__(self, file: Path, marked: Marked, at: str = "") -> None:
         self.file = file
@@ -111,10 +112,10 @@ class HandedIn:
 
 
 def hand_in(notebook: str | Path = "", *, by: str = "") -> HandedIn | None:
-    """Run the saved notebook afresh, show its mark, and write the one file that is handed in.
+    """Run the saved notebook in a clean run, show its mark, and write the one file to hand in.
 
-    `notebook` need not be said in JupyterLab. On a server whose teachers collect there, the file is handed in, too.
-    Raises an error when what was run is not what is saved.
+    JupyterLab needs no `notebook`. On a server with an exchange folder, the file is also handed in. Raises NotNow
+    when the cells that ran differ from the saved notebook.
     """
     if os.environ.get("COURSEKIT_GRADING"):
         return None  # this is the clean run
@@ -128,7 +129,7 @@ def hand_in(notebook: str | Path = "", *, by: str = "") -> HandedIn | None:
 
 
 def _put_into_exchange(notebook: Path, made: Path) -> str:
-    """Hand a file in where the server has a folder for that; when, or ''."""
+    """Hand in a file if the server has an exchange folder. Returns the time, or ''."""
     folder = os.environ.get(exchange.VARIABLE)
     if not folder:
         return ""
@@ -143,7 +144,7 @@ def _put_into_exchange(notebook: Path, made: Path) -> str:
 
 
 def _notebook(given: str | Path) -> Path:
-    """The notebook's file: as said, or as JupyterLab or VS Code says, or the only one here."""
+    """Return the notebook's file: the given one, the one reported by VS Code or JupyterLab, or the only one here."""
     shell = running_shell()
     told = [given, shell.user_ns.get("__vsc_ipynb_file__", "") if shell else "", os.environ.get("JPY_SESSION_NAME", "")]
     for one in told:

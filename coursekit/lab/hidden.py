@@ -1,4 +1,4 @@
-"""A node of a panel: hidden (its name begins with '_'), with a context of its own, spun beside the notebook."""
+"""The node of a panel: hidden (its name begins with '_'), with its own context, spun in a background thread."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from coursekit.cli.attach import domain_id
 from coursekit.processes.session import Session, current
 
 WAIT_SECONDS = 5.0
-"""How long code waits for an answer before it says that none came."""
+"""The timeout for an answer [s]."""
 
 
 APPEAR_SECONDS = 3.0
-"""How long code waits for a node, topic or service that a cell before may only just have started."""
+"""The timeout for a node, topic or service that an earlier cell may only just have started [s]."""
 
 
 def appears(condition: Callable[[], bool]) -> bool:
-    """Wait until `condition()` holds, at most `APPEAR_SECONDS`; whether it does."""
+    """Wait until `condition()` holds, at most `APPEAR_SECONDS`. Returns whether it holds."""
     clock = current().clock
     give_up = clock.steady() + round(APPEAR_SECONDS * 1e9)
     while not condition() and clock.steady() < give_up:
@@ -26,7 +26,7 @@ def appears(condition: Callable[[], bool]) -> bool:
 
 
 class HiddenNode:
-    """An rclpy node that works until `close`, and leaves nothing behind.
+    """An rclpy node that spins until `close`, and leaves nothing behind.
 
     >>> from coursekit.processes.session import Session
     >>> with Session(virtual=True).use():
@@ -73,14 +73,14 @@ class HiddenNode:
             pass
 
     def close(self) -> None:
-        """Leave the graph and end the execution context; harmless afterwards."""
+        """Leave the graph and shut down the context; further calls have no effect."""
         if self.context.ok():
             self.context.try_shutdown()
             self.node.destroy_node()
             self._executor.wake()
 
     def result(self, future: Any, timeout_sec: float = WAIT_SECONDS) -> Any:
-        """Wait for a future of this node; TimeoutError when nothing comes."""
+        """Wait for a future of this node; TimeoutError when there is no result in time."""
         done = self.session.clock.new_event()
         future.add_done_callback(lambda _: done.set())
         if not future.done() and not done.wait(timeout_sec):

@@ -1,4 +1,4 @@
-"""An image topic in the notebook, live."""
+"""A live view of an image topic in the notebook."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from .picture import Picture
 
 
 class _Taker:
-    """Takes each message as it comes and keeps the newest."""
+    """Takes each message on arrival and keeps the newest."""
 
     def __init__(self, view: ImageView) -> None:
         self._view = view
 
     def put(self, subscription: Any) -> None:
-        """A message waits."""
+        """Take the queued messages."""
         subscription.queued = False
         while (entry := subscription.take()) is not None:
             self._view.take(entry[0])
@@ -31,7 +31,8 @@ class _Taker:
 class ImageView(Picture):
     """Shows a topic of sensor_msgs/Image or CompressedImage; made by `image_view`.
 
-    `message` is the newest one, `count` says how many have come, `drawn` which of them the browser got last.
+    `message` is the newest message, `count` the number received, `drawn` the number of the last one sent to the
+    browser.
     """
 
     def __init__(self, topic: str) -> None:
@@ -51,14 +52,14 @@ class ImageView(Picture):
         self._node = node
 
     def take(self, message: Any) -> None:
-        """A newer message is here."""
+        """Store a newer message."""
         self.message = message
         self.count += 1
         self.news()
 
     @property
     def image(self) -> Any:
-        """The newest image, blue first; None before the first."""
+        """The newest image in BGR order; None before the first."""
         return self._newest()
 
     def _newest(self) -> Any:
@@ -70,7 +71,7 @@ class ImageView(Picture):
         return self.topic
 
     def note(self) -> str:
-        """Size and encoding of the newest image."""
+        """The size and encoding of the newest image."""
         message = self.message
         if message is None:
             return ""
@@ -79,7 +80,7 @@ class ImageView(Picture):
         return f"{message.format}, {len(message.data)} bytes"
 
     def is_open(self) -> bool:
-        """Whether somebody publishes the topic."""
+        """Whether the topic has a publisher."""
         return bool(current().graph(domain_id()).publishers.get(self.topic))
 
     def __repr__(self) -> str:
@@ -89,5 +90,5 @@ class ImageView(Picture):
 
 
 def image_view(topic: str = "/camera/image_raw") -> ImageView:
-    """The newest image of a topic, live; `.image` is that image as an array, blue first."""
+    """Show the newest image of a topic, live; `.image` is that image as an array in BGR order."""
     return ImageView(topic)

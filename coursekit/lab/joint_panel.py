@@ -15,7 +15,7 @@ from .panel import Panel, static
 
 START = "Start one: %ros2 run joint_state_publisher_gui joint_state_publisher_gui &"
 shown: list[Callable[[Board], None]] = []
-"""Called with a board when a cell shows its sliders: their window goes then."""
+"""Callbacks for a board whose sliders a cell shows: they close its window."""
 
 
 class JointPanel(Panel):
@@ -34,7 +34,7 @@ class JointPanel(Panel):
             self._board = self._find()
             if self._board is None:
                 raise NotThere(f"No {self._wanted or 'joint_state_publisher_gui'} runs. {START}")
-            appears(lambda: bool(self.board.model.free))  # it begins before the robot's description comes
+            appears(lambda: bool(self.board.model.free))  # the node starts before the robot description arrives
         except BaseException:
             self.close()
             raise
@@ -58,11 +58,13 @@ class JointPanel(Panel):
 
     @property
     def positions(self) -> dict[str, float]:
-        """Where the joints are (rad or m)."""
+        """The positions of the joints [rad or m]."""
         return {name: joint.position or 0.0 for name, joint in self.board.model.free.items()}
 
     def move(self, name: str, position: float) -> None:
-        """Move a slider, as a hand would (rad or m); LookupError if there is none of that name, ValueError for no number."""
+        """Move a slider, as a user would [rad or m]; LookupError for an unknown joint, ValueError if `position` is no
+        number.
+        """
         try:
             self.board.move(name, position)
         except LookupError as error:
@@ -71,11 +73,11 @@ class JointPanel(Panel):
             raise BadArgument(f"The joint '{name}' cannot be put to {position!r}: give a number, rad or m") from None
 
     def center(self) -> None:
-        """Press the button Center."""
+        """Press the Center button."""
         self.board.center()
 
     def randomize(self) -> None:
-        """Press the button Randomize."""
+        """Press the Randomize button."""
         self.board.randomize()
 
     # -- what is shown
@@ -103,23 +105,23 @@ class JointPanel(Panel):
         ]
 
     def shown(self) -> dict[str, Any]:
-        """The sliders."""
+        """Return the rows of sliders."""
         if self._board is None:
             return {"node": "", "running": False, "rows": []}
         return {"node": self.board.full_name, "running": self.board.running, "rows": self._rows()}
 
     def on_move(self, message: dict[str, Any]) -> None:
-        """A slider was moved."""
+        """Handle a moved slider."""
         name, value = message.get("name"), message.get("value")
         if name in self.board.model.free and isinstance(value, int | float) and math.isfinite(value):
             self.board.move(str(name), float(value))
 
     def on_center(self, _message: dict[str, Any]) -> None:
-        """The button."""
+        """Handle the Center button."""
         self.board.center()
 
     def on_randomize(self, _message: dict[str, Any]) -> None:
-        """The button."""
+        """Handle the Randomize button."""
         self.board.randomize()
 
     def leave(self) -> None:
@@ -128,14 +130,14 @@ class JointPanel(Panel):
 
 
 def _drawable(limit: float) -> float:
-    """Limits beyond reason are drawn as a thousand."""
+    """Clip a limit to +-1000 for drawing."""
     return max(-1000.0, min(1000.0, limit))
 
 
 def joint_sliders(node: str = "") -> JointPanel:
-    """A slider for every joint of a running joint_state_publisher_gui, the newest or the one named.
+    """Show a slider for every joint of a running joint_state_publisher_gui: the named node, or the newest.
 
-    From code: `joint_sliders().move("head_swivel", 0.5)`. LookupError: none runs.
+    From code: `joint_sliders().move("head_swivel", 0.5)`. LookupError: no such node runs.
 
     In ROS 2: the window of `ros2 run joint_state_publisher_gui joint_state_publisher_gui`.
     """

@@ -1,4 +1,4 @@
-"""The windows of joint_state_publisher_gui nodes: sliders below the cell that started them, until a cell shows them."""
+"""Windows of joint_state_publisher_gui nodes: sliders below the cell that started the node, until a cell shows them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _windows = NodeWindows(boards, lambda board: JointPanel(board.full_name))
 
 
 def show_joint_windows() -> None:
-    """Have joint_state_publisher_gui nodes show their windows in this notebook."""
+    """Show the windows of joint_state_publisher_gui nodes in this notebook."""
     _windows.watch()
     if _windows.hide not in shown:
         shown.append(_windows.hide)

@@ -1,4 +1,4 @@
-"""Making room without losing anything: what is in the way is kept beside the workspace."""
+"""Make room without losing anything: existing folders are moved beside the workspace."""
 
 from __future__ import annotations
 
@@ -15,10 +15,11 @@ from .written import Written
 
 
 def set_aside(*names: str) -> None:
-    """Make room for packages or folders that a chapter makes anew: what is there goes to `kept/` in the course's folder.
+    """Make room for packages or folders that a chapter creates again: existing ones move to `kept/` in the course
+    folder.
 
-    A name is a path in the workspace or the current folder. What is not there is passed over without a word, and what
-    is kept already is not kept twice. RuntimeError when something cannot be moved.
+    A name is a path in the workspace or the current folder. A missing name is ignored silently. Content that is
+    already kept is not kept twice. RuntimeError when a folder cannot be moved.
     """
     for name in names:
         for path in dict.fromkeys((workspace() / name, Path(name).resolve())):
@@ -31,7 +32,7 @@ def _keep(path: Path) -> str:
     folder = Path(os.environ.get("COURSEKIT_COURSE", ".")).resolve() / "kept"
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        (folder / "COLCON_IGNORE").touch()  # its packages have the names of those in the workspace
+        (folder / "COLCON_IGNORE").touch()  # its packages have the same names as those in the workspace
         number = 1 + max((int(one.name.rpartition("-")[2]) for one in _earlier(folder, path.name)), default=0)
         target = folder / f"{path.name}-{number}"
         if number > 1 and _same(path, folder / f"{path.name}-{number - 1}"):
@@ -51,7 +52,7 @@ def _earlier(folder: Path, name: str) -> list[Path]:
 
 
 def _same(one: Path, other: Path) -> bool:
-    """Whether two folders hold the same files with the same bytes, but for what Python compiles."""
+    """Whether two folders hold the same files with the same bytes, apart from `__pycache__`."""
     if not (one.is_dir() and other.is_dir()):
         return False
     left, right = _names(one), _names(other)

@@ -28,22 +28,22 @@ from .network import NetworkMagics
 from .panel import end_panels
 
 SUBSHELL_SECONDS = 0.5
-"""A page that makes no subshell in this time is none, or is busy [s]."""
+"""The timeout for the page to create a subshell; without one by then there is no page, or it is busy [s]."""
 NO_FOLDERS_KEPT = "This is now an optional IPython functionality"
-"""The warning of IPython 8, the last for Python 3.10, at every %cd: it does not remember folders for the next kernel."""
+"""The warning of IPython 8 (the last for Python 3.10) at every %cd: folders are not remembered for the next kernel."""
 _state: dict[str, Any] = {}
 
 
 def start() -> Session:
-    """Make this kernel's session: once; further calls give the same one."""
+    """Create this kernel's session; further calls return the same session."""
     session = current()
     if _state.get("session") is session:
         return session
     _state["session"] = session
     source_underlay(os.environ)
-    os.environ.setdefault("COURSEKIT_COURSE", os.path.abspath("."))  # said once: a cell may change the folder
+    os.environ.setdefault("COURSEKIT_COURSE", os.path.abspath("."))  # set once: a cell may change the folder
     os.environ.setdefault("COURSEKIT_WORKSPACE", os.path.abspath("ros2_ws"))
-    with contextlib.suppress(OSError):  # a folder that can only be read may still be looked at; writing says what is wrong
+    with contextlib.suppress(OSError):  # a read-only folder can still be viewed; writing raises the error
         os.makedirs(os.environ["COURSEKIT_WORKSPACE"], exist_ok=True)
     session.open()
     shell = running_shell()
@@ -68,7 +68,7 @@ def start() -> Session:
 
 
 def _have_a_subshell(session: Session, kernel: Any) -> None:
-    """Show JupyterLab a widget now: with the first it makes the subshell that answers panels while a cell runs."""
+    """Show JupyterLab a widget now: at the first widget it creates the subshell that serves panels while a cell runs."""
     if session.clock.virtual or "first widget" in _state:
         return
     _state["first widget"] = ipywidgets.Layout()
@@ -84,20 +84,20 @@ def _begin_cell(session: Session, kernel: Any) -> None:
 
 
 def _serve_terminals(session: Session) -> None:
-    """Have the terminals of the domain: the notebook that is opened last has them, until a cell of another is run."""
+    """Serve the terminals of the domain: the notebook opened last owns them, until a cell of another notebook runs."""
     _state["server"] = serve(session, domain_id(), notebook_name(), take=True)
     if _state["server"] is None:
         print(gettext("Terminals cannot reach this notebook. What is wrong, and the cure: !coursekit doctor"))
 
 
 def notebook_name() -> str:
-    """The file of this kernel's notebook, as far as Jupyter or VS Code tells it."""
+    """Return the file name of this kernel's notebook, if Jupyter or VS Code reports it."""
     path = os.environ.get("JPY_SESSION_NAME") or running_variables().get("__vsc_ipynb_file__") or "a notebook"
     return os.path.basename(str(path))
 
 
 def running_variables() -> dict[str, Any]:
-    """The variables of the notebook; none outside of one."""
+    """Return the variables of the notebook; empty outside of a notebook."""
     return dict(getattr(running_shell(), "user_ns", {}))
 
 
@@ -118,7 +118,7 @@ def _stop() -> None:
 
 
 def reset() -> None:
-    """End every process and node of the session, as if the kernel had been restarted; variables stay."""
+    """End every process and node of the session, as after a kernel restart; variables stay."""
     session = start()
     _claim_terminals()
     ended = len(session.processes)
@@ -140,7 +140,7 @@ def reset() -> None:
 
 
 def _farewell(processes: int, nodes: int) -> str:
-    """What a reset has ended, in words.
+    """Describe what a reset has ended.
 
     >>> _farewell(0, 0)
     'Reset: nothing was running. The graph is empty.'
@@ -159,7 +159,7 @@ def _farewell(processes: int, nodes: int) -> str:
 
 def leave_network(session: Session) -> bool:
     """Leave the network, if one was joined."""
-    joining = sys.modules.get("coursekit.net.joining")  # not imported: nobody has joined one
+    joining = sys.modules.get("coursekit.net.joining")  # not imported means never joined
     return joining is not None and bool(joining.leave(session))
 
 

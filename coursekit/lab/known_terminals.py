@@ -1,4 +1,4 @@
-"""The terminals of this notebook by their names: what `terminal(name)` finds."""
+"""The terminals of this notebook by name, as found by `terminal(name)`."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ KNOWN: dict[str, Any] = {}
 
 
 def failed() -> list[Any]:
-    """Those whose programs ended with an error of their own, not by a signal."""
+    """Return the terminals whose programs ended with an error exit code, not by a signal."""
     return [shown for shown in KNOWN.values() if (shown.process.exit_code or 0) > 0]
 
 

@@ -10,9 +10,9 @@ from .errors import BadArgument
 from .panel import Panel, static
 
 KEPT = 2000
-"""Lines that the console remembers."""
+"""How many lines the console keeps."""
 SENT = 300
-"""Lines that the browser shows at most: the newest that pass the filters."""
+"""How many lines the browser shows at most: the newest that pass the filters."""
 LEVELS = {10: "DEBUG", 20: "INFO", 30: "WARN", 40: "ERROR", 50: "FATAL"}
 _NUMBERS = {name: number for number, name in LEVELS.items()}
 
@@ -45,19 +45,19 @@ class LogConsole(Panel):
     # -- from code
 
     def filter(self, level: str | None = None, node: str | None = None, text: str | None = None) -> None:
-        """Show only this level and above, this node, lines that hold this text; None leaves a filter as it is."""
+        """Show only this level and above, this node, or lines containing this text; None leaves a filter unchanged."""
         for name, value in (("level", level), ("node", node), ("text", text)):
             if value is not None:
                 self._filters[name] = value
         self.changed()
 
     def pause(self, on: bool = True) -> None:
-        """Hold what is shown; it goes on being collected."""
+        """Freeze the displayed lines; collecting continues."""
         self._paused = list(self._entries) if on else None
         self.changed()
 
     def clear(self) -> None:
-        """Forget all lines."""
+        """Delete all lines."""
         self._entries.clear()
         self._counts.clear()
         self._paused = None if self._paused is None else []
@@ -70,18 +70,18 @@ class LogConsole(Panel):
     def _passing(self) -> list[Any]:
         least, node, text = _NUMBERS[self._filters["level"]], self._filters["node"], self._filters["text"].lower()
         kept = list(self._entries) if self._paused is None else self._paused
-        kept = sorted(kept, key=lambda one: (one.stamp.sec, one.stamp.nanosec))  # a late listener hears node by node
+        kept = sorted(kept, key=lambda one: (one.stamp.sec, one.stamp.nanosec))  # a late subscriber gets them node by node
         return [one for one in kept if one.level >= least and node in ("", one.name) and text in one.msg.lower()]
 
     # -- what is shown
 
     def text(self) -> str:
-        """The counts and the last ten lines."""
+        """Return the counts and the last ten lines."""
         counts = ", ".join(f"{self._counts[name]} {name}" for name in _NUMBERS if self._counts[name])
         return "\n".join([f"log: {counts or 'nothing yet'}", *self.lines()[-10:]])
 
     def shown(self) -> dict[str, Any]:
-        """The newest lines, the counts and the filters."""
+        """Return the newest lines, the counts and the filters."""
         passing = self._passing()
         return {
             "lines": [
@@ -102,30 +102,30 @@ class LogConsole(Panel):
         }
 
     def on_filter(self, message: dict[str, Any]) -> None:
-        """A filter was changed."""
+        """Handle a changed filter."""
         level = message.get("level")
         self.filter(level if level in _NUMBERS else None, message.get("node"), message.get("text"))
         self._push()
 
     def on_pause(self, message: dict[str, Any]) -> None:
-        """The button was pressed."""
+        """Handle the pause button."""
         self.pause(bool(message.get("on")))
         self._push()
 
     def on_clear(self, _message: dict[str, Any]) -> None:
-        """The button was pressed."""
+        """Handle the clear button."""
         self.clear()
         self._push()
 
 
 def _clock_time(stamp: Any) -> str:
-    """Hours to milliseconds of a time, UTC."""
+    """Format a UTC time from hours to milliseconds."""
     seconds = stamp.sec % 86400
     return f"{seconds // 3600:02}:{seconds // 60 % 60:02}:{seconds % 60:02}.{stamp.nanosec // 1_000_000:03}"
 
 
 def log_console(level: str = "DEBUG", node: str = "", text: str = "") -> LogConsole:
-    """The log lines of nodes, with filters by level, node and text.
+    """Show the log lines of nodes, with filters by level, node and text.
 
     In ROS 2: `ros2 topic echo /rosout`, or rqt's console.
     """

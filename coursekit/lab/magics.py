@@ -1,4 +1,4 @@
-"""`%ros2` and `%colcon`: the commands that a terminal has, in a cell."""
+"""`%ros2` and `%colcon`: terminal commands in a cell."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _DURATION = re.compile(r"\[[0-9.]+(min )?[0-9.]*s(?=[],])")
 
 
 def terminal(name: str) -> Terminal:
-    """The newest terminal of that name: of the executable, the launch file, or what `--name` gave it."""
+    """Return the newest terminal named after the executable, the launch file, or the value of `--name`."""
     try:
         return KNOWN[name]
     except KeyError:
@@ -39,20 +39,20 @@ def terminal(name: str) -> Terminal:
 
 
 def show_as(name: str, shown: Terminal) -> None:
-    """Have `terminal(name)` find a terminal."""
+    """Register a terminal under a name for `terminal(name)`."""
     KNOWN[name] = shown
 
 
 def terminals(*names: str, columns: int = 2) -> Terminals:
-    """Terminals side by side; all of them when no name is given."""
+    """Show terminals side by side; all of them when no name is given."""
     return Terminals([terminal(name) for name in names] or list(KNOWN.values()), columns)
 
 
 def edit(path: str, old: str, new: str) -> None:
     """Replace `old` by `new` in a file of the workspace and show the new lines.
 
-    It can be run again at any time: an addition that is there is not added twice, and a cell whose edit was changed
-    replaces its own earlier one. LookupError when the file or the text is not there.
+    It can be run again at any time. An existing addition is not added twice, and a cell with a changed edit replaces
+    its own earlier edit. LookupError when the file or the text is missing.
     """
     file = workspace() / path
     if not file.is_file():
@@ -70,12 +70,12 @@ class CourseMagics(Magics):
     @no_var_expand
     @line_magic
     def ros2(self, line: str) -> Terminal | None:
-        """Run a `ros2` command; with `&` at the end it goes on in a terminal of its own.
+        """Run a `ros2` command; with `&` at the end it runs on in its own terminal.
 
         %ros2 topic list
         %ros2 run demo_nodes_py talker &
         %ros2 --stop-after 3 topic echo /chatter
-        %ros2 --stop-after 3 --until "data:" topic echo /chatter  (longer, where nothing was said by then)
+        %ros2 --stop-after 3 --until "data:" topic echo /chatter  (longer, if there was no such output by then)
         """
         from coursekit.cli.parser import run
 
@@ -91,7 +91,7 @@ class CourseMagics(Magics):
     @no_var_expand
     @line_magic
     def colcon(self, line: str) -> Terminal | None:
-        """Run colcon, in the folder of `--workspace` or the current one."""
+        """Run colcon in the folder of `--workspace`, or in the current workspace."""
         options, argv, background = self._words(line)
         folder = Path(options.get("workspace") or workspace())
         folder.mkdir(parents=True, exist_ok=True)
@@ -100,7 +100,7 @@ class CourseMagics(Magics):
         if virtual and argv[:1] == ["build"]:
             command += ["--executor", "sequential"]
         env = dict(os.environ) | {"PYTHONUNBUFFERED": "1"}
-        env.pop("PYTHONDONTWRITEBYTECODE", None)  # setuptools would warn of it in every build
+        env.pop("PYTHONDONTWRITEBYTECODE", None)  # setuptools would warn about it in every build
 
         def begin() -> Any:
             process = ChildProcess(current(), command, name="colcon", cwd=folder, env=env, takes_time=False, one_stream=True)
@@ -112,7 +112,7 @@ class CourseMagics(Magics):
     def write(self, line: str, cell: str) -> None:
         """Write the cell to a file of the workspace: `%%write src/my_package/my_package/my_node.py`.
 
-        `%%write -a FILE` puts it below what the file holds. A cell that is run again replaces its own part.
+        `%%write -a FILE` appends it to the file. A cell that is run again replaces its own part.
         """
         name = line.strip()
         append = name.startswith("-a ")
@@ -129,7 +129,7 @@ class CourseMagics(Magics):
 
     @line_magic
     def show(self, line: str) -> None:
-        """Print a file of the workspace, or list a folder of it: `%show src/my_package/setup.py`."""
+        """Print a file of the workspace, or list one of its folders: `%show src/my_package/setup.py`."""
         path = workspace() / line.strip()
         if path.is_dir():
             files = (one for one in sorted(path.rglob("*")) if one.is_file() and "__pycache__" not in one.parts)
@@ -140,7 +140,7 @@ class CourseMagics(Magics):
             print(f"There is no {line.strip()} in {workspace().name}/. Is the name right, was the cell above run?")
 
     def _words(self, line: str) -> tuple[dict[str, str], list[str], bool]:
-        """The result of `_read` for a line, with the values of names in braces and after `$`."""
+        """Return the result of `_read` for a line, with the values of names in braces and after `$` inserted."""
         values = Values()
         options, argv, background = _read(values.expanded(self.shell, line))
         told = {name: values.restored(value) for name, value in options.items()}
@@ -148,7 +148,7 @@ class CourseMagics(Magics):
 
 
 def _read(line: str) -> tuple[dict[str, str], list[str], bool]:
-    """Our own options (before the command), the command, and whether it ends with `&`."""
+    """Split a line into coursekit's own options (before the command), the command, and whether it ends with `&`."""
     words = split_words(line)
     background = bool(words) and words[-1] == "&"
     words = words[:-1] if background else words
@@ -160,39 +160,39 @@ def _read(line: str) -> tuple[dict[str, str], list[str], bool]:
 
 
 def _title(argv: list[str]) -> str:
-    """The title of a terminal: for `run` and `launch` the last name, else the command."""
+    """Return the title of a terminal: the executable or launch file of `run` and `launch`, else the command."""
     if argv[:1] in (["run"], ["launch"]) and len(argv) > 2:
         return argv[2]
     return " ".join(argv[:3])
 
 
 def _to_cell(background: bool, change: Any = str) -> Any:
-    """Where output goes: into the cell that waits for it, or only into the terminal."""
+    """Return the output sink: the waiting cell, or None for only the terminal."""
     if background:
         return None
-    cell = contextvars.copy_context()  # it knows the cell, also in the thread that reads a child process
+    cell = contextvars.copy_context()  # identifies the cell, also in the reader thread of a child process
     return lambda stream, text: cell.copy().run(print, _without_folders(change(text)), end="")
 
 
 def _without_folders(text: str) -> str:
-    """Where every run has to print the same, the folder of the course is called `~`."""
+    """Replace the course folder by `~` on the virtual clock, where every run must print the same."""
     folder = str(workspace().parent)
-    quoted = folder.replace("\\", "\\\\")  # as in a repr of Windows' paths
+    quoted = folder.replace("\\", "\\\\")  # as in the repr of a Windows path
     return text.replace(quoted, "~").replace(folder, "~") if current().clock.virtual else text
 
 
 def _without_durations(text: str) -> str:
-    """The time of a build is left out where every run has to print the same."""
+    """Replace the build durations, for runs that must print the same."""
     return _DURATION.sub("[0.00s", text)
 
 
 def workspace() -> Path:
-    """The student's workspace."""
+    """Return the student's workspace."""
     return Path(os.environ.get("COURSEKIT_WORKSPACE", "ros2_ws")).resolve()
 
 
 def _attend(begin: Callable[[], Any], title: str, options: dict[str, str], background: bool) -> Terminal | None:
-    """Begin a process and wait for it, or give it a terminal that can begin it again."""
+    """Start a process and wait for it, or give it a terminal that can restart it."""
     process = begin()
     if background:
         shown = Terminal(process, title, again=lambda: adopt(shown.process, begin()))
@@ -212,7 +212,7 @@ def _attend(begin: Callable[[], Any], title: str, options: dict[str, str], backg
 
 
 def _end(process: Any) -> None:
-    """Press Ctrl-C, and more if that does not help."""
+    """Press Ctrl-C; kill the process if that does not help."""
     process.interrupt()
     if process.wait(5.0) is None:
         print(gettext(f"{process.name} ignores Ctrl-C; it was terminated."))
@@ -221,7 +221,7 @@ def _end(process: Any) -> None:
 
 
 def workspace_environment(folder: str | None = None) -> dict[str, str]:
-    """The environment after `source install/setup.bash` of the workspace, if it has been built."""
+    """Return the environment after `source install/setup.bash` of the workspace, if it has been built."""
     env = dict(os.environ)
     install = (Path(folder).resolve() if folder else workspace()) / "install"
     if install.is_dir():

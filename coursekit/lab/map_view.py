@@ -1,4 +1,4 @@
-"""A map as a picture, beside the true world and the ways that were driven."""
+"""A map as a picture, with the true world and the driven paths."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ from .tour import Tour
 
 WAIT_SECONDS = 5.0
 SCAN_HEIGHT = 0.175
-"""Where the true world is cut when nothing else is said [m]."""
+"""The default height at which the true world is cut [m]."""
 _COLOURS = {"truth": "#16a34a", "odometry": "#ea7317", "SLAM": "#2563eb"}
 
 _INK = "#76828c"
-"""Of the scale: read on a light page and on a dark one."""
+"""The colour of the scale: legible on light and dark pages."""
 
 
 class MapView:
-    """A map that was received or read; shows itself. `grid` has its cells, `comparison` how good it is, if that is known."""
+    """A map that was received or loaded; shows itself. `grid` has its cells, `comparison` its quality, if known."""
 
     def __init__(self, grid: GridMap, outline: np.ndarray | None, tour: Tour | None) -> None:
-        from coursekit.nav.map_compare import compare  # SciPy, which takes half a second to import
+        from coursekit.nav.map_compare import compare  # SciPy takes half a second to import
 
         self.grid, self.outline, self.tour = grid, outline, tour
         self.comparison = None if outline is None else compare(grid, outline)
@@ -42,12 +42,12 @@ class MapView:
         return "\n".join(lines + ([str(self.comparison)] if self.comparison else []))
 
     def _repr_png_(self) -> bytes:
-        return self.png(paper="none")  # in a page that is light or dark
+        return self.png(paper="none")  # the page may be light or dark
 
     def png(self, width: float = 8.0, paper: str = "white") -> bytes:
-        """The picture, `width` inches wide: white free, black wall, grey unknown; the true walls in red.
+        """Return the picture, `width` inches wide: white free, black wall, grey unknown; the true walls in red.
 
-        `paper` is the colour around the map, "none" for what is behind it.
+        `paper` is the colour around the map; "none" is transparent.
         """
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
@@ -80,7 +80,7 @@ class MapView:
 
 
 def _window(grid: GridMap) -> tuple[float, float, float, float]:
-    """The known part and half a metre: left, right, low, high [m]."""
+    """Return the bounds of the known part with a margin of half a metre: left, right, low, high [m]."""
     rows, columns = np.nonzero(grid.cells >= 0)
     if not len(rows):
         rows, columns = np.array([0, grid.cells.shape[0]]), np.array([0, grid.cells.shape[1]])
@@ -90,7 +90,7 @@ def _window(grid: GridMap) -> tuple[float, float, float, float]:
 
 
 def true_outline(robot: str = "", height: float = SCAN_HEIGHT) -> np.ndarray:
-    """Points (n, 2) of all true walls at a height [m], as seen from where a robot of the simulator began: map's frame."""
+    """Return points (n, 2) of all true walls at a height [m], in the map frame: the start pose of the simulated robot."""
     from coursekit.nav.map_compare import outline_points
 
     name, one = robot_name(robot), simulator()
@@ -104,16 +104,17 @@ def true_outline(robot: str = "", height: float = SCAN_HEIGHT) -> np.ndarray:
 
 
 def _reach(robot: Any) -> float:
-    """A circle about the robot's middle that holds all of it [m]."""
+    """Return the radius of a circle about the robot's centre that contains the whole robot [m]."""
     corners = [part.corners() for part in robot.model.parts]
     return float(np.hypot(*np.concatenate(corners).T).max()) + 0.02 if corners else 0.0
 
 
 def map_view(source: str | Path = "/map", *, truth: bool = False, tour: Tour | None = None, robot: str = "") -> MapView:
-    """A map as a picture: of a topic, or of a .yaml file.
+    """Show a map as a picture, from a topic or a .yaml file.
 
-    `truth` lays the walls of the simulated world over it and says how well they agree; `tour` draws what `drive_along`
-    noted. LookupError: there is no such topic; TimeoutError: nothing came; MapError: the file is no map.
+    `truth` overlays the walls of the simulated world and reports how well they agree; `tour` draws the tracks
+    recorded by `drive_along`. LookupError: there is no such topic; TimeoutError: no map arrived; MapError: the file
+    is no map.
     """
     name = str(source)
     grid = load_map(name) if name.endswith((".yaml", ".yml")) else _heard(name)

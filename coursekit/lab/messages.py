@@ -1,4 +1,4 @@
-"""Hearing a topic from a notebook: its type, a fitting quality of service, its messages as text."""
+"""Receiving a topic in a notebook: its type, a compatible quality of service, its messages as text."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ TRUNCATE = 128
 
 
 def known_type(graph: Any, topic: str) -> str:
-    """The type of a topic in the graph; LookupError with near names when it is not there or has several."""
+    """Return the type of a topic in the graph; LookupError with similar names if it is missing or has several types."""
     appears(lambda: topic in dict(graph.topics()))
     types = dict(graph.topics()).get(topic)
     if not types:
@@ -28,7 +28,7 @@ def known_type(graph: Any, topic: str) -> str:
 
 
 def listen(hidden: HiddenNode, topic: str, callback: Callable[[Any], None]) -> Any:
-    """Subscribe with a quality that fits the publishers there are; the subscription."""
+    """Subscribe with a quality of service compatible with the publishers. Returns the subscription."""
     from rclpy.qos import qos_profile_sensor_data
     from rosidl_runtime_py.utilities import get_message
 
@@ -41,14 +41,14 @@ def listen(hidden: HiddenNode, topic: str, callback: Callable[[Any], None]) -> A
 
 
 def as_yaml(msg: Any) -> str:
-    """A message as `ros2 topic echo` prints it; long arrays and texts are cut."""
+    """Format a message as `ros2 topic echo` prints it; long arrays and texts are truncated."""
     from rosidl_runtime_py import message_to_yaml
 
     return str(message_to_yaml(msg, truncate_length=TRUNCATE)).rstrip("\n")
 
 
 def echo(topic: str, n: int = 1, timeout_sec: float = 10.0) -> None:
-    """Print the next `n` messages of a topic, as `ros2 topic echo` does; TimeoutError when they do not come."""
+    """Print the next `n` messages of a topic, as `ros2 topic echo` does; TimeoutError when they do not arrive in time."""
     hidden = HiddenNode("echo")
     heard: list[Any] = []
     enough = hidden.session.clock.new_event()

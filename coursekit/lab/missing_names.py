@@ -1,4 +1,4 @@
-"""Names that other cells make: after a restart of the kernel they are missing, and the cell says what to run."""
+"""Names that other cells define: after a kernel restart they are missing, and the cell prints which cells to run."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from coursekit.words.gettext import gettext
 
 
 def install(shell: Any) -> None:
-    """Have a cell that ends with a NameError say that another one makes the name."""
+    """Print advice after a cell that ends with a NameError for a name that another cell defines."""
     shell.events.register("post_run_cell", _look)
 
 
@@ -27,7 +27,7 @@ def _look(result: Any) -> None:
 
 
 def advice(name: str, cells: Iterable[str]) -> str:
-    """Advice about a name that is missing; empty unless one of these cells makes it.
+    """Return advice about a missing name; empty unless one of these cells defines it.
 
     >>> advice("robot", ["%cd -q src", "robot = load('vera.urdf')"])
     '`robot` is made in another cell. After a restart run those above first: menu Run, Run All Above Selected Cell.'
@@ -41,7 +41,7 @@ def advice(name: str, cells: Iterable[str]) -> str:
 
 
 def _made_by(source: str) -> Iterator[str]:
-    """The names that a cell assigns, defines or imports; none of one that is not Python."""
+    """Yield the names that a cell assigns, defines or imports; none for a cell that is not Python."""
     try:
         tree = ast.parse(TransformerManager().transform_cell(source))
     except SyntaxError:
@@ -56,7 +56,7 @@ def _made_by(source: str) -> Iterator[str]:
 
 
 def _cells() -> list[str]:
-    """The code cells of this kernel's notebook as they were saved last; none where it has no file."""
+    """Return the code cells of this kernel's notebook as last saved; empty if it has no file."""
     try:
         saved = json.loads(read_text(Path(os.environ.get("JPY_SESSION_NAME", ""))))
         return ["".join(cell["source"]) for cell in saved["cells"] if cell["cell_type"] == "code"]

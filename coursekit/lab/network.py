@@ -23,14 +23,14 @@ HELP = """%network ADDRESS [--listen-only] [--user NAME] [--certificate FILE] [-
 
 @magics_class
 class NetworkMagics(Magics):
-    """The network of the notebook."""
+    """The magic for the notebook's network."""
 
     @line_magic
     def network(self, line: str) -> None:
-        """Join a network, leave it, or tell about it.
+        """Join a network, leave it, or report its state.
 
         %network tcp/robot:7447
-        %network tcp/robot:7447 --listen-only    (hear, and send nothing)
+        %network tcp/robot:7447 --listen-only    (receive, and send nothing)
         %network
         %network off
         """
@@ -68,7 +68,7 @@ def _join(words: argparse.Namespace) -> None:
 
 
 def _confirmed(moves: list[str]) -> bool:
-    """Ask the user; where nobody can be asked, the answer is no."""
+    """Ask the user for confirmation; where no input is possible, the answer is no."""
     print(gettext("This would move a robot as soon as you join:"), *(f"  {one}" for one in moves), sep="\n")
     try:
         asked = gettext("Is the robot's path clear, and somebody at its stop button? Type yes to join: ")

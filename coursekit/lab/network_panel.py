@@ -1,4 +1,4 @@
-"""The network that this notebook has joined: who is there, what is heard and sent, how often and how long it takes."""
+"""The network that this notebook has joined: its members, the traffic in both directions, rates and delays."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from coursekit.net.report import Report
 
 LOOK_AGAIN_S = 1.0
-"""Rates fall to nothing when others fall silent: somebody has to look."""
+"""The refresh period: rates must fall to zero when others fall silent, so they are polled."""
 HOW_TO_JOIN = "%network ADDRESS"
 
 
@@ -36,7 +36,7 @@ class NetworkPanel(Panel):
     # -- what is shown
 
     def shown(self) -> dict[str, Any]:
-        """The state, and the rows of the tables."""
+        """Return the state and the rows of the tables."""
         self.look_again(LOOK_AGAIN_S)
         found = self._report()
         if found is None:
@@ -54,26 +54,26 @@ class NetworkPanel(Panel):
         }
 
     def text(self) -> str:
-        """The lines of `%network`."""
+        """Return the lines of `%network`."""
         from coursekit.net.report import NOT_JOINED
 
         found = self._report()
         return NOT_JOINED if found is None else "\n".join(found.lines())
 
     def on_leave(self, _message: dict[str, Any]) -> None:
-        """The button was pressed."""
+        """Handle the leave button."""
         from coursekit.net.joining import leave
 
         leave(self.session, domain_id())
         self.changed()
 
     def leave(self) -> None:
-        """Look no more."""
+        """Stop watching the graph."""
         self.hidden.graph.unwatch(self.changed)
 
 
 def network_panel() -> NetworkPanel:
-    """The network that `%network ADDRESS` has joined, live: who is there, what is heard and sent; and a button to leave it.
+    """Show the network joined by `%network ADDRESS`, live: its members and its traffic, with a button to leave it.
 
     In ROS 2: `ros2 node list`, `ros2 topic hz` and `ros2 topic delay`.
     """

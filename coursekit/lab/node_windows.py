@@ -1,4 +1,4 @@
-"""Windows of nodes: panels that appear below the cell that started the node, until it ends or a cell shows the same."""
+"""Windows of nodes: panels below the cell that started the node, until the node ends or a cell shows the same panel."""
 
 from __future__ import annotations
 
@@ -10,9 +10,10 @@ from coursekit.processes.live_things import LiveThings
 
 
 class NodeWindows:
-    """The windows of one kind. A panel takes a moment to make: what is no longer wanted by then does not appear.
+    """The windows of one kind. A panel takes a moment to create; if it is no longer wanted by then, it does not appear.
 
-    Owners are what opens windows: they have a `session`, say whether they are `running`, and are told apart by identity.
+    Owners are the objects that open windows. They have a `session` and a flag `running`, and are compared by
+    identity.
     """
 
     def __init__(self, owners: LiveThings[Any], make: Callable[[Any], Any]) -> None:
@@ -24,12 +25,12 @@ class NodeWindows:
         self._panels: dict[int, Any] = {}
 
     def watch(self) -> None:
-        """Have the owners of this notebook's session show their windows in it."""
+        """Show the windows of owners in this notebook's session."""
         self._owners.unwatch(self.hear)
         self._owners.watch(self.hear)
 
     def hear(self, owner: Any) -> bool:
-        """An owner has started, changed or ended; whether its window is this notebook's to draw."""
+        """Handle an owner that has started, changed or ended. Returns whether this notebook draws its window."""
         session = owner.session
         if session.embedded and not session.clock.virtual:
             if owner.running:
@@ -39,14 +40,14 @@ class NodeWindows:
         return bool(session.embedded)
 
     def show(self, owner: Any) -> None:
-        """Have a window appear, once; it is made beside the caller."""
+        """Open a window once, in another thread."""
         if id(owner) not in self._known:
             self._known.add(id(owner))
             self._wanted.add(id(owner))
             owner.session.spawn(self.open, owner)
 
     def open(self, owner: Any) -> None:
-        """Make and display the window, unless it is not wanted any more."""
+        """Create and display the window, unless it is no longer wanted."""
         from IPython.display import display
 
         made = self._make(owner)
@@ -60,7 +61,7 @@ class NodeWindows:
             made.close()
 
     def hide(self, owner: Any) -> None:
-        """Take the window away; it does not come back."""
+        """Remove the window for good."""
         self._known.add(id(owner))
         with self._lock:
             self._wanted.discard(id(owner))
@@ -69,7 +70,7 @@ class NodeWindows:
             panel.close()
 
     def forget(self, owner: Any) -> None:
-        """The owner has ended: its window goes."""
+        """Remove the window of an owner that has ended."""
         self.hide(owner)
         self._known.discard(id(owner))
 

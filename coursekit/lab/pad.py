@@ -1,4 +1,4 @@
-"""A teleop pad for anything that listens to geometry_msgs/Twist."""
+"""A teleop pad for any node that subscribes to geometry_msgs/Twist."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .script import script, style
 
 
 class Pad(View):
-    """A pad for keyboard, finger, mouse and gamepad; made by `pad`. Letting go stops at once."""
+    """A pad for keyboard, touch, mouse and gamepad; made by `pad`. Releasing it stops the robot at once."""
 
     _esm = script("steer.js", "pad.js")
     _css = style("steer.css", "pad.css")
@@ -25,7 +25,7 @@ class Pad(View):
     angular = traitlets.Float(1.0).tag(sync=True)
     holonomic = traitlets.Bool(False).tag(sync=True)
     lost = traitlets.Unicode("").tag(sync=True)
-    """The address of a network at which a robot heard this pad, and does not any more."""
+    """The network address of the robot whose subscription was lost; '' otherwise."""
 
     def __init__(self, topic: str, linear: float, angular: float, holonomic: bool) -> None:
         self._driver = Driver(topic, linear, angular)
@@ -37,26 +37,26 @@ class Pad(View):
         self._look()
 
     def close(self) -> None:
-        """Be a pad no more."""
+        """Stop watching the graph and close the widget."""
         self._graph.unwatch(self._look)
         super().close()
 
     def _look(self) -> None:
-        """The graph has changed: say so if the link to the robot is gone, or there again."""
+        """Update `lost` after a change of the graph: the link to the robot is gone, or back."""
         lost = self._driver.lost()
         if lost != self.lost:
             self.lost = lost
 
     def press(self, keys: str = "up", seconds: float = 1.0) -> None:
-        """Hold keys ('up', 'down', 'left', 'right', 'up+left', ...) for some seconds, as a hand would."""
+        """Hold keys ('up', 'down', 'left', 'right', 'up+left', ...) for some seconds, as a user would."""
         self._driver.press(keys, seconds)
 
     def drive(self, forward: float, left: float = 0.0, turn: float = 0.0) -> None:
-        """Publish one velocity, parts from -1 to 1 of full speed; not repeated it ends after 0.5 s."""
+        """Publish one velocity, components from -1 to 1 of full speed. Unless repeated, it ends after 0.5 s."""
         self._driver.drive(forward, left, turn)
 
     def stop(self) -> None:
-        """Let go."""
+        """Release the controls: publish zero."""
         self._driver.stop()
 
     def __repr__(self) -> str:
@@ -69,9 +69,9 @@ class Pad(View):
 
 
 def pad(topic: str = "/cmd_vel", linear: float = 0.5, angular: float = 1.0, holonomic: bool = False) -> Pad:
-    """A teleop pad: geometry_msgs/Twist on `topic`, full speed `linear` m/s and `angular` rad/s.
+    """Show a teleop pad: geometry_msgs/Twist on `topic`, full speed `linear` m/s and `angular` rad/s.
 
-    Arrow keys or WASD, a stick for finger or mouse, a gamepad; with `holonomic` Q and E move sideways.
-    From code, for example in a test: `pad().press("up", seconds=1)`.
+    It takes arrow keys or WASD, an on-screen stick for touch or mouse, and a gamepad; with `holonomic` Q and E move
+    sideways. From code, for example in a test: `pad().press("up", seconds=1)`.
     """
     return Pad(topic, linear, angular, holonomic)

@@ -1,4 +1,4 @@
-"""The common parts of all panels: a text form, few messages to the browser, and an end that leaves nothing behind."""
+"""The common parts of all panels: a text form, few messages to the browser, and a clean shutdown."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ from .past import Past, cursor_of
 from .script import script, style
 
 UPDATE_SECONDS = 0.2
-"""A panel tells the browser at most five times a second what has changed."""
+"""The update period: a panel sends its changes to the browser at most five times a second."""
 
 STILLS = 30
-"""So many stills are kept for pages that are loaded anew; older views are taken out."""
+"""How many stills of ended panels are kept for reloaded pages; older panels are removed."""
 
 _open: list[Panel] = []
 _ended: list[Panel] = []
 
 
 def static(name: str, *shared: str) -> str:
-    """A file of the browser's side, after what all panels share (`panel.js`, `panel.css`) and what some do.
+    """Return a front-end file, preceded by the parts shared by all panels (`panel.js`, `panel.css`) and by some.
 
-    Every panel brings the shared style along: the own one has to win also over that of a panel which opens later.
+    Every panel includes the shared style. A panel's own style must also override that of a panel opened later.
     """
     if name.endswith(".js"):
         return script("panel.js", *shared, name)
@@ -41,7 +41,7 @@ def _own_style(name: str) -> str:
 
 
 def end_panels(why: str = "") -> int:
-    """End every open panel, with a still of it where a page shows it; how many there were."""
+    """End every open panel; a page that shows one keeps a still of it. Returns the number of panels."""
     count = len(_open)
     for panel in list(_open):
         panel.end(why or gettext("It has ended."))
@@ -51,23 +51,23 @@ def end_panels(why: str = "") -> int:
 
 
 def open_panels() -> list[Panel]:
-    """The panels that are open, oldest first."""
+    """Return the open panels, oldest first."""
     return list(_open)
 
 
 class Panel(View):
-    """The base of the panels. A subclass gives `shown` (for the browser) and `text` (for everybody else).
+    """The base of the panels. A subclass implements `shown` (for the browser) and `text` (for all other outputs).
 
-    What the browser says arrives as messages with a 'type'; 'x' calls the method `on_x`. It may arrive in any thread,
-    also while a cell runs: such a method starts something and returns.
+    The browser sends messages with a 'type'; type 'x' calls the method `on_x`. A message may arrive in any thread,
+    also while a cell runs: an `on_` method must start its work and return.
     """
 
     closed = True
-    """Until it is open, and after `close`."""
+    """True before the panel is open, and after `close`."""
     of_cell = True
-    """Whether it ends when the cell that made it is run again."""
+    """Whether the panel ends when the cell that made it is run again."""
     keeps_states = False
-    """Whether what `shown` gives is kept, and shown again when the cursor goes back to it."""
+    """Whether the results of `shown` are recorded, and shown again when the cursor goes back in time."""
 
     def __init__(self, node_name: str = "") -> None:
         super().__init__()
@@ -84,7 +84,7 @@ class Panel(View):
         self.on_msg(self._hear)
         _open.append(self)
 
-    # -- for a subclass
+    # -- for subclasses
 
     @property
     def hidden(self) -> HiddenNode:
@@ -93,15 +93,15 @@ class Panel(View):
         return self._hidden
 
     def shown(self) -> dict[str, Any]:
-        """The browser's present content."""
+        """Return the current content for the browser."""
         return {}
 
     def text(self) -> str:
-        """The panel's content, in lines; the same every time on the virtual clock."""
+        """Return the panel's content as text; the same on every run of the virtual clock."""
         return type(self).__name__
 
     def changed(self, *_anything: Any) -> None:
-        """Tell the browser, soon; nothing happens while no browser shows the panel."""
+        """Schedule an update of the browser; does nothing while no browser shows the panel."""
         if not self._seen or self.closed:
             return
         with self._lock:
@@ -110,27 +110,27 @@ class Panel(View):
                 self._alarm = self.session.clock.call_at(due, self._push)
 
     def look_again(self, seconds: float) -> None:
-        """Tell the browser again after a while, as `changed` does: what falls silent brings no news by itself.
+        """Schedule another update, as `changed` does: a topic that falls silent triggers none by itself.
 
-        One such look is planned at a time, however often this is asked for.
+        Only one such update is pending at a time, however often this is called.
         """
         if self._follow_up is None or self._follow_up.function is None:
             due = self.session.clock.steady() + round(seconds * 1e9)
             self._follow_up = self.session.clock.call_at(due, self.changed)
 
     def look_back(self) -> None:
-        """The cursor has moved: show that time, if this panel knows it."""
+        """Handle a moved cursor: show that time, if this panel records its states."""
         if self.keeps_states and self._seen:
             self.tell(type="past", on=self.cursor.time is not None)
             self._push()
 
     def known_since(self) -> int | None:
-        """The oldest time that it can show again [ns]; None: it keeps none."""
+        """Return the oldest recorded time [ns]; None if nothing is recorded."""
         span = self.past.span()
         return span[0] if span else None
 
     def tell(self, **message: Any) -> None:
-        """Send a message of its own."""
+        """Send a message to the browser."""
         if not self.closed:
             self.send(message)
 
@@ -150,7 +150,7 @@ class Panel(View):
     def _hear(self, _widget: Any, message: dict[str, Any], _buffers: Any) -> None:
         kind = str(message.get("type", ""))
         if self.closed:
-            if kind == "ready" and self._farewell is not None:  # the page was loaded anew
+            if kind == "ready" and self._farewell is not None:  # the page was reloaded
                 message, pictures = self._farewell
                 self.send({**message, "still": True}, pictures)
             return
@@ -167,7 +167,7 @@ class Panel(View):
     # -- the end
 
     def end(self, why: str) -> None:
-        """Leave the graph; a page goes on showing what there was, under a veil that says why."""
+        """Leave the graph; a page keeps the last content, under an overlay with the reason `why`."""
         if self.closed:
             return
         still = forms_of(self._repr_mimebundle_()) if self._seen else None
@@ -202,7 +202,7 @@ class Panel(View):
             self._hidden.close()
 
     def leave(self) -> None:
-        """The subclass's part of the end."""
+        """Release the subclass's resources at the end."""
 
     # -- without the browser
 

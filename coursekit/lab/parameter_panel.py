@@ -1,4 +1,4 @@
-"""A node's parameters: the right control for each, refused values with the node's reason."""
+"""A node's parameters: the right control for each, and refused values with the node's reason."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _CONTROLS = {1: "check", 2: "whole", 3: "number", 4: "text"}
 
 @dataclass
 class Row:
-    """One parameter as the node described it."""
+    """One parameter as described by the node."""
 
     name: str
     kind: int
@@ -29,7 +29,7 @@ class Row:
     descriptor: Any
 
     def limits(self) -> dict[str, Any]:
-        """Least, greatest and step, where the node gave a range."""
+        """Return minimum, maximum and step, if the node gave a range."""
         ranges = [*self.descriptor.integer_range, *self.descriptor.floating_point_range]
         if not ranges:
             return {}
@@ -37,7 +37,7 @@ class Row:
         return {"least": one.from_value, "greatest": one.to_value, **({"step": one.step} if one.step else {})}
 
     def written(self) -> str:
-        """The value as it is typed."""
+        """Return the value as a user would type it."""
         if self.kind > 4:
             return yaml.safe_dump(list(self.value), default_flow_style=True, width=10**6).strip()
         return str(self.value).lower() if self.kind == 1 else str(self.value)
@@ -76,7 +76,7 @@ class ParameterPanel(Panel):
             raise NotThere(f"There is no node {self.node_name}. {hint}")
 
     def _read(self, names: list[str]) -> None:
-        """Ask for values and descriptors, and wait."""
+        """Request values and descriptors, and wait for them."""
         wanted = sorted(names)
         values = self.hidden.result(self._client.get_parameters(wanted)).values
         descriptors = self.hidden.result(self._client.describe_parameters(wanted)).descriptors
@@ -93,18 +93,18 @@ class ParameterPanel(Panel):
 
     @property
     def values(self) -> dict[str, Any]:
-        """The parameters as they are now, by name."""
+        """The current parameters by name."""
         return {name: self._rows[name].value for name in sorted(self._rows)}
 
     def set(self, name: str, value: Any) -> bool:
-        """Set a parameter and print how it went; whether the node accepted it."""
+        """Set a parameter and print the result. Returns whether the node accepted it."""
         result = self.hidden.result(self._client.set_parameters([self._parameter(name, value)])).results[0]
         reason = f": {result.reason}" if result.reason else ""
         print(f"{name} = {value}" if result.successful else gettext(f"{self.node_name} refused {name} = {value}{reason}"))
         return bool(result.successful)
 
     def _parameter(self, name: str, value: Any, typed: bool = False) -> Any:
-        """The message that sets it; its type is told from the value, or is the parameter's own (`typed`)."""
+        """Build the parameter message; its type is inferred from the value, or the declared one (`typed`)."""
         from rclpy.parameter import Parameter
 
         if name not in self._rows:
@@ -129,7 +129,7 @@ class ParameterPanel(Panel):
         self.changed()
 
     def _meet(self, parameter: Any) -> None:
-        """A parameter was declared: ask what it is like, then show it."""
+        """Handle a newly declared parameter: request its descriptor, then show it."""
 
         def described(future: Any) -> None:
             self._keep(parameter.name, parameter.value, future.result().descriptors[0])
@@ -168,7 +168,7 @@ class ParameterPanel(Panel):
         }
 
     def on_set(self, message: dict[str, Any]) -> None:
-        """A control was changed."""
+        """Handle a changed control."""
         name = str(message.get("name", ""))
         row = self._rows.get(name)
         if row is None:
@@ -189,11 +189,11 @@ class ParameterPanel(Panel):
 
     def _refuse(self, name: str, reason: str) -> None:
         self.tell(type="refused", name=name, reason=reason)
-        self._push()  # the control goes back to the value that the node has
+        self._push()  # resets the control to the node's value
 
 
 def _typed(row: Row, value: Any) -> Any:
-    """The control's value, in the parameter's type."""
+    """Convert the control's value to the parameter's type."""
     if row.kind == 1:
         return bool(value)
     if row.kind in (2, 3):
@@ -207,7 +207,7 @@ def _typed(row: Row, value: Any) -> Any:
 
 
 def parameter_panel(node: str) -> ParameterPanel:
-    """The parameters of a node, to see and to set; it follows changes that come from elsewhere.
+    """Show a node's parameters and let the user set them; changes by other nodes are followed.
 
     LookupError: there is no such node; TimeoutError: it does not spin, so it cannot answer.
 

@@ -1,4 +1,4 @@
-"""A panel's last minutes, in a bounded part of the memory, and the time that all panels show."""
+"""The recent history of a panel, in bounded memory, and the time shown by all panels."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from typing import Any
 from coursekit.processes.session import Session
 
 SECONDS = 300.0
-"""How far back one can go [s]."""
+"""The length of the history [s]."""
 LARGEST = 64_000_000
-"""The memory for one panel's past [bytes]; with large messages it reaches less far back."""
+"""The memory limit of one panel's history [bytes]; with large messages it is shorter than `SECONDS`."""
 EVERY_SECONDS = 0.2
-"""A moment of a scene is kept so often [s]."""
+"""The recording period of a scene [s]."""
 
 
 class Past:
@@ -37,7 +37,7 @@ class Past:
         self._lock = threading.Lock()
 
     def keep(self, time: int, moment: Any, size: int) -> None:
-        """Keep what is shown from now on, and forget what is too old, or too much."""
+        """Record the content shown from now on; drop moments that are too old or exceed the memory limit."""
         with self._lock:
             self._times.append(time)
             self._moments.append((moment, size))
@@ -47,28 +47,28 @@ class Past:
                 self._size -= self._moments.popleft()[1]
 
     def at(self, time: int) -> Any:
-        """The state at a time: the oldest moment for earlier ones, None when nothing is kept."""
+        """Return the state at a time: the oldest moment for earlier times, None when nothing is recorded."""
         with self._lock:
             if not self._times:
                 return None
             return self._moments[max(0, bisect_right(self._times, time) - 1)][0]
 
     def span(self) -> tuple[int, int] | None:
-        """The times of the oldest and the newest moment; None when nothing is kept."""
+        """Return the times of the oldest and the newest moment; None when nothing is recorded."""
         with self._lock:
             return (self._times[0], self._times[-1]) if self._times else None
 
 
 class Cursor:
-    """The time that the panels of a session show: one of the past, or None for what happens now."""
+    """The time shown by a session's panels: a past time, or None for live."""
 
     def __init__(self) -> None:
         self.time: int | None = None
         self.watchers: list[Callable[[], None]] = []
-        """Called when it has moved, by whoever has moved it."""
+        """Callbacks after a move, called in the thread that moved the cursor."""
 
     def go(self, time: int | None) -> None:
-        """Have all panels show this time; None is now."""
+        """Show this time in all panels; None is live."""
         self.time = time
         for tell in list(self.watchers):
             tell()
@@ -78,7 +78,7 @@ _cursors: weakref.WeakKeyDictionary[Session, Cursor] = weakref.WeakKeyDictionary
 
 
 def cursor_of(session: Session) -> Cursor:
-    """The session's cursor."""
+    """Return the session's cursor."""
     return _cursors.setdefault(session, Cursor())
 
 

@@ -1,4 +1,4 @@
-"""A path over costs as a picture."""
+"""A path on a cost map as a picture."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class PathView:
-    """Costs and a path over them; shows itself, and says in words what it shows."""
+    """Costs and a path over them; shows itself as a picture, or as a text description."""
 
     def __init__(self, costs: np.ndarray, path: Sequence[tuple[int, int]]) -> None:
         self.figure = path_on_map(costs, path)
@@ -26,14 +26,14 @@ class PathView:
 
 
 def path_view(costs: np.ndarray, path: Sequence[tuple[int, int]] | None = None) -> PathView:
-    """Costs (rows, columns) from 0 to 254, row 0 at the bottom, and a path of cells (row, column) over them.
+    """Show costs (rows, columns) from 0 to 254, row 0 at the bottom, with a path of cells (row, column) over them.
 
     >>> import numpy as np
     >>> path_view(np.zeros((4, 6), int), [(0, 0), (0, 1), (1, 1)])
     The costs of 4 x 6 cells from above, and a path of 2 steps over them.
 
     Raises:
-        ValueError: when the costs are no table of numbers, or the path leaves it.
+        ValueError: when the costs are no 2D array of numbers, or the path leaves it.
 
     In ROS 2: `rviz2` shows /global_costmap/costmap and /plan.
     """

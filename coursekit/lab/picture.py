@@ -1,4 +1,4 @@
-"""A picture in the notebook that may change thirty times a second and never falls behind."""
+"""A picture in the notebook that can change thirty times a second without falling behind."""
 
 from __future__ import annotations
 
@@ -17,19 +17,18 @@ from .docking import View
 from .script import script, style
 
 PERIOD_SECONDS = 1 / 30
-"""The browser gets a new picture at most this often."""
+"""The minimum period between pictures sent to the browser [s]."""
 PATIENCE_SECONDS = 1.0
-"""A browser that has not acknowledged for this long is tried again."""
+"""The timeout after which a picture is sent although the browser has acknowledged none [s]."""
 UNDER_WAY = 3
-"""So many pictures may be on their way to the browser; more only when it has drawn one."""
+"""How many unacknowledged pictures may be in flight to the browser."""
 QUALITY = 85
 
 
 class Picture(View):
-    """Shows the newest of the images it is given: the browser says when it has drawn one, so that
-    none waits in a queue.
+    """Shows the newest image. The browser acknowledges each drawn image, so none waits in a queue.
 
-    `read()` is asked for the newest image (blue first, or None) only when there is time to send it.
+    `read()` returns the newest image (BGR, or None); it is called only when the image can be sent.
     """
 
     _esm = script("picture.js")
@@ -48,24 +47,24 @@ class Picture(View):
         self.on_key: Callable[[int], None] = lambda _code: None
         self.on_msg(self._hear)
 
-    # -- what a subclass says
+    # -- for subclasses
 
     def heading(self) -> str:
-        """The text above the picture."""
+        """Return the text above the picture."""
         return "image"
 
     def note(self) -> str:
-        """The text at its right, for example its size."""
+        """Return the text to the right of the heading, for example the image size."""
         return ""
 
     def is_open(self) -> bool:
-        """Whether more is to come."""
+        """Whether more images may come."""
         return True
 
     # -- news
 
     def news(self) -> None:
-        """There is a newer image, or something else changed; safe from any thread, cheap when nobody looks."""
+        """Report a newer image or another change; thread-safe, and cheap when no page shows the picture."""
         if not self._viewed or current().clock.virtual:
             return
         with self._lock:
@@ -73,7 +72,7 @@ class Picture(View):
             self._plan()
 
     def _plan(self) -> None:
-        """Send now, or as soon as it may be; the lock is held."""
+        """Schedule a send as early as allowed; the caller holds the lock."""
         if not self._fresh or self._alarm is not None:
             return
         clock = current().clock

@@ -1,4 +1,4 @@
-"""Numbers over time: live curves with a time line to go back over, or those of a bag."""
+"""Numbers over time: live curves with a time line for going back, or the curves of a bag."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from .messages import known_type, listen
 from .panel import Panel, static
 
 SECONDS = 20.0
-"""The part of the time line that is shown at first [s]."""
+"""The length of the time line shown at first [s]."""
 
 
 class PlotPanel(Panel):
@@ -33,7 +33,7 @@ class PlotPanel(Panel):
         self.seconds = seconds
         self._curves = Curves(wanted)
         self._sent: dict[str, int] = {}
-        """How many points of each curve the browser has."""
+        """How many points of each curve the browser has received."""
         self._began = self.session.clock.steady()
         self._live = bag is None
         try:
@@ -42,7 +42,7 @@ class PlotPanel(Panel):
             self.close()
             raise
 
-    # -- where numbers come from
+    # -- sources of the numbers
 
     def _hear_all(self) -> None:
         for path in self._curves.wanted:
@@ -81,7 +81,7 @@ class PlotPanel(Panel):
     # -- what is shown
 
     def values(self, path: str) -> tuple[list[float], list[float]]:
-        """The times [s] and the values of a curve, for computing with them; LookupError lists the names that there are."""
+        """Return the times [s] and the values of a curve; LookupError lists the existing names."""
         found = self._curves.curves.get(path if path.startswith("/") else f"/{path}")
         if found is None:
             known = ", ".join(sorted(self._curves.curves)) or "none"
@@ -89,7 +89,7 @@ class PlotPanel(Panel):
         return list(found.times), list(found.values)
 
     def shown(self) -> dict[str, Any]:
-        """The points that the browser does not have."""
+        """Return the points that the browser lacks."""
         curves = sorted(self._curves.curves.items())
         news = {name: [_plain(*one) for one in curve.newer(self._sent.get(name, 0))] for name, curve in curves}
         self._sent = {name: curve.total for name, curve in self._curves.curves.items()}
@@ -97,22 +97,22 @@ class PlotPanel(Panel):
         return {"news": news, "seconds": self.seconds, "live": self._live, "now": now}
 
     def known_since(self) -> int | None:
-        """When its first value came [ns]."""
+        """Return when the first value arrived [ns]."""
         return self._began + round(self._curves.span()[0] * 1e9) if self._live and self._curves.curves else None
 
     def look_back(self) -> None:
-        """The cursor has moved: have the page show that time."""
+        """Handle a moved cursor: show that time on the page."""
         if self._live and self._seen:
             time = self.cursor.time
             self.tell(type="look", at=None if time is None else (time - self._began) * 1e-9)
 
     def leave(self) -> None:
-        """Without its time line nothing might lead the others back to what happens."""
+        """Go back to live: without its time line, other panels might have no control for this."""
         if self._live:
             self.cursor.go(None)
 
     def on_go(self, message: dict[str, Any]) -> None:
-        """The plot's own time line was moved: what other panels showed then is shown, too."""
+        """Handle the plot's own time line: other panels go to the same time."""
         at = message.get("at")
         if self._live:
             good = isinstance(at, int | float) and math.isfinite(at)
@@ -120,17 +120,17 @@ class PlotPanel(Panel):
 
     def _hear(self, widget: Any, message: dict[str, Any], buffers: Any) -> None:
         if message.get("type") == "ready":
-            self._sent = {}  # a page that is loaded anew has none
+            self._sent = {}  # a reloaded page has no points
         super()._hear(widget, message, buffers)
 
     def text(self) -> str:
-        """A line for each curve: how many values, their range, the last."""
+        """Return a line for each curve: the number of values, their range, the last value."""
         if not self._curves.curves:
             return f"plot {' '.join(self._curves.wanted)}: no numbers yet"
         return "\n".join(_line(name, list(curve.values)) for name, curve in sorted(self._curves.curves.items()))
 
     def png(self, start: float | None = None, end: float | None = None) -> bytes:
-        """A picture of the time line from `start` to `end` [s]: of the last `seconds`, where these are not said."""
+        """Return a picture of the time line from `start` to `end` [s]; by default of the last `seconds`."""
         from matplotlib.backends.backend_agg import FigureCanvasAgg
         from matplotlib.figure import Figure
 
@@ -161,22 +161,22 @@ def _line(name: str, values: list[float]) -> str:
 
 
 def _plain(time: float, value: float) -> tuple[float, float | None]:
-    """As JSON has it: it knows no infinity, which lasers measure where there is nothing."""
+    """Convert a point to JSON numbers: infinity, a laser's reading without an echo, becomes None."""
     return round(time, 4), value if math.isfinite(value) else None
 
 
 def _topic_to_wait_for(path: str) -> str:
-    """The topic of a path whose topic does not exist yet: all before the first dot, or before its last part."""
+    """Return the topic of a path whose topic does not exist yet: all before the first dot, or before its last part."""
     head, dot, _ = path.partition(".")
     return head if dot else path.rpartition("/")[0] or path
 
 
 def plot(*paths: str, seconds: float = SECONDS, bag: str | Path | None = None) -> PlotPanel:
-    """Numbers of messages over time: `plot("/odom.twist.twist.linear.x", "/cmd_vel.linear.x:angular.z")`.
+    """Plot numbers in messages over time: `plot("/odom.twist.twist.linear.x", "/cmd_vel.linear.x:angular.z")`.
 
-    A path is a topic and a field of its messages, with dots or slashes; of a topic alone all numbers at the top are drawn.
-    The last `seconds` are shown; the time line below goes back over the last five minutes. With `bag` the curves are those
-    of a recording. Raises LookupError when there is no such topic.
+    A path is a topic and a field of its messages, with dots or slashes; a topic alone draws all of its top-level
+    numbers. The last `seconds` are shown; the time line below goes back over the last five minutes. With `bag` the
+    curves are those of a recording. Raises LookupError when there is no such topic.
 
     In ROS 2: `ros2 run rqt_plot rqt_plot /odom/twist/twist/linear/x`, or PlotJuggler.
     """

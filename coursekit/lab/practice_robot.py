@@ -1,4 +1,4 @@
-"""A robot to practise with, in a program of its own beside the kernel: a network like a real one, on loopback."""
+"""A practice robot in its own process beside the kernel: a network like a real one, on loopback."""
 
 from __future__ import annotations
 
@@ -25,16 +25,16 @@ NAME = "practice_robot"
 READY = "Wheels and laser are ready"
 USER = "practice"
 START_SECONDS = 90.0
-"""The first start compiles what the laser needs, which takes a slow machine a minute."""
+"""The timeout of the start [s]: the first one compiles the laser code, which takes a slow machine a minute."""
 
 
 class PracticeRobot(Terminal):
-    """The robot's own terminal; `address` is where to join it."""
+    """The robot's own terminal; `address` is the network address to join."""
 
     address = ""
 
     def stop(self) -> None:
-        """Switch it off."""
+        """Switch the robot off."""
         self.process.interrupt()
         if self.process.wait(5.0) is None:
             self.process.kill()
@@ -42,9 +42,9 @@ class PracticeRobot(Terminal):
 
 
 def practice_robot(world: str = "robot_world") -> PracticeRobot:
-    """Start a robot in a simulated world, as a program of its own; one that runs already is switched off first.
+    """Start a robot in a simulated world, in its own process; a running one is switched off first.
 
-    Only this computer reaches it, and only with the password that is now in this notebook's environment. It ends with
+    It can be reached only from this computer, with the password set in this notebook's environment. It ends with
     `stop()`, with `reset()`, and with the kernel.
 
         vera = practice_robot()
@@ -74,14 +74,16 @@ def practice_robot(world: str = "robot_world") -> PracticeRobot:
 
 
 def weak_link(address: str) -> WeakLink:
-    """A link to an address that can be made as bad as Wi-Fi: `slow`, `late`, `cut`, `mend`. Join its own `address`."""
+    """Make a link to an address with adjustable faults, like bad Wi-Fi: `slow`, `late`, `cut`, `mend`. Join the link's
+    `address`.
+    """
     from coursekit.net.weak_link import WeakLink
 
     return WeakLink(address)
 
 
 def _check() -> None:
-    """Say what is missing before anything is started."""
+    """Raise an error for missing requirements before anything is started."""
     from coursekit.net.errors import NoNetwork
     from coursekit.net.opening import engine
 
@@ -101,7 +103,7 @@ def _program(address: str, users: Path, world: str) -> ChildProcess:
 
 
 def _let_in(process: Any, password: str) -> None:
-    """Have `%network` know the password, for as long as the robot runs."""
+    """Provide the password to `%network` for as long as the robot runs."""
     theirs = {f"{NETWORK_VARIABLE}_USER": USER, f"{NETWORK_VARIABLE}_PASSWORD": password}
     os.environ |= theirs
 

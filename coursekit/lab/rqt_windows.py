@@ -1,4 +1,4 @@
-"""The windows of rqt: their panels appear in the notebook by themselves, as rviz2's do."""
+"""The windows of rqt: their panels appear in the notebook automatically, as those of rviz2 do."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ _TABS: dict[str, Callable[[], Panel]] = {
     "Console": LogConsole,
     "Node Graph": lambda: GraphPanel("active"),
 }
-"""The plugins of `rqt`, as its menu calls them."""
+"""The plugins of `rqt`, under the names in its menu."""
 
 
 class RqtTabs(ipywidgets.Tab):
-    """`rqt` itself: its plugins side by side."""
+    """The window of `rqt` itself: its plugins in tabs."""
 
     def __init__(self) -> None:
         panels = [make() for make in _TABS.values()]
@@ -37,14 +37,14 @@ class RqtTabs(ipywidgets.Tab):
         super().__init__(panels, titles=list(_TABS))
 
     def close(self) -> None:
-        """Close all of them."""
+        """Close all plugins."""
         for panel in self.children:
             panel.close()
         super().close()
 
 
 class PlotPicture(WindowPicture):
-    """The paths that `rqt_plot` draws."""
+    """The curves drawn by `rqt_plot`."""
 
     def __init__(self, name: str) -> None:
         super().__init__(highgui.desk(), highgui.desk().window(name))
@@ -55,7 +55,7 @@ class PlotPicture(WindowPicture):
             self.news()
 
     def close(self) -> None:
-        """Hear of it no more."""
+        """Stop watching the window."""
         highgui.unwatch(self._newer)
         super().close()
 
@@ -70,7 +70,7 @@ _windows = NodeWindows(windows, lambda window: _KINDS[window.kind](window))
 
 
 def show_rqt_windows() -> None:
-    """Have rqt's windows appear in this notebook."""
+    """Show rqt's windows in this notebook."""
     _windows.watch()
 
 

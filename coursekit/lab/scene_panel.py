@@ -1,4 +1,4 @@
-"""The common parts of panels that draw in 3D: MeshCat in the page, a stream of changes to it, a still picture."""
+"""The common parts of panels that draw in 3D: MeshCat in the page, a stream of changes, a still picture."""
 
 from __future__ import annotations
 
@@ -14,26 +14,26 @@ from .viewer_stream import Stream
 
 
 class SceneStage(Protocol):
-    """The stage of such a panel."""
+    """The stage of a 3D panel."""
 
     lock: Any
-    """Held while it changes."""
+    """Held while the stage changes."""
     scene: Scene
 
     def update(self) -> Scene:
         """Bring the scene up to date."""
 
     def seen(self) -> bool:
-        """Whether what one looks at is there."""
+        """Whether the object that the camera looks at exists."""
 
     def camera(self) -> Camera:
-        """From where to look."""
+        """Return the camera."""
 
     def images(self) -> list[Any]:
-        """Displays with pictures that are shown beside the scene."""
+        """Return the displays whose pictures are shown beside the scene."""
 
     def png(self, width: int = 640, height: int = 400) -> bytes:
-        """A still picture."""
+        """Return a still picture."""
 
 
 class ScenePanel(Panel):
@@ -42,11 +42,11 @@ class ScenePanel(Panel):
     stage: SceneStage
 
     def stream(self) -> None:
-        """From now on pages may draw."""
+        """Start the stream: pages may draw from now on."""
         self._stream = Stream(self)
 
     def png(self, width: int = 640, height: int = 400) -> bytes:
-        """A still picture of what is shown now."""
+        """Return a still picture of the current scene."""
         self.stage.update()
         return self.stage.png(width, height)
 
@@ -54,42 +54,42 @@ class ScenePanel(Panel):
         return with_picture(super()._repr_mimebundle_(**options), self.png)
 
     def on_library(self, _message: dict[str, Any]) -> None:
-        """The page has no MeshCat yet."""
+        """Handle a page that lacks MeshCat: send its code."""
         import meshcat
 
         code = Path(meshcat.__file__).parent / "viewer" / "dist" / "main.min.js"
         self.send({"type": "library"}, buffers=[code.read_bytes()])
 
     def on_open(self, _message: dict[str, Any]) -> None:
-        """A page is ready to draw."""
+        """Handle a page that is ready to draw."""
         self._stream.open()
 
     def on_home(self, _message: dict[str, Any]) -> None:
-        """The camera goes back to where it was at first."""
+        """Handle the home button: reset the camera."""
         self.look_anew()
 
     def look_anew(self) -> None:
-        """Tell the page where to look from, also when a hand has moved its camera."""
+        """Send the camera to the page, also if the user has moved it there."""
         self._stream.look_anew()
 
     def hurry(self) -> None:
-        """Tell the page the texts beside the picture with the next one."""
+        """Send the texts beside the picture with the next update."""
         self._stream.hurry()
 
     def follows(self) -> list[float] | None:
-        """The place [m, m, m, rad] of what the camera goes with; None: it does not move."""
+        """Return the pose [m, m, m, rad] of the frame that the camera follows; None: it is fixed."""
         return None
 
     def marked(self) -> int | None:
-        """The number of the thing that was clicked, as it is now; None: nothing."""
+        """Return the current number of the selected object; None if there is none."""
         return None
 
     def on_drawn(self, message: dict[str, Any]) -> None:
-        """A page has drawn."""
+        """Handle a page's acknowledgement of a drawn message."""
         self._stream.drawn(int(message.get("n", 0)))
 
     def leave(self) -> None:
-        """Send no more."""
+        """Stop the stream."""
         self._stream.close()
 
 

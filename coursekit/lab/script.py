@@ -1,4 +1,4 @@
-"""The browser's side of a widget, as one text: what several share, its own, and the veil over what has ended."""
+"""The front end of a widget as one text: shared files, its own file, and the overlay for an ended program."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _SAID = re.compile(r'\bgettext\(("(?:[^"\\]|\\.)*")')
 
 
 def script(*names: str) -> str:
-    """The files of `static/` one after the other; the last exports the widget, which is veiled when its program is gone."""
+    """Concatenate files of `static/`. The last one exports the widget; an overlay covers it when its program is gone."""
     before, veil, *parts = ((_STATIC / name).read_text(encoding="utf-8") for name in ("gettext.js", "veil.js", *names))
     own = "\n".join(parts)
     assert own.count(_EXPORT) == 1, f"{names[-1]} has to export one widget: {_EXPORT} ... }};"
@@ -24,7 +24,7 @@ def script(*names: str) -> str:
 
 
 def said_in(source: str) -> Iterator[str]:
-    """The words that a script says, in English.
+    """Return the translatable texts of a script, in English.
 
     >>> list(said_in('title: gettext("look from \\\\"{0}\\\\"", one)'))
     ['look from "{0}"']
@@ -33,13 +33,13 @@ def said_in(source: str) -> Iterator[str]:
 
 
 def _words(source: str) -> dict[str, str]:
-    """The words that a script says, in the course's language; none where that is English."""
+    """Return the texts of a script in the course's language; empty for English."""
     known = words_of(language()).by_english
     return {text: known[text] for text in said_in(source) if text in known}
 
 
 def style(*names: str) -> str:
-    """The style sheets of `static/` one after the other."""
+    """Concatenate style sheets of `static/`."""
     return "\n".join((_STATIC / name).read_text(encoding="utf-8") for name in names)
 
 

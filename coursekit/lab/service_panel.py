@@ -1,4 +1,4 @@
-"""Calling services: a form made from the type, or from code."""
+"""Calling services: with a form made from the type, or from code."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class ServiceCaller(Panel):
     def call(self, service: str = "", /, *, timeout_sec: float = WAIT_SECONDS, **fields: Any) -> Any:
         """Call a service (the chosen one by default) and return its response.
 
-        Fields not given keep their defaults; a nested one is given as a dict. LookupError: nobody serves it;
+        Fields not given keep their defaults; a nested field is given as a dict. LookupError: no node serves it;
         ValueError: a field does not fit; TimeoutError: no answer.
         """
         name = full_name(service) if service else self._chosen
@@ -75,7 +75,7 @@ class ServiceCaller(Panel):
     # -- what is shown
 
     def text(self) -> str:
-        """The services with their types, and the last call."""
+        """Return the services with their types, and the last call."""
         facts = take(self.hidden.graph)
         names = self._names()
         lines = [f"services: {len(names)}"]
@@ -85,7 +85,7 @@ class ServiceCaller(Panel):
         return "\n".join([*lines, *([self._last] if self._last else [])])
 
     def shown(self) -> dict[str, Any]:
-        """The services and the form of the chosen one."""
+        """Return the services and the form of the selected one."""
         names = self._names()
         if self._chosen not in names and names:
             self._chosen = names[0]
@@ -100,16 +100,16 @@ class ServiceCaller(Panel):
         }
 
     def on_choose(self, message: dict[str, Any]) -> None:
-        """Another service was chosen."""
+        """Select another service."""
         self._chosen = str(message.get("name", ""))
         self._push()
 
     def on_call(self, message: dict[str, Any]) -> None:
-        """The button was pressed."""
+        """Handle the call button."""
         name = str(message.get("name", ""))
         try:
             client, request = self._prepared(name, dict(message.get("fields") or {}))
-        except Exception as error:  # whatever was typed, the panel says what is wrong with it
+        except Exception as error:  # any input is possible; the panel shows its error
             self.tell(type="answer", ok=False, text=str(error))
             return
         began = self.session.clock.steady()
@@ -124,7 +124,7 @@ class ServiceCaller(Panel):
         self.tell(type="answer", ok=True, text=_answer(response), milliseconds=round(milliseconds, 1))
 
     def leave(self) -> None:
-        """Call no more."""
+        """Stop watching the graph."""
         self.hidden.graph.unwatch(self.changed)
 
 
@@ -137,7 +137,8 @@ def _answer(response: Any) -> str:
 
 
 def service_caller(service: str = "") -> ServiceCaller:
-    """Choose a service, fill in its request, call it, see the response; `.call(service, **fields)` from code.
+    """Show a form to choose a service, fill in its request, call it and see the response; `.call(service, **fields)`
+    from code.
 
     In ROS 2: `ros2 service call`, or rqt's service caller.
     """

@@ -1,6 +1,6 @@
-"""`!command` on Windows: what it prints stands in its cell, in UTF-8 and in order, as on Linux.
+"""`!command` on Windows: its output appears in its cell, in UTF-8 and in order, as on Linux.
 
-IPython reads it there in threads that nobody waits for, and which belong to no cell.
+There IPython reads the output in threads that are not joined and belong to no cell.
 """
 
 from __future__ import annotations
@@ -18,21 +18,21 @@ from . import cmd_words
 
 
 def install(shell: Any) -> None:
-    """Put it in place, where it is needed."""
+    """Install `run_line`, on Windows only."""
     if which.WINDOWS:
         shell.system = functools.partial(run_line, shell)
 
 
 def patches() -> list[Patch]:
-    """The changes to a kernel's shell, for as long as it runs."""
+    """Return the changes to a kernel's shell, for as long as it runs."""
     reason, test = "on Windows what `!command` prints stands in its cell", "tests/lab/test_shell_lines.py"
     return [Change("IPython: shell.system", install, reason, test, KERNEL)]
 
 
 def run_line(shell: Any, line: str) -> None:
-    """Have the system's shell carry out a line, in which `{name}` and `$name` are variables of the notebook.
+    """Run a line in the system shell; `{name}` and `$name` in it are variables of the notebook.
 
-    `_exit_code` is its exit code afterwards.
+    Afterwards the notebook variable `_exit_code` holds the exit code.
     """
     command = shell.var_expand(line, depth=1)
     child = subprocess.Popen(

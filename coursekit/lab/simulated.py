@@ -1,4 +1,4 @@
-"""The simulator that runs in this notebook, and its robots: what only a simulation can know."""
+"""The simulator that runs in this notebook, and its robots: facts known only in a simulation."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .errors import NotThere
 
 
 def simulator() -> Any:
-    """The newest running simulator; LookupError when none runs."""
+    """Return the newest running simulator; LookupError when none runs."""
     from coursekit.nodes.gazebo.simulators import simulators
 
     found = simulators.running(current())
@@ -20,7 +20,7 @@ def simulator() -> Any:
 
 
 def robot_name(name: str = "") -> str:
-    """The robot of that name, or the only one; LookupError names those that exist."""
+    """Return the robot of that name, or the only one; LookupError lists the existing robots."""
     robots = list(simulator().simulation.robots)
     if name in robots or (not name and len(robots) == 1):
         return name or robots[0]

@@ -1,4 +1,4 @@
-"""A terminal in the notebook: one process, its output, its state, a Ctrl-C button and a line to type."""
+"""A terminal in the notebook: one process, its output, its state, a Ctrl-C button and an input line."""
 
 from __future__ import annotations
 
@@ -15,16 +15,15 @@ from .script import script, style
 from .waiting import PATIENCE_SECONDS, until_said
 
 LINES = 500
-"""Lines that the browser keeps; the process remembers more."""
+"""How many lines the browser keeps; the process keeps more."""
 UPDATE_SECONDS = 0.1
-"""Output is sent at most this often, so that a node that logs at 100 Hz does not flood the notebook."""
+"""The minimum period between outputs sent [s], so that a node that logs at 100 Hz does not flood the notebook."""
 
 
 class Terminal(View):
     """The panel of one process.
 
-    All that the process prints goes here, never into a cell. `text` is what it printed; printing the terminal shows
-    its last lines, so that a notebook reads without a browser.
+    The process's output goes here, never into a cell. `text` is that output; `tail` returns its last lines.
     """
 
     _esm = script("terminal.js")
@@ -46,15 +45,15 @@ class Terminal(View):
         process.on_output(lambda _stream, text: self._collect(text) if process is self.process else None)
         process.on_exit(lambda _: self._flush() if process is self.process else None)
 
-    # -- what a program sees
+    # -- for programs
 
     @property
     def text(self) -> str:
-        """All that the process printed (its newest two million characters)."""
+        """The output of the process (its newest two million characters)."""
         return str(self.process.output)
 
     def tail(self, lines: int = 10) -> str:
-        """The last lines."""
+        """Return the last lines of the output."""
         return "\n".join(self.text.splitlines()[-lines:])
 
     def interrupt(self) -> None:
@@ -66,7 +65,7 @@ class Terminal(View):
         self.process.write_stdin(line + "\n")
 
     def wait(self, timeout_sec: float | None = None, until: str = "") -> int | None:
-        """Wait until the process ends, or has printed `until`; its exit code, None if it still runs."""
+        """Wait until the process ends, or has printed `until`. Returns its exit code, None while it runs."""
         if not until:
             return self.process.wait(timeout_sec)
         until_said(self.process, until, most=PATIENCE_SECONDS if timeout_sec is None else timeout_sec)
@@ -74,7 +73,7 @@ class Terminal(View):
         return code
 
     def restart(self) -> None:
-        """Run the same command line anew, in this terminal; what still runs is ended first."""
+        """Run the same command line again in this terminal; a running process is ended first."""
         if self._again is None:
             raise NotNow("This terminal was made for a process that was started elsewhere; start that again.")
         if self.process.exit_code is None:
@@ -87,7 +86,7 @@ class Terminal(View):
 
     @property
     def state(self) -> str:
-        """'running', or how it ended."""
+        """'running', or how the process ended."""
         if self.process.exit_code is None:
             return "running"
         return "finished" if self.process.exit_code == 0 else f"exit code {self.process.exit_code}"
@@ -118,7 +117,7 @@ class Terminal(View):
 
     def _show_all(self) -> None:
         with self._lock:
-            self._pending = []  # it is part of the whole
+            self._pending = []  # it is included in the whole text
             text = self.text
         self._tell(text, whole=True)
 

@@ -1,4 +1,4 @@
-"""The time line: all panels of the notebook go back together over what they have shown."""
+"""The time line: all panels of the notebook go back together through their history."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .panel import Panel, open_panels, static
 from .past import SECONDS
 
 STEP_SECONDS = 0.1
-"""While it plays, the panels go on so often [s]."""
+"""The update period of the panels during playback [s]."""
 
 
 class Timeline(Panel):
@@ -25,7 +25,7 @@ class Timeline(Panel):
         self._clock = self.session.clock
 
     def begin(self) -> int:
-        """The oldest time that any panel has [ns]."""
+        """Return the oldest time recorded by any panel [ns]."""
         now = self._clock.steady()
         times = [one.known_since() for one in open_panels()]
         return max(min([now, *(time for time in times if time is not None)]), now - round(SECONDS * 1e9))
@@ -34,29 +34,29 @@ class Timeline(Panel):
 
     @property
     def ago(self) -> float:
-        """How long ago was what the panels show [s]; 0 while they show what happens."""
+        """The age of the content that the panels show [s]; 0 while they are live."""
         time = self.cursor.time
         return 0.0 if time is None else (self._clock.steady() - time) * 1e-9
 
     def back(self, seconds: float) -> None:
-        """Have the panels show what there was so many seconds ago, and stay there."""
+        """Show the state of `seconds` ago in the panels, and pause there."""
         self._playing = False
         self.cursor.go(max(self.begin(), self._clock.steady() - round(seconds * 1e9)))
 
     def play(self) -> None:
-        """Have them go on from there, until they show what happens now."""
+        """Play from there until the panels are live again."""
         if self.cursor.time is not None and not self._playing:
             self._playing = True
             self.session.spawn(self._play)
             self.changed()
 
     def pause(self) -> None:
-        """Have them stay at what they show now."""
+        """Pause the panels at the time that they show."""
         self._playing = False
         self.cursor.go(self._clock.steady() if self.cursor.time is None else self.cursor.time)
 
     def live(self) -> None:
-        """Have them show what happens."""
+        """Make the panels live again."""
         self._playing = False
         self.cursor.go(None)
 
@@ -72,42 +72,42 @@ class Timeline(Panel):
     # -- what is shown
 
     def text(self) -> str:
-        """Where the panels are."""
+        """Return the time shown by the panels."""
         reach = (self._clock.steady() - self.begin()) * 1e-9
         return f"time line of {reach:.1f} s: " + (f"{self.ago:.1f} s ago" if self.cursor.time is not None else "now")
 
     def shown(self) -> dict[str, Any]:
-        """The reach of the past, and how long ago is what is shown [s]."""
+        """Return the length of the history and the age of the shown content [s]."""
         self.look_again(0.5)
         reach, live = (self._clock.steady() - self.begin()) * 1e-9, self.cursor.time is None
         return {"reach": round(reach, 2), "ago": round(self.ago, 2), "live": live, "playing": self._playing}
 
     def look_back(self) -> None:
-        """The cursor has moved."""
+        """Handle a moved cursor."""
         self.changed()
 
     def on_go(self, message: dict[str, Any]) -> None:
-        """The slider was moved."""
+        """Handle the slider."""
         ago = message.get("ago")
         if isinstance(ago, int | float) and math.isfinite(ago):
             self.back(max(0.0, ago))
 
     def on_press(self, message: dict[str, Any]) -> None:
-        """A button was pressed."""
+        """Handle a button."""
         does = {"play": self.play, "pause": self.pause, "live": self.live}.get(str(message.get("button")))
         if does is not None:
             does()
             self._push()
 
     def leave(self) -> None:
-        """Without a time line nothing would lead back to what happens."""
+        """Make the panels live again: without a time line nothing else would."""
         self.live()
 
 
 def timeline() -> Timeline:
-    """A time line under the panels of this notebook: viewer, world, graph, frames and plots go back together.
+    """Show a time line for the panels of this notebook: viewer, world, graph, frames and plots go back together.
 
-    They keep what they have shown on a page, for five minutes at most. `desk(viewer(), timeline())` docks it below.
+    They record the content shown on a page, for at most five minutes. `desk(viewer(), timeline())` docks it below.
     """
     return Timeline()
 

@@ -1,4 +1,4 @@
-"""The topics of the graph: types, counts, and, for those that are watched, rate and last message."""
+"""The topics of the graph: types, counts, and, for watched topics, the rate and the last message."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from .messages import as_yaml, listen
 from .panel import Panel, static
 
 WINDOW = 50
-"""Messages over which the rate is taken."""
+"""The number of messages over which the rate is averaged."""
 SILENT_SECONDS = 2.0
-"""A topic that is silent for so long, and three times its period, has no rate any more."""
+"""A topic silent for this long [s], and for three times its period, has a rate of 0."""
 
 
 class Watch:
-    """One watched topic: when its last messages came, and the last one."""
+    """One watched topic: the arrival times of its last messages, and the last message."""
 
     def __init__(self, panel: TopicPanel, topic: str) -> None:
         self._panel = panel
@@ -34,7 +34,7 @@ class Watch:
         self._panel.changed()
 
     def rate(self) -> float:
-        """Messages a second; 0 when there are none."""
+        """Return the messages per second; 0 when there are none."""
         times = list(self._times)
         if len(times) < 2 or times[-1] == times[0]:
             return 0.0
@@ -68,18 +68,18 @@ class TopicPanel(Panel):
             self.changed()
 
     def unwatch(self, topic: str) -> None:
-        """Stop that."""
+        """Stop watching a topic."""
         watched = self._watched.pop(full_name(topic), None)
         if watched is not None:
             self.hidden.node.destroy_subscription(watched.subscription)
             self.changed()
 
     def rate(self, topic: str) -> float:
-        """The rate of a watched topic in Hz; 0 while it is silent."""
+        """Return the rate of a watched topic in Hz; 0 while it is silent."""
         return self._watched[full_name(topic)].rate()
 
     def last(self, topic: str) -> Any:
-        """The last message of a watched topic; None before the first."""
+        """Return the last message of a watched topic; None before the first."""
         return self._watched[full_name(topic)].last
 
     # -- what is shown
@@ -105,14 +105,14 @@ class TopicPanel(Panel):
         return {"watched": True, "rate": watched.rate(), "count": watched.count, "last": last}
 
     def shown(self) -> dict[str, Any]:
-        """The rows of the table."""
+        """Return the rows of the table."""
         rows = self._rows()
         if any(row.get("rate") for row in rows):
-            self.look_again(1.5)  # a rate falls to nothing when the topic falls silent
+            self.look_again(1.5)  # a rate must fall to zero when the topic falls silent
         return {"rows": rows}
 
     def text(self) -> str:
-        """A line for each topic; watched ones with rate and last message."""
+        """Return a line for each topic; for watched topics with rate and last message."""
         rows = self._rows()
         lines = [f"topics: {len(rows)}"]
         for row in rows:
@@ -124,7 +124,7 @@ class TopicPanel(Panel):
         return "\n".join(lines)
 
     def on_watch(self, message: dict[str, Any]) -> None:
-        """A box was ticked."""
+        """Handle a watch checkbox."""
         name = str(message.get("name", ""))
         try:
             self.watch(name) if message.get("on") else self.unwatch(name)
@@ -132,12 +132,12 @@ class TopicPanel(Panel):
             self.tell(type="error", text=str(error))
 
     def leave(self) -> None:
-        """Listen no more."""
+        """Stop watching the graph."""
         self.hidden.graph.unwatch(self.changed)
 
 
 def topic_panel(*topics: str) -> TopicPanel:
-    """The topics with their types and counts; the named ones are watched: rate and last message.
+    """Show the topics with their types and counts; the named topics are watched: rate and last message.
 
     In ROS 2: `ros2 topic list -t`, `ros2 topic hz`, `ros2 topic echo`, or the topic monitor of rqt.
     """

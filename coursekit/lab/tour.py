@@ -1,4 +1,4 @@
-"""Driving a robot along points as somebody beside it does, and noting where it believed to be meanwhile."""
+"""Driving a robot along points as an onlooker would, and recording where it believed to be meanwhile."""
 
 from __future__ import annotations
 
@@ -18,24 +18,25 @@ from .hidden import HiddenNode
 from .simulated import robot_name, simulator
 
 BEAT_SECONDS = 0.1
-"""How often the one who drives looks up."""
+"""The control period of the driver [s]."""
 NEAR = 0.3
-"""So close [m] counts as reached."""
+"""The distance at which a point counts as reached [m]."""
 PATIENCE_SECONDS = 6.0
-"""Without coming nearer for so long, something is in the way."""
+"""The timeout without progress, after which an obstacle is assumed [s]."""
 TURNING_SECONDS = 60.0
-"""Nor does anybody turn for so long."""
+"""The same timeout while the robot rotates [s]."""
 SLAM_SECONDS = 30.0
-"""So long SLAM is given for its first scan."""
+"""The timeout for SLAM's first scan [s]."""
 TURN = 1.5
-"""The fastest turn [rad/s]."""
+"""The maximum angular velocity [rad/s]."""
 _BELIEFS = {"odometry": "odom", "SLAM": "map"}
 
 
 class Tour:
-    """A robot's way: where it was in truth, and where odometry and SLAM believed it to be; all as seen from its start.
+    """A robot's path: its true poses, and the poses estimated by odometry and SLAM; all relative to its start pose.
 
-    `tracks` has arrays (n, 3) of x [m], y [m], yaw [rad] under 'truth', 'odometry' and 'SLAM'; NaN where nobody said.
+    `tracks` has arrays (n, 3) of x [m], y [m], yaw [rad] under 'truth', 'odometry' and 'SLAM'; NaN where there was no
+    estimate.
     """
 
     def __init__(self, name: str, base: str) -> None:
@@ -48,26 +49,26 @@ class Tour:
 
     @property
     def tracks(self) -> dict[str, np.ndarray]:
-        """The notes, taken ten times a second."""
+        """The recorded poses, ten per second."""
         return {name: np.array(track, float).reshape(-1, 3) for name, track in self._noted.items()}
 
     @property
     def length(self) -> float:
-        """Metres driven."""
+        """The length of the path [m]."""
         return float(np.hypot(*np.diff(self.tracks["truth"][:, :2], axis=0).T).sum())
 
     def errors(self, who: str) -> np.ndarray:
-        """How far off 'odometry' or 'SLAM' was [m], ten times a second; NaN while it did not say."""
+        """Return the position error of 'odometry' or 'SLAM' [m], ten times a second; NaN where there was no estimate."""
         tracks = self.tracks
         off: np.ndarray = np.hypot(*(tracks[who] - tracks["truth"])[:, :2].T)
         return off
 
     def error(self, who: str) -> float:
-        """How far off it was at the end [m]."""
+        """Return the position error at the end [m]."""
         return float(self.errors(who)[-1])
 
     def look(self, buffer: Any) -> Pose2D:
-        """Note the truth and the beliefs of now; the true place in the world."""
+        """Record the true pose and the estimates. Returns the true pose in the world."""
         self._simulator.advance()
         here: Pose2D = self._simulator.simulation.pose_of(self.name)
         x, y, yaw = self._start @ here
@@ -101,9 +102,10 @@ def drive_along(
     topic: str = "/cmd_vel",
     base: str = "base_footprint",
 ) -> Tour:
-    """Drive a simulated robot from point to point, x and y in the world [m], as one who sees it; `speed` in m/s.
+    """Drive a simulated robot from point to point, steering by its true pose.
 
-    It publishes geometry_msgs/Twist on `topic`. LookupError: no simulator or robot; RuntimeError: it is stuck, and where.
+    Points are x and y in the world [m]; `speed` is in m/s. It publishes geometry_msgs/Twist on `topic`. LookupError: no simulator or robot; RuntimeError: it is stuck; the
+    message gives the position.
     """
     from tf2_ros import Buffer, TransformListener
 
@@ -132,7 +134,7 @@ def drive_along(
 
 
 def _wait_for_slam(hidden: HiddenNode, buffer: Any, base: str) -> None:
-    """Where somebody makes a map, drive when it has its first scan: on a busy computer that takes a while."""
+    """If a node publishes a map, wait for its first scan: on a busy computer that takes a while."""
     clock = current().clock
     give_up = clock.steady() + round(SLAM_SECONDS * 1e9)
     while hidden.node.count_publishers("/map") and math.isnan(_belief(buffer, _BELIEFS["SLAM"], base)[0]):
@@ -163,7 +165,7 @@ def _go(tour: Tour, driver: Driver, buffer: Any, x: float, y: float) -> None:
 
 
 def _steer(driver: Driver, gap: float, off: float, lag: float) -> None:
-    """Turn and drive towards a point, by no more than what is missing until the next look, `lag` seconds from now."""
+    """Rotate and drive towards a point, but not past it before the next step, `lag` seconds ahead."""
     most = min(TURN, abs(off) / lag)
     turn = max(-most, min(most, 2 * off))
     forward = max(0.0, math.cos(off)) ** 3

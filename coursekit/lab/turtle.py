@@ -1,4 +1,4 @@
-"""turtlesim's window in the notebook: shows the turtles, and lets keys or a finger drive one."""
+"""turtlesim's window in the notebook: it shows the turtles, and drives one by keys or touch."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ from .errors import NotThere
 from .script import script, style
 
 FRAME_SECONDS = 0.05
-"""The browser gets a new frame at most this often."""
+"""The minimum period between frames sent to the browser [s]."""
 SPEED = 2.0
-"""Full speed in m/s and rad/s, as turtle_teleop_key has it."""
+"""Full speed in m/s and rad/s, as in turtle_teleop_key."""
 NONE_RUNS = "No turtlesim runs. Start one: %ros2 run turtlesim turtlesim_node &"
 
 _shown: dict[str, TurtleWindow] = {}
 
 
 class Snapshot:
-    """The window at one moment: a picture, and in words where there are no pictures."""
+    """The window at one moment: a picture, and a text for outputs without pictures."""
 
     def __init__(self, image: bytes, text: str) -> None:
         self.image = image
@@ -67,33 +67,33 @@ class TurtleWindow(View):
         _shown[node or ""] = self
         simulators.watch(self._frame)
 
-    # -- what a program sees
+    # -- for programs
 
     @property
     def simulator(self) -> Any:
-        """The turtlesim that it shows: the one of the given name, or the newest; None if none runs."""
+        """The turtlesim shown: the one of the given name, or the newest; None if none runs."""
         running = simulators.running(current())
         named = [one for one in running if self.node in (None, one.full_name)]
         return named[-1] if named else None
 
     def snapshot(self, size: int = 500) -> Snapshot:
-        """The window as it is now, as a picture; LookupError if no turtlesim runs."""
+        """Return a picture of the current window; LookupError if no turtlesim runs."""
         simulator = self.simulator
         if simulator is None:
             raise NotThere(NONE_RUNS)
         return Snapshot(png(simulator.world, simulator.background(), size), repr(self))
 
     def press(self, keys: str = "up", seconds: float = 1.0) -> None:
-        """Hold arrow keys ('up', 'left', 'up+left', ...) for some seconds, as a hand would."""
+        """Hold arrow keys ('up', 'left', 'up+left', ...) for some seconds, as a user would."""
         self._driver().press(keys, seconds)
 
     def stop(self) -> None:
-        """Let go of everything."""
+        """Release all keys and the stick."""
         for driver in self._drivers.values():
             driver.stop()
 
     def forget(self) -> None:
-        """Show nothing any more: another window took over."""
+        """Stop updating: another window has taken over."""
         simulators.unwatch(self._frame)
         for driver in self._drivers.values():
             driver.leave()
@@ -144,7 +144,7 @@ class TurtleWindow(View):
         self._tell()
 
     def _tell(self, whole: bool = False) -> None:
-        """Send what changed, or everything."""
+        """Send the changes, or everything."""
         simulator = self.simulator
         if simulator is None:
             self._sent = ()
@@ -162,7 +162,7 @@ class TurtleWindow(View):
                 self.send(message)
 
     def _new_strokes(self, strokes: list[Any], whole: bool) -> list[dict[str, Any]]:
-        """The parts of strokes that the browser has not got."""
+        """Return the parts of strokes that the browser lacks."""
         if whole:
             self._copied = []
         news = []
@@ -181,7 +181,7 @@ class TurtleWindow(View):
 
 def _message(simulator: Any, driven: str, strokes: list[dict[str, Any]], whole: bool) -> dict[str, Any]:
     turtles = sorted(simulator.world.turtles.values(), key=lambda one: one.name) if simulator else []
-    poses = [[one.name, one.kind, one.x, one.y, one.theta] for one in turtles]  # the page rounds, once
+    poses = [[one.name, one.kind, one.x, one.y, one.theta] for one in turtles]  # the page rounds, only once
     return {
         "type": "state",
         "running": simulator is not None,
@@ -196,7 +196,7 @@ def _message(simulator: Any, driven: str, strokes: list[dict[str, Any]], whole: 
 
 
 def turtlesim_window(node: str | None = None, turtle: str = "turtle1") -> TurtleWindow:
-    """The window of the turtlesim that runs or will run, or of node `node` ('/turtlesim1/turtlesim').
+    """Show the window of the running or next turtlesim, or of node `node` ('/turtlesim1/turtlesim').
 
     Click it and drive `turtle` with the arrow keys or the stick; clicking another turtle drives that one.
     From code: `window.press("up", seconds=1)`, `window.snapshot()`.

@@ -22,7 +22,7 @@ from .viewer_page import ViewerPage
 from .viewer_tools import Tools
 
 SETTLE_SECONDS = 1.0
-"""A new viewer waits so long at most until all that it shows has come."""
+"""How long a new viewer waits at most for the data of all its displays [s]."""
 _ROBOT = "robot_description"
 _SCENE = ("scene.js", "scene_looks.js", "scene_lines.js")
 _SCRIPTS = (*_SCENE, "viewer_list.js", "viewer_adding.js", "viewer_tools.js", "viewer_views.js")
@@ -60,7 +60,7 @@ class Viewer(ViewerPage):
 
     @property
     def fixed_frame(self) -> str:
-        """The fixed frame; can be set, '' guesses it."""
+        """The fixed frame; can be set. '' chooses it automatically."""
         self.stage.update()
         return self.stage.fixed_frame
 
@@ -74,84 +74,84 @@ class Viewer(ViewerPage):
         return self.stage.names()
 
     def add(self, display: str | Mapping[str, Any], **options: Any) -> None:
-        """One more display: `add("LaserScan", topic="/scan", size=0.05)`; ValueError if there is no such thing."""
+        """Add a display: `add("LaserScan", topic="/scan", size=0.05)`; ValueError for an unknown type or option."""
         given = {"type": display, **options} if isinstance(display, str) and options else display
         self.stage.add(make_config(displays=[given]).displays[0])
 
     def remove(self, name: str) -> None:
-        """Take a display away; LookupError if there is none of that name."""
+        """Remove a display; LookupError if there is none of that name."""
         self.stage.remove(self.stage.find(name))
 
     def change(self, name: str, **options: Any) -> None:
-        """Change a display's options: `change("LaserScan", size=0.05, alpha=0.5)`; ValueError names what there is."""
+        """Change a display's options: `change("LaserScan", size=0.05, alpha=0.5)`; ValueError lists the valid options."""
         self.stage.change(self.stage.find(name), options)
 
     def switch(self, name: str, on: bool) -> None:
-        """Turn a display on or off; LookupError if there is none of that name."""
+        """Switch a display on or off; LookupError if there is none of that name."""
         self.stage.switch(self.stage.find(name), on)
 
     def status(self, name: str) -> str:
-        """The status of a display: 'Ok: ...', 'Warn: ...', 'Error: ...'."""
+        """Return the status of a display: 'Ok: ...', 'Warn: ...', 'Error: ...'."""
         self.stage.update()
         one = self.stage.find(name)
         return f"{one.level}: {one.remark}"
 
     def save(self, path: str | Path) -> None:
-        """Write what is shown to a file, for `viewer(path)` and `rviz2 -d path`.
+        """Save the configuration to a file, for `viewer(path)` and `rviz2 -d path`.
 
-        A file that ends in .rviz is written as RViz does, any other as small YAML.
+        A file that ends in .rviz has RViz's format, any other is short YAML.
         """
         shown = [one.config for one in self.stage.displays]
         save(Config(self.fixed_frame, shown, self.stage.looking.view(), views=self.stage.config.views), path)
 
     def follow(self, frame: str, turn: bool = False) -> None:
-        """Look at a frame and move with it, '' with none; with `turn` also turn with it, as a follower does."""
+        """Make the camera follow a frame, or none for ''; with `turn` it also rotates with the frame."""
         self.stage.looking.follow(frame, FOLLOWER if turn else ORBIT)
         self.look_anew()
 
     @property
     def views(self) -> list[str]:
-        """The names of the views that are saved."""
+        """The names of the saved views."""
         return [*self.stage.config.views]
 
     def save_view(self, name: str) -> None:
-        """Keep where one looks from, under a name."""
+        """Save the current view under a name."""
         self.stage.looking.save(name)
 
     def look(self, name: str) -> None:
-        """Look from where a view was saved; LookupError if there is none of that name."""
+        """Restore a saved view; LookupError if there is none of that name."""
         self.stage.looking.use(name)
         self.look_anew()
 
     def goal_pose(self, x: float, y: float, yaw: float = 0.0) -> None:
-        """The goal that the tool 2D Goal Pose publishes on /goal_pose [m, m, rad]."""
+        """Publish a goal on /goal_pose, as the tool 2D Goal Pose does [m, m, rad]."""
         self.tools.goal_pose(x, y, yaw)
 
     def pose_estimate(self, x: float, y: float, yaw: float = 0.0) -> None:
-        """The pose that the tool 2D Pose Estimate publishes on /initialpose [m, m, rad]."""
+        """Publish a pose on /initialpose, as the tool 2D Pose Estimate does [m, m, rad]."""
         self.tools.pose_estimate(x, y, yaw)
 
     def publish_point(self, x: float, y: float, z: float = 0.0) -> None:
-        """The point that the tool Publish Point publishes on /clicked_point [m]."""
+        """Publish a point on /clicked_point, as the tool Publish Point does [m]."""
         self.tools.publish_point(x, y, z)
 
     # -- without the browser
 
     def text(self) -> str:
-        """The viewer's content, in lines."""
+        """Return the viewer's content as text."""
         self.stage.update()
         return described(self.stage)
 
 
 def robot_topics(hidden: HiddenNode) -> list[str]:
-    """The topics on which descriptions of robots are published."""
+    """Return the topics on which robot descriptions are published."""
     found = hidden.node.get_topic_names_and_types()
     ends = [name for name, kinds in found if name.endswith(f"/{_ROBOT}") and "std_msgs/msg/String" in kinds]
     return sorted(name for name in ends if hidden.node.count_publishers(name))
 
 
 def bare_config(hidden: HiddenNode) -> Config:
-    """The displays without a choice of the user's: the grid, all robots, the frames."""
+    """Return the default displays: the grid, all robots, the frames."""
     topics = robot_topics(hidden) or [f"/{_ROBOT}"]
     robots: list[dict[str, Any]] = [{"type": "RobotModel", "topic": topic} for topic in topics]
     if len(robots) > 1:
@@ -161,13 +161,13 @@ def bare_config(hidden: HiddenNode) -> Config:
 
 
 def _newest() -> Config | None:
-    """The configuration of the newest rviz2 that runs; None when none runs."""
+    """Return the configuration of the newest running rviz2; None when none runs."""
     running = windows.running(current())
     return running[-1].config if running else None
 
 
 def _chosen(file: Any, fixed_frame: str, displays: Any, view: Any) -> Config | None:
-    """The configuration that `viewer`'s arguments ask for; ValueError for one that cannot be."""
+    """Return the configuration requested by `viewer`'s arguments; ValueError for an invalid one."""
     if file is not None:
         return read(file)
     if displays is not None:
@@ -183,12 +183,12 @@ def viewer(
     view: Mapping[str, Any] | None = None,
     height: int = 420,
 ) -> Viewer:
-    """Robots, frames and messages in 3D: what a file says (our YAML or an .rviz file), or these displays.
+    """Show robots, frames and messages in 3D, as configured by a file (our YAML or .rviz) or by `displays`.
 
-    A display is 'LaserScan', 'LaserScan /scan' or {'type': 'LaserScan', 'topic': '/scan', 'size': 0.05}. Bare, it shows
-    what the running rviz2 shows, else grid, robots and frames. `view` may set distance [m], yaw, pitch [rad] and target,
-    and a target_frame to go with.
-    ValueError names what there is when a display or option is not known; OSError: there is no such file.
+    A display is 'LaserScan', 'LaserScan /scan' or {'type': 'LaserScan', 'topic': '/scan', 'size': 0.05}. Without
+    arguments it shows the displays of the running rviz2, else grid, robots and frames. `view` may set distance [m],
+    yaw, pitch [rad] and target, and a target_frame to follow. ValueError for an unknown display or option lists the
+    valid ones; OSError: there is no such file.
 
     In ROS 2: `rviz2 -d FILE`.
     """

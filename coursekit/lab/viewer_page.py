@@ -1,4 +1,4 @@
-"""A page's actions on a viewer, and the viewer's words to it: the list of displays, the camera, the selection."""
+"""The messages between a page and a viewer: the list of displays, the camera, the selection."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ from .viewer_tools import Tools
 
 
 class ViewerPage(ScenePanel):
-    """The base of `viewer`: everything that arrives from a page is checked here."""
+    """The base of `viewer`: everything that arrives from a page is validated here."""
 
     stage: Stage
     tools: Tools
     height_px: int
     picked: Picked | None = None
-    """The thing that the Select tool has clicked."""
+    """The object selected by the Select tool."""
     _placed = False
 
     def shown(self) -> dict[str, Any]:
-        """The list beside the picture."""
+        """Return the list beside the picture."""
         stage = self.stage
         level, text = stage.global_status()
         looking = {"frame": stage.looking.frame, "type": stage.looking.type, "views": [*stage.config.views]}
@@ -46,18 +46,18 @@ class ViewerPage(ScenePanel):
     # -- the list of displays
 
     def on_kinds(self, _message: dict[str, Any]) -> None:
-        """The page wants to know what there may be: kinds, what each shows, and what can be changed of it."""
+        """Send the page the kinds of displays, their descriptions, and their properties."""
         self.tell(type="kinds", kinds={name: _known(name) for name in KINDS})
 
     def on_topics(self, _message: dict[str, Any]) -> None:
-        """The page wants to know which topics could be shown."""
+        """Send the page the topics that can be displayed."""
         node = self.stage.node
         published = [one for one in sorted(node.get_topic_names_and_types()) if node.count_publishers(one[0])]
         found = [[topic, name] for topic, types in published for name, kind in KINDS.items() if kind.type in types]
         self.tell(type="topics", topics=found)
 
     def on_add(self, message: dict[str, Any]) -> None:
-        """A display is wanted."""
+        """Add a display."""
         kind, topic = str(message.get("kind")), str(message.get("topic") or "")
         if kind not in KINDS:
             return
@@ -66,7 +66,7 @@ class ViewerPage(ScenePanel):
         self.hurry()
 
     def _free_name(self, kind: str) -> str:
-        """'LaserScan', 'LaserScan 2', ..."""
+        """Return 'LaserScan', 'LaserScan 2', ..."""
         taken, count, name = set(self.stage.names()), 1, kind
         while name in taken:
             count += 1
@@ -74,36 +74,36 @@ class ViewerPage(ScenePanel):
         return name
 
     def on_remove(self, message: dict[str, Any]) -> None:
-        """A display is to go."""
+        """Remove a display."""
         one = self._row_of(message)
         if one is not None:
             self.stage.remove(one)
             self.hurry()
 
     def on_switch(self, message: dict[str, Any]) -> None:
-        """A box was ticked."""
+        """Switch a display on or off."""
         one = self._row_of(message)
         if one is not None:
             self.stage.switch(one, bool(message.get("on")))
 
     def on_topic(self, message: dict[str, Any]) -> None:
-        """A topic was typed."""
+        """Change the topic of a display."""
         one, topic = self._row_of(message), str(message.get("topic", "")).strip()
         if one is not None and topic:
             self.stage.retopic(one, topic)
 
     def on_property(self, message: dict[str, Any]) -> None:
-        """Something of a display was changed."""
+        """Change a property of a display."""
         one = self._row_of(message)
         if one is not None:
             self._try(lambda: self.stage.change(one, {str(message.get("key")): message.get("value")}))
 
     def on_fix(self, message: dict[str, Any]) -> None:
-        """A fixed frame was chosen."""
+        """Select the fixed frame."""
         self.stage.fix(str(message.get("frame", "")))
 
     def on_save(self, message: dict[str, Any]) -> None:
-        """The view is to be kept in a file."""
+        """Save the configuration in a file."""
         name = str(message.get("name", "")).strip()
         if name:
             self._try(lambda: self._save(name if name.endswith((".rviz", ".yaml")) else f"{name}.rviz"))
@@ -113,44 +113,44 @@ class ViewerPage(ScenePanel):
         self.tools.told = gettext(f'Saved. Open it with viewer("{name}") or rviz2 -d {name}')
 
     def save(self, path: Any) -> None:
-        """Write what is shown to a file."""
+        """Save the configuration to a file."""
         raise TypeError(f"{type(self).__name__} has to say how it is saved")
 
     # -- tools and the camera
 
     def on_tool(self, message: dict[str, Any]) -> None:
-        """A tool was used."""
+        """Handle the use of a tool."""
         self.tools.use(message)
 
     def on_pick(self, message: dict[str, Any]) -> None:
-        """Something was clicked, or nothing."""
+        """Select the clicked object, or none."""
         number, at = message.get("number"), message.get("at")
         good = isinstance(number, int) and isinstance(at, list) and len(at) == 3 and all(map(_finite, at))
         self.picked = pick(self.stage, int(number or 0), at) if good else None
         self.hurry()
 
     def marked(self) -> int | None:
-        """The number of what was clicked."""
+        """Return the number of the selected object."""
         thing = self.stage.scene.things.get((self.picked.display, self.picked.thing)) if self.picked is not None else None
         return thing.number if thing is not None else None
 
     def on_look(self, message: dict[str, Any]) -> None:
-        """A hand has moved the camera."""
+        """Handle a camera moved by the user."""
         self._try(lambda: self.stage.looking.move(message))
 
     def on_home(self, message: dict[str, Any]) -> None:
-        """The camera goes back to where it was at first."""
+        """Reset the camera to its first view."""
         self.stage.looking.go_home()
         super().on_home(message)
 
     def on_follow(self, message: dict[str, Any]) -> None:
-        """A frame was chosen to go with."""
+        """Select the frame that the camera follows."""
         frame, kind = str(message.get("frame", "")), str(message.get("kind", ORBIT))
         self.stage.looking.follow(frame, kind if kind in VIEW_TYPES else ORBIT)
         self.look_anew()
 
     def on_view(self, message: dict[str, Any]) -> None:
-        """A view is to be kept, used or forgotten."""
+        """Save, restore or delete a view."""
         name, looking = str(message.get("name", "")).strip()[:60], self.stage.looking
         if message.get("does") == "save" and name:
             looking.save(name)
@@ -162,7 +162,7 @@ class ViewerPage(ScenePanel):
         self.hurry()
 
     def follows(self) -> list[float] | None:
-        """Where the frame is that the camera goes with; when it first is somewhere, the page looks there."""
+        """Return the pose of the followed frame; as soon as it has one, the camera is sent to the page."""
         place = self.stage.looking.place()
         if (place is not None) > self._placed:
             self.look_anew()
@@ -184,7 +184,7 @@ def _finite(number: Any) -> bool:
 
 
 def _known(kind: str) -> dict[str, Any]:
-    """The description of one kind of display, and the properties that can be changed."""
+    """Return the description of one kind of display, and its editable properties."""
     return {"about": gettext(ABOUT[kind]), "properties": [asdict(one) for one in properties(kind)]}
 
 

@@ -1,4 +1,4 @@
-"""The stream to the browser: at most thirty times a second, and only when it has drawn the last part."""
+"""The stream to the browser: at most thirty times a second, and only after the browser has drawn the last part."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ if TYPE_CHECKING:
 
 FRAME_SECONDS = 1 / 30
 LIST_SECONDS = 0.25
-"""The list of displays is compared so often."""
+"""The period at which the list of displays is compared [s]."""
 JPEG_QUALITY = 80
 Kept = tuple[Moment, dict[str, bytes]]
-"""The scene at a time: the things, and the pictures beside them by the names of their displays."""
+"""The scene at one time: its objects, and the pictures beside it by display name."""
 
 
 class Stream:
-    """Sends what a panel shows, beside everything else. Nothing queues: while a page draws, changes only add up."""
+    """Sends a panel's scene in its own thread. Nothing queues: while a page draws, changes only accumulate."""
 
     def __init__(self, panel: ScenePanel) -> None:
         self.panel = panel
@@ -41,17 +41,17 @@ class Stream:
         self._list_due = 0
         self._pictures: dict[str, int] = {}
         self._jpegs: dict[str, bytes] = {}
-        """The newest pictures, by the names of their displays."""
+        """The newest pictures, by display name."""
         self._jpegs_there: dict[str, bytes] = {}
-        """Those that the page has."""
+        """The pictures that the page has."""
         self._kept: Kept = {}, {}
-        """The newest moment that the panel's past has."""
+        """The newest moment recorded in the panel's history."""
         self._keep_due = 0
         self._page: Moment | None = None
-        """The page's content while that is of the past."""
+        """The page's content while it shows the past."""
 
     def open(self) -> None:
-        """A page shows nothing yet: send it all."""
+        """Handle a page that shows nothing yet: send everything."""
         with self._lock:
             self._whole, self._fitted, self._list, self._jpegs_there = True, False, None, {}
             self._acknowledged = self._sent
@@ -60,11 +60,11 @@ class Stream:
             self.panel.session.spawn(self._run)
 
     def drawn(self, number: int) -> None:
-        """The page has drawn this message."""
+        """Handle the acknowledgement of a drawn message."""
         self._acknowledged = max(self._acknowledged, min(number, self._sent))
 
     def look_anew(self) -> None:
-        """Send from where to look, for a page whose camera a hand has moved, too."""
+        """Send the camera, also to a page whose camera the user has moved."""
         self._anew, self._fitted = True, False
         self.hurry()
 
@@ -73,7 +73,7 @@ class Stream:
         self._list_due = 0
 
     def close(self) -> None:
-        """No more."""
+        """Stop the stream."""
         self._closed = True
 
     def _run(self) -> None:
@@ -86,7 +86,7 @@ class Stream:
             clock.sleep(max(0.001, (due - clock.steady()) * 1e-9))
 
     def step(self) -> None:
-        """Send what has changed, if anything has."""
+        """Send the changes, if there are any."""
         stage = self.panel.stage
         with self._lock:
             whole, self._whole = self._whole, False
@@ -111,7 +111,7 @@ class Stream:
             self.panel.send(message, buffers=[*buffers, *images])
 
     def _changes(self, scene: Scene, whole: bool, then: Kept | None) -> Changes:
-        """The page's changes to show the scene, or the moment of the past that the cursor is at."""
+        """Return the changes that make the page show the scene, or the past moment at the cursor."""
         live = scene.whole() if whole else scene.changes()
         if then is None and self._page is None:
             return live
@@ -120,7 +120,7 @@ class Stream:
         return between(before, then[0] if then is not None else moment_of(scene))
 
     def _keep(self, scene: Scene) -> None:
-        """Keep what is shown now, a few times a second, if it is not what was kept before."""
+        """Record the current scene a few times a second, if it differs from the last recorded one."""
         now, (things, jpegs) = self.panel.session.clock.steady(), self._kept
         if now < self._keep_due:
             return
@@ -132,7 +132,7 @@ class Stream:
             self.panel.past.keep(now, self._kept, size_of(moment, things) + sum(map(len, new)))
 
     def _view(self, whole: bool) -> dict[str, Any] | None:
-        """From where to look: at the start, and once more when there is something to look at."""
+        """Return the camera: at the start, and once more when there is an object to look at."""
         stage = self.panel.stage
         if self._fitted and not whole:
             return None
@@ -154,7 +154,7 @@ class Stream:
             self.panel.tell(type="shown", **shown)
 
     def _images(self, then: Kept | None) -> tuple[list[str], list[bytes]]:
-        """The names of pictures that the page does not have, and as JPEG."""
+        """Return the names of the pictures that the page lacks, and their JPEG data."""
         for one in self.panel.stage.images():
             if self._pictures.get(one.key) != one.drawn:
                 self._pictures[one.key] = one.drawn

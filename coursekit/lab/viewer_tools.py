@@ -9,25 +9,25 @@ from coursekit.view.scene_stage import Stage
 from coursekit.words.gettext import gettext
 
 COVARIANCE = {0: 0.25, 7: 0.25, 35: (math.pi / 12) ** 2}
-"""Of 2D Pose Estimate: half a metre and fifteen degrees."""
+"""The covariance of 2D Pose Estimate: half a metre and fifteen degrees."""
 
 
 class Tools:
-    """Publishes what is clicked; the publishers are made when they are first needed."""
+    """Publishes the results of clicks; publishers are made on first use."""
 
     def __init__(self, node: Any, stage: Stage) -> None:
         self.node = node
         self.stage = stage
         self.told = ""
-        """The last thing that was published, in words."""
+        """A text about the last published message."""
         self._publishers: dict[str, Any] = {}
 
     def use(self, message: dict[str, Any]) -> None:
-        """Do what the browser says: {'tool': 'goal', 'x': ..., 'y': ..., 'yaw': ...}."""
+        """Handle a browser message: {'tool': 'goal', 'x': ..., 'y': ..., 'yaw': ...}."""
         numbers = [message.get(name, 0.0) for name in ("x", "y", "z", "yaw")]
         if not all(isinstance(one, int | float) and math.isfinite(one) for one in numbers):
             return
-        x, y, z, yaw = (float(one) + 0.0 for one in numbers)  # no -0.00
+        x, y, z, yaw = (float(one) + 0.0 for one in numbers)  # avoids -0.00
         if message.get("tool") == "goal":
             self.goal_pose(x, y, yaw)
         elif message.get("tool") == "estimate":
@@ -36,7 +36,7 @@ class Tools:
             self.publish_point(x, y, z)
 
     def goal_pose(self, x: float, y: float, yaw: float) -> None:
-        """A PoseStamped on /goal_pose."""
+        """Publish a PoseStamped on /goal_pose."""
         from geometry_msgs.msg import PoseStamped
 
         msg = PoseStamped(header=self._header())
@@ -44,7 +44,7 @@ class Tools:
         self._publish("/goal_pose", msg, f"({x:.2f}, {y:.2f}), {math.degrees(yaw):.0f}°")
 
     def pose_estimate(self, x: float, y: float, yaw: float) -> None:
-        """A PoseWithCovarianceStamped on /initialpose."""
+        """Publish a PoseWithCovarianceStamped on /initialpose."""
         from geometry_msgs.msg import PoseWithCovarianceStamped
 
         msg = PoseWithCovarianceStamped(header=self._header())
@@ -54,7 +54,7 @@ class Tools:
         self._publish("/initialpose", msg, f"({x:.2f}, {y:.2f}), {math.degrees(yaw):.0f}°")
 
     def publish_point(self, x: float, y: float, z: float) -> None:
-        """A PointStamped on /clicked_point."""
+        """Publish a PointStamped on /clicked_point."""
         from geometry_msgs.msg import Point, PointStamped
 
         msg = PointStamped(header=self._header(), point=Point(x=float(x), y=float(y), z=float(z)))

@@ -1,4 +1,4 @@
-"""The windows of rviz2 nodes: they appear in the notebook by themselves, below the cell that started them."""
+"""The windows of rviz2 nodes: they appear automatically below the cell that started the node."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _windows = NodeWindows(windows, lambda window: Viewer(window.config))
 
 
 def show_rviz_windows() -> None:
-    """Have rviz2 nodes show their windows in this notebook."""
+    """Show the windows of rviz2 nodes in this notebook."""
     _windows.watch()
 
 

@@ -1,4 +1,4 @@
-"""Waiting: a time, and on until what is waited for has happened, so that a slow or first start loses nothing."""
+"""Waiting: for a time, and on until an event has happened, so that a slow or first start loses nothing."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from .messages import listen
 
 LOOK_SECONDS = 0.05
 PATIENCE_SECONDS = 180.0
-"""The first start of SLAM compiles it, which takes a slow machine two minutes."""
+"""The default timeout [s]: the first start of SLAM compiles it, which takes a slow machine two minutes."""
 
 
 def wait(seconds: float = 0.0, until: str = "", timeout_sec: float = PATIENCE_SECONDS) -> None:
-    """Let the session run: the processes work on, this cell waits, and with `until` until a message came on that topic.
+    """Block this cell while the processes run on: for `seconds`, and with `until` also until that topic has a message.
 
-    TimeoutError when none came, NotNow when there is no program from which one could come. `wait(3, until="/map")` waits
-    3 s, or longer where SLAM takes longer to begin.
+    TooLate (a TimeoutError) when no message came, NotNow when no program runs that could publish one.
+    `wait(3, until="/map")` waits 3 s, or longer if SLAM takes longer to start.
     """
     session = current()
     what = gettext(f"Waiting for a message on {until}") if until else gettext("Waiting")
@@ -42,15 +42,15 @@ def wait(seconds: float = 0.0, until: str = "", timeout_sec: float = PATIENCE_SE
 
 
 def _nobody_runs(session: Session) -> bool:
-    """Whether no message can come: no program and no node but those of panels, and no network over which one could."""
-    joining = sys.modules.get("coursekit.net.joining")  # not imported: nobody has joined one
+    """Whether no message can come: there is no process, no node except those of panels, and no network."""
+    joining = sys.modules.get("coursekit.net.joining")  # not imported means never joined
     joined = joining is not None and any(joining.link_of(session, domain) for domain in session.graphs)
     nodes = [node for graph in session.graphs.values() for node in graph.nodes if not node.name.startswith("_")]
     return not session.processes and not nodes and not joined
 
 
 def _failed() -> str:
-    """The terminals whose programs ended with an error, as a sentence each."""
+    """Return a sentence for each terminal whose program ended with an error."""
     return "".join(gettext(f"{shown.title} ended with {shown.state}. ") for shown in failed())
 
 
@@ -71,14 +71,14 @@ def _wait_for(session: Session, topic: str, least: float, most: float) -> bool:
 
 
 def until_said(process: Any, text: str, least: float = 0.0, most: float = PATIENCE_SECONDS) -> None:
-    """Wait `least` seconds, and on until a process has printed `text` or ended; then at most `most` more."""
+    """Wait `least` seconds, then until a process has printed `text` or ended, but at most `most` seconds more."""
     clock = process.session.clock
     said = clock.new_event()
     process.on_output(lambda _stream, _text: said.set() if text in process.output else None)
     process.on_exit(lambda _process: said.set())
     if process.wait(least) is None and text not in process.output:
         said.wait(most)
-        process.wait(4 * LOOK_SECONDS)  # the rest of what it says at once
+        process.wait(4 * LOOK_SECONDS)  # for the rest of the same output
 
 
 __all__ = ["until_said", "wait"]

@@ -1,4 +1,4 @@
-"""OpenCV's windows in the notebook: what `cv2.imshow` shows, live, and the keys for `cv2.waitKey`."""
+"""OpenCV's windows in the notebook: the images of `cv2.imshow`, live, and the keys for `cv2.waitKey`."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NO_WINDOWS = "No windows are open. cv2.imshow('name', image) opens one."
 
 
 class WindowPicture(Picture):
-    """One window; click it and press a key, and `cv2.waitKey` returns it."""
+    """One window; after a click on it, `cv2.waitKey` returns the pressed keys."""
 
     def __init__(self, desk: Desk, window: Window) -> None:
         super().__init__(lambda: None if window.image is None else highgui.as_bgr(window.image))
@@ -27,16 +27,16 @@ class WindowPicture(Picture):
         self.on_key = desk.press
 
     def heading(self) -> str:
-        """The window's title."""
+        """Return the window's title."""
         return f"{self.window.title}"
 
     def note(self) -> str:
-        """Its size."""
+        """Return the image size."""
         image = self.window.image
         return "" if image is None else f"{image.shape[1]}x{image.shape[0]}"
 
     def is_open(self) -> bool:
-        """Whether it was not closed."""
+        """Whether the window is still open."""
         return self.window.open
 
     def __repr__(self) -> str:
@@ -44,7 +44,7 @@ class WindowPicture(Picture):
 
 
 class Windows:
-    """All windows of the session, or those named, side by side; new ones appear by themselves."""
+    """All windows of the session, or the named ones, side by side; new windows appear automatically."""
 
     def __init__(self, names: tuple[str, ...]) -> None:
         self.names = names
@@ -60,7 +60,7 @@ class Windows:
         self.desk.press(key)
 
     def __getitem__(self, name: str) -> Window:
-        """The window of that name: `.image` is what it shows; LookupError if it is not open."""
+        """Return the window of that name: `.image` is its image; LookupError if it is not open."""
         try:
             return self.desk.windows[name]
         except KeyError:
@@ -101,7 +101,7 @@ _shown: dict[tuple[str, ...], Windows] = {}
 
 
 def windows(*names: str) -> Windows:
-    """The windows that `cv2.imshow` opened and will open, as live pictures; only those named, if any are.
+    """Show the present and future windows of `cv2.imshow` as live pictures; with names, only those.
 
     Click a window and press a key for `cv2.waitKey`; from code: `windows().press("q")`.
     """
@@ -113,7 +113,7 @@ def windows(*names: str) -> Windows:
 
 
 def show_new_windows() -> None:
-    """Have a window that a cell itself opens with `cv2.imshow` appear below that cell."""
+    """Show a window that a cell itself opens with `cv2.imshow` below that cell."""
     highgui.watch(_appear)
 
 

@@ -1,4 +1,6 @@
-"""The simulated world in a notebook: in 3D, with the simulator's clock and hands to move things, as in Gazebo's window."""
+"""The simulated world in a notebook: in 3D, with the simulator's clock, and with movable objects, as in Gazebo's
+window.
+"""
 
 from __future__ import annotations
 
@@ -19,10 +21,10 @@ from .scene_panel import ScenePanel
 
 NOTHING = "No simulator runs. Start one: %ros2 launch gazebo_ros gazebo.launch.py &"
 STEP_S = 0.05
-"""The time that the button Step lets pass [s]."""
+"""The simulated time of one press of the Step button [s]."""
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 4.0)
 BOX_M, BOX_KG = 0.4, 2.0
-"""Edge and mass of a box that is added."""
+"""The edge length and mass of an added box."""
 
 
 class WorldView(ScenePanel):
@@ -38,7 +40,7 @@ class WorldView(ScenePanel):
         self.stage = WorldScene(self._newest)
         self._said = ""
         self._held = "", Pose2D()
-        """The thing that was clicked last, and its place then."""
+        """The name of the object clicked last, and its pose at that time."""
         self._boxes = 0
         self._measured: tuple[int, int] | None = None
         self._factor = 1.0
@@ -57,36 +59,36 @@ class WorldView(ScenePanel):
     # -- from code
 
     def pause(self) -> None:
-        """The world is paused."""
+        """Pause the world."""
         self._soon("pause", True)
 
     def play(self) -> None:
-        """The world goes on."""
+        """Let the world run."""
         self._soon("pause", False)
 
     def step(self, seconds: float = STEP_S) -> None:
-        """Let a little time pass in a paused world [s]."""
+        """Advance a paused world by `seconds`."""
         self._soon("step", seconds)
 
     def reset(self) -> None:
-        """Everything back to where it began, and the simulated time to 0."""
+        """Move everything back to its start pose, and reset the simulated time to 0."""
         self._soon("restart", True)
 
     def speed(self, times: float) -> None:
-        """Let the world go so many times as fast as the clock."""
+        """Run the world `times` times as fast as the clock."""
         if not (isinstance(times, (int, float)) and 0.0 < times <= 100.0):
             raise BadArgument(f"speed() takes a number above 0, up to 100; not {times!r}")
         found = self._simulator()
         found.soon(found.time.go_at, float(times))
 
     def move(self, name: str, x: float, y: float, yaw: float | None = None) -> None:
-        """Put a robot or thing elsewhere [m, m, rad]; LookupError names near ones."""
+        """Move a robot or object to a pose [m, m, rad]; LookupError suggests similar names."""
         simulation = self._simulator().simulation
         heading = simulation.pose_of(name).theta if yaw is None else yaw
         simulation.put(name, Pose2D(float(x), float(y), float(heading)))
 
     def add_box(self, x: float, y: float, size: float = BOX_M) -> str:
-        """Put a box that can be pushed into the world [m]; its name."""
+        """Add a movable box to the world [m]. Returns its name."""
         found = self._simulator()
         name = self._free_name({*found.simulation.names(), *found.assemblies})
         half = size / 2
@@ -97,14 +99,14 @@ class WorldView(ScenePanel):
         return name
 
     def _free_name(self, taken: set[str]) -> str:
-        """Of a box; none that this view has given before, as a box may not have arrived yet."""
+        """Return an unused name for a box; never one given before, since that box may not have been added yet."""
         while True:
             self._boxes += 1
             if (name := f"box_{self._boxes}") not in taken:
                 return name
 
     def remove(self, name: str) -> None:
-        """Take a robot or thing out of the world; LookupError names near ones."""
+        """Remove a robot or object from the world; LookupError suggests similar names."""
         found = self._simulator()
         found.simulation.pose_of(name)
         found.soon(found.delete, name)
@@ -116,7 +118,7 @@ class WorldView(ScenePanel):
     # -- without the browser
 
     def text(self) -> str:
-        """The world in lines: its time, robots, what can be pushed, how much is fixed."""
+        """Return the world as text: its time, robots, movable objects, and the number of fixed ones."""
         found = self._newest()
         if found is None:
             return f"world view: {NOTHING}"
@@ -132,7 +134,7 @@ class WorldView(ScenePanel):
     # -- with the browser
 
     def shown(self) -> dict[str, Any]:
-        """The texts above and below the picture."""
+        """Return the texts above and below the picture."""
         found = self._newest()
         if found is None:
             return {"height": self.height_px, "there": False, "told": NOTHING}
@@ -144,7 +146,7 @@ class WorldView(ScenePanel):
         }  # fmt: skip
 
     def _real_time_factor(self, found: Simulator) -> float:
-        """Simulated seconds in a second, over about the last one."""
+        """Return the simulated seconds per second, over about the last second."""
         here = found.simulation.now_ns, self.session.clock.steady()
         before = self._measured
         if before is None or here[0] < before[0] or here[1] - before[1] > 3_000_000_000:
@@ -155,23 +157,23 @@ class WorldView(ScenePanel):
         return self._factor
 
     def on_press(self, message: dict[str, Any]) -> None:
-        """A button was pressed."""
+        """Handle a button."""
         known = {"play": self.play, "pause": self.pause, "step": self.step, "reset": self.reset}
         does = known.get(str(message.get("button")))
         if does is not None and self._newest() is not None:
             does()
 
     def on_speed(self, message: dict[str, Any]) -> None:
-        """A speed was chosen."""
+        """Handle a chosen speed."""
         if self._newest() is not None and message.get("speed") in SPEEDS:
             self.speed(message["speed"])
 
     def on_lasers(self, message: dict[str, Any]) -> None:
-        """The box of the beams was ticked."""
+        """Show or hide the laser beams."""
         self.stage.lasers = bool(message.get("on"))
 
     def on_pick(self, message: dict[str, Any]) -> None:
-        """Something was clicked."""
+        """Handle a click on an object."""
         self._try(lambda: self._pick(str(message.get("name"))))
 
     def _pick(self, name: str) -> None:
@@ -179,7 +181,7 @@ class WorldView(ScenePanel):
         self._say(f"{name} at {_at(self._held[1])} m")
 
     def on_drag(self, message: dict[str, Any]) -> None:
-        """The clicked thing is dragged so far [m]."""
+        """Drag the clicked object by this distance [m]."""
         self._try(lambda: self._drag(*_floor(message)))
 
     def _drag(self, x: float, y: float) -> None:
@@ -188,11 +190,11 @@ class WorldView(ScenePanel):
         self._say(f"{name} at {_at(self._simulator().simulation.pose_of(name))} m")
 
     def on_box(self, message: dict[str, Any]) -> None:
-        """A box is wanted there."""
+        """Add a box at the clicked position."""
         self._try(lambda: self.add_box(*_floor(message)))
 
     def on_remove(self, message: dict[str, Any]) -> None:
-        """Remove the clicked thing."""
+        """Remove the clicked object."""
         self._try(lambda: self.remove(str(message.get("name"))))
 
     def _try(self, does: Any) -> None:
@@ -217,7 +219,7 @@ def _at(place: Pose2D) -> str:
 
 
 def _short(number: float) -> str:
-    return f"{round(number, 2) + 0.0:.2f}"  # adding 0 takes the sign of -0.00
+    return f"{round(number, 2) + 0.0:.2f}"  # adding 0 removes the sign of -0.00
 
 
 def _robot_line(name: str, robot: Any) -> str:

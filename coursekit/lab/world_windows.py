@@ -1,6 +1,6 @@
-"""The world's view, made by a cell or by `gzclient`, whose window appears below the cell that started it.
+"""The view of the world, opened by a cell or by `gzclient`, whose window appears below the cell that started it.
 
-What draws it is not loaded before it is used: physics and their compiler would take a third of a kernel's start.
+The drawing code is loaded on first use: physics and their compiler would take a third of a kernel's start.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def world_view(height: int = 420) -> WorldView:
-    """The simulated world as it truly is, in 3D: pause, step and reset it, drag robots and things, add boxes.
+    """Show the true state of the simulated world in 3D: pause, step and reset it, drag robots and objects, add boxes.
 
     It shows the newest simulator of this notebook. From code: `world_view().pause()`, `.step(0.5)`, `.speed(2)`,
     `.move("box_1", 1.0, 0.5)`, `.add_box(1.0, 0.0)`.
@@ -32,7 +32,7 @@ _windows = NodeWindows(windows, lambda _window: world_view())
 
 
 def show_world_windows() -> None:
-    """Have gzclient show its window in this notebook."""
+    """Show the windows of gzclient in this notebook."""
     _windows.watch()
 
 

@@ -1,4 +1,4 @@
-"""The parts that cells wrote into files, remembered over restarts, so that a cell that runs again replaces its own."""
+"""The parts of files that cells wrote, stored across restarts: a cell that runs again replaces its own part."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .errors import NotNow, NotThere
 class Written:
     """The parts of one file of the workspace that cells wrote.
 
-    `pieces` are [cell, text] of `%%write`; `edits` are [cell, old, new], the newest of a place last.
+    `pieces` are [cell, text] of `%%write`; `edits` are [cell, number, old, new], the newest last.
     """
 
     def __init__(self, path: Path) -> None:
@@ -31,7 +31,7 @@ class Written:
         self.edits: list[list[Any]] = mine.setdefault("edits", [])
 
     def forget(self) -> None:
-        """Forget the parts of all files below this path, which has gone elsewhere: what is made in its place is new."""
+        """Forget the parts of all files below this path, which was moved away: files made there later are new."""
         gone = [one for one in self._all if Path(one).is_relative_to(self.path)]
         for one in gone:
             del self._all[one]
@@ -45,7 +45,9 @@ class Written:
         return {}
 
     def write(self, text: str) -> str:
-        """The file with this text of the running cell, and below it what other cells added when this one wrote it before."""
+        """Write this text of the running cell to the file, followed by later additions of other cells if this cell wrote
+        it before.
+        """
         cell = this_cell()
         mine = bool(cell and self.pieces and self.pieces[0][0] == cell and self.path.exists())
         self.pieces[:] = [[cell, text], *(self.pieces[1:] if mine else [])]
@@ -53,7 +55,7 @@ class Written:
         return self._finish("".join(one for _, one in self.pieces))
 
     def append(self, text: str) -> str:
-        """The file with this text below it; the running cell's former text goes."""
+        """Append this text to the file; it replaces the running cell's former text."""
         cell = this_cell()
         former = next((one for one in self.pieces if cell and one[0] == cell), None)
         there = self.path.read_text(encoding="utf-8") if self.path.exists() else ""
@@ -65,7 +67,9 @@ class Written:
         return self._finish(whole)
 
     def edit(self, old: str, new: str) -> bool:
-        """Make an edit; False where it was made before and the file has gone on since. NotThere: it cannot be made."""
+        """Make an edit. Returns False if it was made before and the file has changed since. NotThere: it cannot be
+        made.
+        """
         text = self.path.read_text(encoding="utf-8")
         place = [this_cell(), run_number(f"{self.path} {old}"), old]
         former = next((one for one in self.edits if place[0] and one[:3] == place), None)
@@ -86,7 +90,7 @@ class Written:
         return self.path.relative_to(workspace).as_posix() if self.path.is_relative_to(workspace) else str(self.path)
 
     def _finish(self, text: str) -> str:
-        """Write the file, unless it is that text already: what has not changed needs no new build."""
+        """Write the file unless it has that text already: an unchanged file needs no new build."""
         try:
             if not self.path.exists() or self.path.read_text(encoding="utf-8") != text:
                 self.path.parent.mkdir(parents=True, exist_ok=True)
@@ -109,8 +113,8 @@ def _cure(error: OSError) -> str:
 
 
 def _write(path: Path, text: str) -> None:
-    """All of it, or nothing: a full disk leaves the file as it was."""
-    path = path.resolve()  # a link stays one
+    """Write atomically: a full disk leaves the file as it was."""
+    path = path.resolve()  # a link stays a link
     fresh = path.with_name(f".{path.name}.new")
     try:
         fresh.write_text(text, encoding="utf-8")

@@ -1,1 +1,1 @@
-"""The parts between Jupyter and the lab: the kernel of the course, and JupyterLab's settings for it."""
+"""The layer between Jupyter and the lab: the course's kernel, and JupyterLab's settings for it."""

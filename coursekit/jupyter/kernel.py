@@ -1,8 +1,8 @@
-"""`python -m coursekit.jupyter.kernel`: IPython's kernel with the lab in it, which hears every request.
+"""`python -m coursekit.jupyter.kernel`: IPython's kernel with the lab preloaded and with lost requests fixed.
 
-ipykernel 7.0 to 7.3 sends replies past the stream that reads requests from the same socket. A request that comes in that
-moment is never read, nor is any after it: the kernel is deaf until it is restarted (ipykernel's issue 1554). Later
-versions are mended, but 7.4.0 lets widgets' synced traits get stuck, so the course mends 7.3 instead.
+ipykernel 7.0 to 7.3 sends replies past the stream that reads requests from the same socket. A request that arrives
+at that moment is never read, nor is any later one: the kernel hangs until it is restarted (ipykernel issue 1554).
+Later versions fix this, but in 7.4.0 synced traits of widgets get stuck, so the course patches 7.3 instead.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ _STILLS = Path(__file__).parent / "labextension"
 
 
 def hear_all(kernel: Any) -> None:
-    """Let replies of a kernel go through the stream that reads its requests; for the thread that made the kernel."""
+    """Send a kernel's replies through the stream that reads its requests; call it in the thread that made the kernel."""
     thread = getattr(kernel, "shell_channel_thread", None)
     if thread is None or hasattr(thread.manager, "_shell_stream"):
-        return  # before 7 and after 7.3 they do
+        return  # versions before 7 and after 7.3 do so themselves
     manager, reply = thread.manager, kernel.shell_stream.send_multipart
-    manager._send_on_shell_channel = reply  # what subshells still to come will take
+    manager._send_on_shell_channel = reply  # for subshells created later
 
     def take() -> None:
         pairs = [manager._main_to_shell_channel, *(one.subshell_to_shell_channel for one in manager._cache.values())]
@@ -37,10 +37,10 @@ def hear_all(kernel: Any) -> None:
 
 
 def keep_output_in_cells(shell: Any) -> None:
-    """Let what threads print go to the cell that ran last, never to a message from a widget.
+    """Attach the output of threads to the cell that ran last, never to a widget's message.
 
-    A thread that began outside of any request prints to the request that came last. A viewer sends thirty messages a
-    second, and what is printed in answer to a message is shown nowhere: only cells may be that last request.
+    A thread started outside of any request prints to the latest request. A viewer sends thirty messages a second, and
+    output attached to a message is not shown: only cells may be that latest request.
     """
     if not hasattr(shell, "_parent_header_global") or hasattr(shell.set_parent, "for_cells"):
         return
@@ -51,7 +51,7 @@ def keep_output_in_cells(shell: Any) -> None:
         if header.get("msg_type") == "execute_request" and not request.get("content", {}).get("silent"):
             set_parent(request)
             return
-        shell._parent_header.set(request)  # for this thread alone
+        shell._parent_header.set(request)  # for this thread only
         for one in (shell.displayhook, shell.display_pub, sys.stdout, sys.stderr):
             if hasattr(one, "_parent_header"):
                 one._parent_header.set(header)
@@ -61,7 +61,7 @@ def keep_output_in_cells(shell: Any) -> None:
 
 
 def patches() -> list[Patch]:
-    """The changes to a kernel of the course, for as long as it runs."""
+    """Return the changes to a kernel of the course, for as long as it runs."""
     test = "tests/jupyter/test_kernel"
     return [
         Change("ipykernel: shell_channel_thread.manager", hear_all, "ipykernel 7.3 goes deaf when a request meets a reply",
@@ -72,9 +72,9 @@ def patches() -> list[Patch]:
 
 
 def write_kernelspec(folder: Path) -> Path:
-    """Make JupyterLab start its Python kernels by this module: a folder for JUPYTER_PATH, written below `folder`.
+    """Make JupyterLab start its Python kernels with this module. Returns a folder for JUPYTER_PATH, below `folder`.
 
-    In it there also is an extension that shows stills in place of views whose kernel has gone.
+    The folder also holds an extension that shows stills in place of views whose kernel has gone.
     """
     place = folder / ".coursekit" / "jupyter"
     spec = {
@@ -91,10 +91,10 @@ def write_kernelspec(folder: Path) -> Path:
 
 
 def load_lab(shell: Any) -> None:
-    """Have the names and magics of the lab in a kernel before its first cell, also after a restart."""
+    """Load the names and magics of the lab into a kernel before its first cell, also after a restart."""
     try:
         lab = wiring.load(wiring.LAB)
-    except Exception as error:  # a kernel that starts and says what is wrong is better than none
+    except Exception as error:  # a kernel that starts and reports the error is better than none
         shell.events.register("pre_run_cell", functools.partial(_say_once, shell, f"The lab did not start: {error!r}"))
         return
     names = {name: getattr(lab, name) for name in lab.__all__}

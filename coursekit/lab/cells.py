@@ -114,9 +114,7 @@ def give_to(cell: str, process: Any) -> None:
 
 
 def _describe(one: Any) -> str:
-    """Describe a node by its name and a process by its command line; a process started by an absolute path has its own
-    name.
-    """
+    """Describe a node by its name, a process by its command line, or by its own name if that has an absolute path."""
     if hasattr(one, "full_name"):
         return gettext(f"node {one.full_name}")
     if hasattr(one, "try_shutdown"):

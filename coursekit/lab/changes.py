@@ -16,9 +16,7 @@ def edited(text: str, old: str, new: str) -> str | None:
 
 
 def is_done(text: str, old: str, new: str) -> bool:
-    """Whether `new` is present. An addition also counts if lines were since inserted between its lines, or words into
-    them.
-    """
+    """Whether `new` is present; an addition also counts if lines or words were since inserted into it."""
     if new in text:
         return True
     above, anchor, below = text.partition(old)

@@ -62,9 +62,7 @@ class JointPanel(Panel):
         return {name: joint.position or 0.0 for name, joint in self.board.model.free.items()}
 
     def move(self, name: str, position: float) -> None:
-        """Move a slider, as a user would [rad or m]; LookupError for an unknown joint, ValueError if `position` is no
-        number.
-        """
+        """Move a slider [rad or m]; LookupError for an unknown joint, ValueError if `position` is no number."""
         try:
             self.board.move(name, position)
         except LookupError as error:

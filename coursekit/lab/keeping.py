@@ -15,8 +15,7 @@ from .written import Written
 
 
 def set_aside(*names: str) -> None:
-    """Make room for packages or folders that a chapter creates again: existing ones move to `kept/` in the course
-    folder.
+    """Make room for packages or folders of a chapter: existing ones move to `kept/` in the course folder.
 
     A name is a path in the workspace or the current folder. A missing name is ignored silently. Content that is
     already kept is not kept twice. RuntimeError when a folder cannot be moved.

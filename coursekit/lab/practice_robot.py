@@ -74,9 +74,7 @@ def practice_robot(world: str = "robot_world") -> PracticeRobot:
 
 
 def weak_link(address: str) -> WeakLink:
-    """Make a link to an address with adjustable faults, like bad Wi-Fi: `slow`, `late`, `cut`, `mend`. Join the link's
-    `address`.
-    """
+    """Make a link with faults like bad Wi-Fi: `slow`, `late`, `cut`, `mend`; join its `address` instead."""
     from coursekit.net.weak_link import WeakLink
 
     return WeakLink(address)

@@ -137,8 +137,7 @@ def _answer(response: Any) -> str:
 
 
 def service_caller(service: str = "") -> ServiceCaller:
-    """Show a form to choose a service, fill in its request, call it and see the response; `.call(service, **fields)`
-    from code.
+    """Show a form to choose and call a service and see its response; `.call(service, **fields)` from code.
 
     In ROS 2: `ros2 service call`, or rqt's service caller.
     """

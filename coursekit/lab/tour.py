@@ -104,8 +104,8 @@ def drive_along(
 ) -> Tour:
     """Drive a simulated robot from point to point, steering by its true pose.
 
-    Points are x and y in the world [m]; `speed` is in m/s. It publishes geometry_msgs/Twist on `topic`. LookupError: no simulator or robot; RuntimeError: it is stuck; the
-    message gives the position.
+    Points are x and y in the world [m]; `speed` is in m/s. It publishes geometry_msgs/Twist on `topic`.
+    LookupError: no simulator or robot; RuntimeError: it is stuck; the message gives the position.
     """
     from tf2_ros import Buffer, TransformListener
 

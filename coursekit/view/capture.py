@@ -1,6 +1,7 @@
-"""`cv2.VideoCapture(0)` where there is no webcam: the virtual camera, 30 pictures a second of session time.
+"""`cv2.VideoCapture(0)` without a webcam: the virtual camera, with 30 images per second of session time.
 
-While a simulator runs it sees the simulated world, through the first camera of a robot; else a scene of its own.
+While a simulator runs, the camera shows the simulated world through the first camera of a robot; otherwise it shows a
+scene of its own.
 """
 
 from __future__ import annotations
@@ -19,9 +20,9 @@ _scene = Scene()
 
 
 class VirtualCapture:
-    """A camera with OpenCV's face; index 0 only.
+    """A camera with OpenCV's interface; index 0 only.
 
-    `read` waits for the next picture, as a webcam does. Any size from 16 to 1920 pixels and any rate from 1 to 120
+    `read` waits for the next image, as a webcam does. Any size from 16 to 1920 pixels and any rate from 1 to 120
     can be set.
     """
 
@@ -30,7 +31,7 @@ class VirtualCapture:
         self.open(index)
 
     def open(self, index: Any = 0, *_backend: Any) -> bool:
-        """Begin; False for any index but 0."""
+        """Open the camera; False for any index but 0."""
         self._size = {cv2.CAP_PROP_FRAME_WIDTH: WIDTH, cv2.CAP_PROP_FRAME_HEIGHT: HEIGHT}
         self._rate = RATE
         self._due = current().clock.steady()
@@ -39,15 +40,15 @@ class VirtualCapture:
         return self._open
 
     def isOpened(self) -> bool:
-        """Whether it can be read."""
+        """Whether the camera can be read."""
         return self._open
 
     def read(self, image: Any = None) -> tuple[bool, Any]:
-        """(True, the next picture), (False, None) when it is not open."""
+        """Return (True, the next image), or (False, None) if the camera is not open."""
         return self.retrieve(image) if self.grab() else (False, None)
 
     def grab(self) -> bool:
-        """Wait for the next picture and take it."""
+        """Wait for the next image and grab it."""
         if not self._open:
             return False
         clock = current().clock
@@ -60,7 +61,7 @@ class VirtualCapture:
         return True
 
     def retrieve(self, image: Any = None, _flag: int = 0) -> tuple[bool, Any]:
-        """The picture that was taken, blue first."""
+        """Return the grabbed image in BGR order."""
         if not self._open:
             return False, None
         width, height = (int(self._size[one]) for one in (cv2.CAP_PROP_FRAME_WIDTH, cv2.CAP_PROP_FRAME_HEIGHT))
@@ -71,13 +72,13 @@ class VirtualCapture:
         return True, picture
 
     def get(self, prop: int) -> float:
-        """A property: width, height, rate, position in ms; 0.0 for others."""
+        """Return a property: width, height, rate, position in ms; 0.0 for others."""
         if prop in self._size:
             return float(self._size[prop])
         return {cv2.CAP_PROP_FPS: self._rate, cv2.CAP_PROP_POS_MSEC: self._seen * 1e-6}.get(prop, 0.0)
 
     def set(self, prop: int, value: float) -> bool:
-        """Change width, height or rate; False for what cannot be changed."""
+        """Change width, height or rate; False for any other property or an invalid value."""
         if not self._open:
             return False
         if prop in self._size and 16 <= value <= LARGEST:
@@ -89,16 +90,16 @@ class VirtualCapture:
         return False
 
     def getBackendName(self) -> str:
-        """The maker of the pictures."""
+        """Return the name of the backend."""
         return "COURSEKIT"
 
     def release(self) -> None:
-        """End."""
+        """Close the camera."""
         self._open = False
 
 
 def _picture(seconds: float, width: int, height: int) -> Any:
-    """The picture: the simulated world, or the scene at a time."""
+    """Render the simulated world, or the scene at a time."""
     if "coursekit.nodes.gazebo.simulators" not in sys.modules:  # no simulator ever ran: spare its import
         return _scene.render(seconds, width, height)
     from coursekit.nodes.gazebo.eyes import picture_of

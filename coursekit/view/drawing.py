@@ -17,7 +17,7 @@ _NARROW = {
 
 
 def text_width(text: str, size: float) -> float:
-    """About how wide a text is, in pixels; on the safe side for common fonts.
+    """Estimate the width of a text in pixels, rather too large for common fonts.
 
     >>> text_width("ii", 10) < text_width("mm", 10)
     True
@@ -27,7 +27,7 @@ def text_width(text: str, size: float) -> float:
 
 @dataclass(frozen=True)
 class Rect:
-    """A rectangle with round corners."""
+    """A rectangle with rounded corners."""
 
     x: float
     y: float
@@ -56,7 +56,7 @@ class Curve:
 
 @dataclass(frozen=True)
 class Text:
-    """A line of text; `anchor` is 'start' or 'middle', y the base line."""
+    """A line of text; `anchor` is 'start' or 'middle', y the baseline."""
 
     x: float
     y: float
@@ -70,7 +70,7 @@ class Text:
 
 @dataclass(frozen=True)
 class Part:
-    """Shapes that belong together: one node, one topic; `name` tells which when it is clicked."""
+    """Shapes that form one object, such as a node or a topic; `name` identifies it when it is clicked."""
 
     shapes: tuple[Rect | Text | Curve, ...]
     name: str = ""
@@ -87,12 +87,12 @@ class Drawing:
     background: str = "#ffffff"
 
     def add(self, *shapes: Rect | Text | Curve, name: str = "", tip: str = "") -> None:
-        """Draw these on top."""
+        """Add shapes on top."""
         self.parts.append(Part(shapes, name, tip))
 
 
 def svg(drawing: Drawing, title: str = "") -> str:
-    """The picture as a text of SVG, the same every time."""
+    """Return the picture as SVG text; deterministic."""
     width, height = _n(drawing.width), _n(drawing.height)
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" viewBox="0 0 {width} {height}" '
@@ -144,7 +144,7 @@ def _curve(c: Curve) -> str:
 
 
 def bends(points: Sequence[Point]) -> list[tuple[Point, Point, Point]]:
-    """The cubic pieces of a curve: two control points and the end of each; they leave and arrive level."""
+    """Return the cubic pieces of a curve, horizontal at both ends: two control points and the end of each."""
     pieces = []
     for (x0, y0), (x1, y1) in itertools.pairwise(points):
         reach = (x1 - x0) * 0.5
@@ -153,7 +153,7 @@ def bends(points: Sequence[Point]) -> list[tuple[Point, Point, Point]]:
 
 
 def path_of(points: Sequence[Point]) -> str:
-    """The SVG path of a curve."""
+    """Return the SVG path of a curve."""
     text = f"M{_n(points[0][0])} {_n(points[0][1])}"
     for piece in bends(points):
         text += " C" + " ".join(f"{_n(x)} {_n(y)}" for x, y in piece)
@@ -161,7 +161,7 @@ def path_of(points: Sequence[Point]) -> str:
 
 
 def heads(curve: Curve) -> list[tuple[Point, Point, Point]]:
-    """The triangles of its arrow heads."""
+    """Return the triangles of a curve's arrow heads."""
     found = []
     if curve.heads in ("end", "both"):
         found.append(_triangle(curve.points[-1], curve.points[-2]))

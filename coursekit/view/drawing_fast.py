@@ -1,4 +1,4 @@
-"""A drawing of hundreds of boxes as PNG bytes, by OpenCV: plainer than matplotlib's, and there at once."""
+"""A drawing of hundreds of boxes as PNG bytes, by OpenCV: plainer than matplotlib's, but fast."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ import numpy as np
 from .drawing import Curve, Drawing, Rect, Text, bends, heads, text_width
 
 MOST_POINTS = 12e6
-"""So many points has the picture at most."""
+"""The maximum number of pixels in the picture."""
 _FINE = 3
-"""Places are given to OpenCV in eighths of a point."""
+"""Fractional bits of coordinates for OpenCV: eighths of a pixel."""
 
 
 def png(drawing: Drawing, scale: float) -> bytes:
-    """The picture, `scale` times as large as the drawing, or less where it would have more than MOST_POINTS."""
+    """Return the picture, `scale` times as large as the drawing, or smaller to stay below MOST_POINTS."""
     scale = min(scale, (MOST_POINTS / (drawing.width * drawing.height)) ** 0.5)
     size = round(drawing.height * scale), round(drawing.width * scale), 3
     image: np.ndarray = np.full(size, _colour(drawing.background), np.uint8)
@@ -28,7 +28,7 @@ def png(drawing: Drawing, scale: float) -> bytes:
 
 
 def _colour(name: str) -> tuple[int, int, int]:
-    """'#rrggbb' as OpenCV has it, blue first."""
+    """Convert '#rrggbb' to OpenCV's order, BGR."""
     red, green, blue = (int(name[at : at + 2], 16) for at in (1, 3, 5))
     return blue, green, red
 

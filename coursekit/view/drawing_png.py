@@ -9,13 +9,13 @@ from typing import Any
 from .drawing import Curve, Drawing, Rect, Text, bends, heads
 
 SCALE = 2.0
-"""Picture points for each pixel of the drawing, so that it is sharp on fine screens."""
+"""Image pixels for each pixel of the drawing, for high-resolution screens."""
 MANY_SHAPES = 600
-"""A drawing of so many shapes takes matplotlib seconds, so OpenCV draws it."""
+"""The number of shapes above which OpenCV draws, because matplotlib would take seconds."""
 
 
 def png(drawing: Drawing) -> bytes:
-    """The picture, `SCALE` times as large as the drawing; a huge one is plainer and less fine."""
+    """Return the picture, `SCALE` times as large as the drawing; a huge one is plainer and coarser."""
     if sum(len(part.shapes) for part in drawing.parts) > MANY_SHAPES:
         from . import drawing_fast
 
@@ -28,7 +28,7 @@ def png(drawing: Drawing) -> bytes:
 
 
 def pdf(drawing: Drawing) -> bytes:
-    """The picture on a page of its size; the same bytes every time."""
+    """Return the picture as a PDF page of its size; deterministic."""
     from matplotlib.backends.backend_pdf import FigureCanvasPdf
 
     file = io.BytesIO()

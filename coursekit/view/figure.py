@@ -1,4 +1,4 @@
-"""A figure: lines, points and cells in the plane, in their own units, with a text for those who do not see it."""
+"""A figure: lines, points and cells in the plane, in their own units, with an alternative text."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ if TYPE_CHECKING:
 
 Point = tuple[float, float]
 View = tuple[float, float, float, float]
-"""Left, right, low and high end of what is shown."""
+"""The left, right, low and high end of the visible area."""
 MOST_POINTS = 1500
-"""Of a line or a cloud; of longer ones every so-manieth is drawn."""
+"""The maximum number of points of a line or cloud; longer ones are thinned out."""
 FARTHEST = 1e6
-"""Things that lie further from the middle are not drawn."""
+"""Points with a coordinate beyond this are not drawn."""
 
 
 @dataclass(frozen=True)
 class Line:
-    """A line through points; `kind` is its colour's name in `figure_style`."""
+    """A line through points; `kind` is the name of its colour in `figure_style`."""
 
     points: Sequence[Sequence[float]]
     kind: str
@@ -42,7 +42,7 @@ class Dots:
 
 @dataclass(frozen=True)
 class Cells:
-    """A grid, row 0 at the low end: `codes` (rows, columns) says which of `kinds` each cell is."""
+    """A grid, row 0 at the low end: `codes` (rows, columns) are the indices of the cells' `kinds`."""
 
     codes: np.ndarray
     kinds: Sequence[str]
@@ -53,7 +53,7 @@ class Cells:
 
 @dataclass(frozen=True)
 class Arrow:
-    """A place and a heading [rad]: a robot."""
+    """The pose of a robot: a position and a heading [rad]."""
 
     x: float
     y: float
@@ -64,19 +64,19 @@ class Arrow:
 
 @dataclass(frozen=True)
 class Words:
-    """A word or two at a place."""
+    """A short text at a position."""
 
     x: float
     y: float
     text: str
     kind: str = "ink"
     before: bool = False
-    """Whether the words end there; otherwise they begin there."""
+    """Whether the text ends there; otherwise it begins there."""
 
 
 @dataclass(frozen=True)
 class Mover:
-    """Something that goes from place to place, one each tick, when the reader wants to see it move."""
+    """An object that moves to the next position at each tick, when the reader starts the motion."""
 
     places: Sequence[Point]
     kind: str
@@ -89,8 +89,8 @@ Shape = Line | Dots | Cells | Arrow | Words | Mover
 class Panel:
     """One of the drawings of a figure.
 
-    A plan has the same scale along both axes; a chart, which has names for its axes, fills its paper. `view` is what is
-    shown, by itself all that is drawn; `down` lets y grow downwards, as the rows of an array do.
+    A plan has the same scale along both axes; a chart, which has names for its axes, fills its paper. `view` is the
+    visible area, by default all of the content; `down` lets y grow downwards, as the rows of an array do.
     """
 
     shapes: list[Shape] = field(default_factory=list)
@@ -98,21 +98,21 @@ class Panel:
     view: View | None = None
     down: bool = False
     axes: tuple[str, str] | None = None
-    """The names of a chart's axes; an upright one without a name has no numbers."""
+    """The names of a chart's axes; a vertical axis without a name has no numbers."""
     rings: list[Point] = field(default_factory=list)
-    """Where something is wrong."""
+    """The positions of faults."""
 
 
 @dataclass
 class Figure:
-    """Panels side by side; `alt` says in words what they show."""
+    """Panels side by side; `alt` describes them in words."""
 
     panels: list[Panel]
     alt: str
 
 
 def drawable(points: Sequence[Sequence[float]]) -> list[Point]:
-    """The points that can be drawn, at most MOST_POINTS: those that are not finite, or nowhere, are left out.
+    """Return at most MOST_POINTS drawable points: non-finite and too distant ones are left out.
 
     >>> drawable([(0, 1), (math.nan, 2), (3, 1e300)])
     [(0.0, 1.0)]
@@ -124,7 +124,7 @@ def drawable(points: Sequence[Sequence[float]]) -> list[Point]:
 
 
 def view_of(panel: Panel) -> View:
-    """The part that a panel shows: its own view, or all of its content, with some room around."""
+    """Return the visible area of a panel: its own view, or all of its content with a margin."""
     if panel.view is not None:
         return panel.view
     found = [point for shape in panel.shapes for point in _extent(shape)]

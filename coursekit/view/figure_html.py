@@ -1,4 +1,4 @@
-"""A figure as HTML: SVG whose colours follow the page, its legend below, and its text for those who do not see it."""
+"""A figure as HTML: SVG whose colours follow the page, its legend below, and its alternative text."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from .figure_motion import box, moving
 from .figure_style import style
 
 WIDTHS = {1: 520.0, 2: 350.0, 3: 250.0}
-"""Of a panel, by how many there are [pixels]."""
+"""The width of a panel, by the number of panels [pixels]."""
 TALLEST, CHART = 340.0, 210.0
 RIGHT, MOST_RINGS = 18, 24
 
 
 def html(figure: Figure) -> str:
-    """The figure as part of a page, the same text every time; it needs no other file and no script."""
+    """Return the figure as a part of a page; deterministic, without other files or scripts."""
     wide = WIDTHS.get(len(figure.panels), 220.0)
     panels = "".join(_panel(one, wide) for one in figure.panels)
     legend = "".join(_legend(figure))
@@ -52,7 +52,7 @@ def _panel(panel: Panel, wide: float) -> str:
 
 @dataclass(frozen=True)
 class _Frame:
-    """From units to pixels: `scale` of each axis, and the pixel of the view's left low corner."""
+    """The mapping from units to pixels: `scale` of each axis, and the pixel of the view's lower left corner."""
 
     width: float
     height: float
@@ -63,7 +63,7 @@ class _Frame:
 
     @classmethod
     def of(cls, panel: Panel, view: View, wide: float) -> _Frame:
-        """The frame of a panel that is `wide` pixels at most."""
+        """Return the frame of a panel that is at most `wide` pixels wide."""
         left, right, low, high = view
         across, up = max(right - left, 1e-9), max(high - low, 1e-9)
         if panel.axes:
@@ -77,7 +77,7 @@ class _Frame:
         return cls(width, height, (zoom, -zoom), (0.0, height), left, low)
 
     def at(self, x: float, y: float) -> Point:
-        """The pixel of a point."""
+        """Return the pixel of a point."""
         return self.begin[0] + (x - self.left) * self.scale[0], self.begin[1] + (y - self.low) * self.scale[1]
 
 
@@ -111,14 +111,14 @@ def _draw(shape: Shape, frame: _Frame) -> str:
 
 
 def _dots(dots: Dots, frame: _Frame) -> str:
-    """One path of short strokes with round ends: much shorter than as many circles."""
+    """Draw one path of short strokes with round ends: much shorter than as many circles."""
     places = (frame.at(*one) for one in drawable(dots.points))
     path = "".join(f"M{_n(x)} {_n(y)}h0" for x, y in places)
     return f'<path class="line {dots.kind}" style="stroke-width:{_n(2 * dots.radius)}" d="{path}"/>' if path else ""
 
 
 def _cells(cells: Cells, frame: _Frame) -> Iterator[str]:
-    """For each kind a path of its runs along the rows."""
+    """Draw a path for each kind, made of its runs along the rows."""
     for code, kind in enumerate(cells.kinds):
         path = "".join(_run(cells, frame, *run) for run in _runs(cells.codes == code))
         if path:
@@ -126,7 +126,7 @@ def _cells(cells: Cells, frame: _Frame) -> Iterator[str]:
 
 
 def _runs(mask: np.ndarray) -> Iterator[tuple[int, int, int]]:
-    """(row, first column, column after the last) of what is true."""
+    """Yield (row, first column, column after the last) for each run of true cells."""
     edges = np.diff(np.pad(mask.astype(np.int8), ((0, 0), (1, 1))), axis=1)
     for row in range(len(mask)):
         begins, ends = np.flatnonzero(edges[row] == 1), np.flatnonzero(edges[row] == -1)
@@ -163,7 +163,7 @@ def _ring(place: Point, frame: _Frame) -> str:
 
 
 def _grid(view: View, frame: _Frame, names: tuple[str, str]) -> Iterator[str]:
-    """Lines and numbers of a chart, and the names of its axes."""
+    """Draw the lines and numbers of a chart, and the names of its axes."""
     left, right, low, high = view
     for value in _ticks(low, high, 4) if names[1] else ():
         x, y = frame.at(left, value)
@@ -178,7 +178,7 @@ def _grid(view: View, frame: _Frame, names: tuple[str, str]) -> Iterator[str]:
 
 
 def _ticks(low: float, high: float, most: int) -> list[float]:
-    """Round numbers from `low` to `high`.
+    """Return round numbers from `low` to `high`.
 
     >>> _ticks(0.0, 2.2, 4)
     [0.0, 1.0, 2.0]
@@ -190,7 +190,7 @@ def _ticks(low: float, high: float, most: int) -> list[float]:
 
 
 def _legend(figure: Figure) -> Iterator[str]:
-    """Each label once, in the order in which things are drawn."""
+    """Yield each label once, in drawing order."""
     seen: set[str] = set()
     for sign, kind, label in itertools.chain.from_iterable(map(_keys, (one for p in figure.panels for one in p.shapes))):
         if label and label not in seen:
@@ -201,7 +201,7 @@ def _legend(figure: Figure) -> Iterator[str]:
 
 
 def _keys(shape: Shape) -> Iterator[tuple[str, str, str]]:
-    """(sign, kind, label) of what there is to see of a shape."""
+    """Yield (sign, kind, label) for the visible parts of a shape."""
     if isinstance(shape, Cells):
         there = set(np.unique(shape.codes).tolist())
         named = enumerate(zip(shape.kinds, shape.labels, strict=False))

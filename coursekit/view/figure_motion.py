@@ -1,4 +1,4 @@
-"""Motion in a figure, as rules of CSS: nothing moves until the reader ticks the box above it."""
+"""Motion in a figure as CSS rules: nothing moves until the reader ticks the box above it."""
 
 from __future__ import annotations
 
@@ -9,20 +9,20 @@ from coursekit.words.gettext import gettext
 
 Point = tuple[float, float]
 MOST_STEPS = 400
-"""Of longer ways every so-manieth place is kept."""
+"""The maximum number of positions kept; longer paths are thinned out."""
 TICK, SHORTEST, LONGEST = 0.15, 4.0, 30.0
-"""Seconds for each tick, and for the whole way at least and at most."""
+"""The seconds per tick, and the minimum and maximum for the whole path."""
 
 
 def box() -> str:
-    """The box that the reader ticks to see them move."""
+    """Return the checkbox that starts the motion."""
     return f'<label class="drawn-play"><input type="checkbox">{gettext("see them move")}</label>'
 
 
 def moving(places: Sequence[Point], kind: str, ticks: int) -> str:
-    """A dot that is at these pixels one after the other, over and over; it takes the time of `ticks` places.
+    """Draw a dot that moves along these pixels repeatedly, in the time of `ticks` positions.
 
-    The name of its rule is made of what it says, so the same way always gives the same text.
+    The name of its CSS rule is a hash of its content, so the same path always gives the same text.
     """
     corners = _corners(places, ticks)
     frames = "".join(f"{share:.4g}%{{transform:translate({x:.1f}px,{y:.1f}px)}}" for share, (x, y) in corners)
@@ -33,7 +33,7 @@ def moving(places: Sequence[Point], kind: str, ticks: int) -> str:
 
 
 def _corners(places: Sequence[Point], ticks: int) -> list[tuple[float, Point]]:
-    """Where the way bends, stops or goes on, with the share of the time [%]; at its end it waits for the others."""
+    """Return the corners of the path with their share of the time [%]; at its end it waits for the others."""
     step = -(-len(places) // MOST_STEPS)
     kept = [(at, places[at]) for at in range(0, len(places), step)]
     if kept[-1][0] != len(places) - 1:
@@ -45,7 +45,7 @@ def _corners(places: Sequence[Point], ticks: int) -> list[tuple[float, Point]]:
 
 
 def _straight(before: tuple[int, Point], one: tuple[int, Point], after: tuple[int, Point]) -> bool:
-    """Whether the place in the middle is where it would be anyway."""
+    """Whether the middle position is the one that interpolation gives anyway."""
     part = (one[0] - before[0]) / (after[0] - before[0])
     wish = (x + part * (to - x) for x, to in zip(before[1], after[1], strict=True))
     return all(abs(there - here) < 0.05 for there, here in zip(wish, one[1], strict=True))

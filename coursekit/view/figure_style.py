@@ -1,4 +1,4 @@
-"""The colours of figures, in a light and a dark page."""
+"""The colours of figures, on light and dark pages."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ COLOURS = {
     "cost3": ("#a9c8e8", "#33587b"),
     "cost4": ("#7aa9d6", "#3d6e9a"),
 }
-"""By kind: in the light and in the dark."""
+"""By kind: the colour on light and on dark pages."""
 
 _RULES = """.ck-drawn{{margin:10px 0 4px;font:12px/1.4 var(--jp-ui-font-family,system-ui,sans-serif)}}
 .ck-drawn .drawn-parts{{display:flex;flex-wrap:wrap;gap:6px 14px;padding:1px}}
@@ -50,7 +50,7 @@ _RULES = """.ck-drawn{{margin:10px 0 4px;font:12px/1.4 var(--jp-ui-font-family,s
 
 
 def style() -> str:
-    """The rules of a figure's colours: JupyterLab and the course's pages name theirs, others leave it to the system.
+    """Return the CSS rules of a figure's colours, for the theme of JupyterLab or a course page, else the system's.
 
     >>> "--own:#1f6fc0" in style() and "prefers-color-scheme:dark" in style()
     True

@@ -6,12 +6,12 @@ from dataclasses import dataclass, field
 from typing import Any
 
 STALE_SECONDS = 2.0
-"""A moving frame that nobody has told of for so long is marked."""
+"""The age at which a moving frame is marked as late [s]."""
 
 
 @dataclass(frozen=True)
 class Frame:
-    """One frame; `parent` '' for the root of a tree. Times in nanoseconds."""
+    """One frame; `parent` is '' for the root of a tree. Times are in nanoseconds."""
 
     name: str
     parent: str = ""
@@ -21,12 +21,12 @@ class Frame:
     oldest: int = 0
     authority: str = ""
     late: float = 0.0
-    """Seconds since it was last told, when that is too long; 0 otherwise."""
+    """The seconds since its last update, if that is too long; 0 otherwise."""
 
 
 @dataclass
 class FrameFacts:
-    """Frames by name, sorted; children of each; the roots; and what is wrong."""
+    """Frames by name, sorted; the children of each; the roots; and the faults."""
 
     frames: dict[str, Frame] = field(default_factory=dict)
     children: dict[str, list[str]] = field(default_factory=dict)
@@ -36,7 +36,7 @@ class FrameFacts:
 
 
 def take(buffer: Any, now: int = 0) -> FrameFacts:
-    """The facts of a FrameBuffer; with `now` (nanoseconds), also what is late."""
+    """Take the facts of a FrameBuffer; with `now` (nanoseconds), also find late frames."""
     facts = FrameFacts(now=now)
     for name, cache in sorted(buffer.frames.items()):
         parent = cache.parent if cache is not None else None
@@ -76,7 +76,7 @@ def _faults(facts: FrameFacts):  # type: ignore[no-untyped-def]
 
 
 def reachable(facts: FrameFacts) -> set[str]:
-    """The frames below a root."""
+    """Return the frames in trees with a root."""
     found: set[str] = set()
     waiting = list(facts.roots)
     while waiting:
@@ -87,7 +87,7 @@ def reachable(facts: FrameFacts) -> set[str]:
 
 
 def note(frame: Frame) -> str:
-    """The words beside a frame's name."""
+    """Return the note beside a frame's name."""
     if not frame.parent:
         return ""
     if frame.static:

@@ -9,13 +9,13 @@ from coursekit.processes.session import current
 from coursekit.tf import FrameBuffer, Sample
 
 Kept = tuple[str, str, int, int, float, float, float, float, float, float, float]
-"""A transform's parent, child, stamp [s, ns], translation and quaternion."""
+"""A transform: parent, child, stamp [s, ns], translation and quaternion."""
 LOOK_SECONDS = 0.5
-"""Messages that nobody asks about are looked through so often, so that they do not pile up."""
+"""The period of clearing out unread messages, so that they do not pile up [s]."""
 
 
 class BroadcastFrames(FrameBuffer):
-    """Frames as they are broadcast, and the broadcasters' time."""
+    """Broadcast frames, and the time of their broadcasters."""
 
     def __init__(self) -> None:
         super().__init__(report=lambda _level, _text: None)
@@ -25,7 +25,7 @@ class BroadcastFrames(FrameBuffer):
         self._outlived_at = 0
 
     def hear(self, kept: Iterable[Kept], fixed: bool, now_ns: int) -> None:
-        """Take the transforms of a message that came at this time [ns]."""
+        """Add the transforms of a message that arrived at this time [ns]."""
         samples = _samples(kept)
         if fixed:
             for parent, child, _, pose in samples:
@@ -40,14 +40,14 @@ class BroadcastFrames(FrameBuffer):
             self.newest, self._arrived = newest, now_ns
 
     def collect(self, subscription: Any, fixed: bool) -> None:
-        """Let the messages of a subscription lie until `catch_up`: that is much cheaper than a callback for each."""
+        """Leave the messages of a subscription in its queue until `catch_up`: much cheaper than a callback for each."""
         core = subscription.handle.core
         core.attach(None, None)
         core.reduce = numbers_of
         self._unheard.append((core, fixed))
 
     def catch_up(self) -> None:
-        """Hear all that has come meanwhile."""
+        """Process all queued messages."""
         outlived, self._outlived = self._outlived, {}
         self.hear(outlived.values(), False, self._outlived_at)
         for core, fixed in self._unheard:
@@ -62,7 +62,7 @@ class BroadcastFrames(FrameBuffer):
             self.extend(moving)
 
     def thin_out(self, now_ns: int) -> None:
-        """Of what came longer ago than the buffer reaches, keep where each frame was last."""
+        """Drop queued messages older than the buffer's reach, but keep the last transform of each frame."""
         limit, outlived = now_ns - self.cache_ns, self._outlived
         for core in [core for core, fixed in self._unheard if not fixed]:
             lying = core.queue
@@ -72,18 +72,18 @@ class BroadcastFrames(FrameBuffer):
                     outlived[one[1]] = one
 
     def now(self, now_ns: int) -> int:
-        """The broadcasters' time [ns]: a simulator's clock need not be the session's."""
+        """Return the broadcasters' time [ns]: a simulator's clock may differ from the session's."""
         return self.newest + now_ns - self._arrived if self.newest else now_ns
 
 
 def _kept_in(entry: Any) -> list[Kept]:
-    """The numbers of a subscription: it kept a message if that came before it knew that numbers are enough."""
+    """Return the numbers of a queue entry: messages that arrived before `reduce` was set are still whole."""
     kept = entry[0]
     return kept if type(kept) is list else numbers_of(kept)
 
 
 def numbers_of(msg: Any) -> list[Kept]:
-    """The transforms of a tf2_msgs/TFMessage; this is done with each message, the rest only when somebody asks."""
+    """Extract the transforms of a tf2_msgs/TFMessage; done for each message, while the rest is done on demand."""
     return [
         (
             header._frame_id, transform._child_frame_id, header._stamp._sec, header._stamp._nanosec,
@@ -102,9 +102,9 @@ def _samples(kept: Iterable[Kept]) -> list[Sample]:
 
 
 def listen_to_frames(node: Any, heard: Callable[[], Any] | None = None) -> BroadcastFrames:
-    """A buffer that follows what is broadcast; `heard()` is called after every message.
+    """Return a buffer that follows the broadcast frames; `heard()` is called after every message.
 
-    Without `heard` it is up to date after `catch_up()`; the node is in its executor already then.
+    Without `heard`, the buffer is up to date after `catch_up()`. The node must already be in its executor in this case.
     """
     from rclpy.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
     from tf2_msgs.msg import TFMessage

@@ -14,11 +14,11 @@ from .layers import Box, arrange
 NAME_SIZE, NOTE_SIZE, FAULT_SIZE = 13.0, 10.5, 12.0
 GREY, RED = "#8795a1", "#c8372d"
 FILLS = {"root": ("#eef1f4", "#6b7a86"), "static": ("#e8f5ec", "#4d9a6a"), "moving": ("#e4effb", "#3173b5")}
-"""Fill and line: roots, frames that never move, frames that do."""
+"""Fill and outline of roots, static frames and moving frames."""
 
 
 def draw(facts: FrameFacts, details: bool = False) -> Drawing:
-    """The picture; `details` adds broadcaster and times."""
+    """Return the picture; `details` adds broadcaster and times."""
     frames = list(facts.frames.values())
     notes = {frame.name: _notes(frame, details) for frame in frames}
     boxes = [_box(frame, notes[frame.name]) for frame in frames]

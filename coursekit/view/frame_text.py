@@ -1,4 +1,4 @@
-"""The tree of frames in lines, the same every time."""
+"""The tree of frames as text; deterministic."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .frame_facts import FrameFacts, note
 
 
 def described(facts: FrameFacts) -> str:
-    """A heading, a line for each frame, and a line for each fault."""
+    """Return a heading, a line for each frame, and a line for each fault."""
     if not facts.frames:
         return "frames: none. No node has published a transform on /tf or /tf_static."
     trees = len(facts.roots)

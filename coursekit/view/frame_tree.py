@@ -1,4 +1,4 @@
-"""The tree of frames as a picture and as text, with what is wrong in it told."""
+"""The tree of frames as a picture and as text, with its faults."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .frame_picture import draw
 class FrameTree:
     """The frames of a buffer as they were at one moment.
 
-    `details` writes broadcaster and times beside each frame, as view_frames does.
+    `details` adds broadcaster and times to each frame, as view_frames does.
 
     >>> from coursekit.tf import FrameBuffer
     >>> buffer = FrameBuffer()
@@ -32,23 +32,23 @@ class FrameTree:
         self.details = details
 
     def drawing(self) -> Drawing:
-        """The shapes."""
+        """Return the picture's shapes."""
         return draw(self.facts, self.details)
 
     def svg(self) -> str:
-        """The picture as SVG."""
+        """Return the picture as SVG."""
         return svg(self.drawing(), title="tree of frames")
 
     def png(self) -> bytes:
-        """The picture as PNG, at twice the size of the SVG."""
+        """Return the picture as PNG, at twice the size of the SVG."""
         return png(self.drawing())
 
     def pdf(self) -> bytes:
-        """The picture as a PDF file."""
+        """Return the picture as a PDF file."""
         return pdf(self.drawing())
 
     def text(self) -> str:
-        """The tree in lines."""
+        """Return the tree as text."""
         return frame_text.described(self.facts)
 
     def __repr__(self) -> str:

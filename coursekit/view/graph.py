@@ -1,4 +1,4 @@
-"""rqt_graph's picture of a session's graph, drawn by us, with what is wrong marked in it."""
+"""A picture of a session's graph, as in rqt_graph but drawn by coursekit, with faults marked."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class GraphPicture:
     """The graph as it was at one moment.
 
     A notebook stores it as lines of text, which are compared in tests, and as a PNG, which is not: nbval compares
-    every stored SVG byte for byte, so that the smallest change of a colour would fail all notebooks.
+    every stored SVG byte for byte, so the smallest change of a colour would make all notebooks fail.
 
     >>> from coursekit.core.graph import Graph
     >>> from coursekit.core.virtual_clock import VirtualClock
@@ -51,19 +51,19 @@ class GraphPicture:
         self.faults: list[Fault] = find(self.facts)
 
     def drawing(self) -> Drawing:
-        """The shapes."""
+        """Return the picture's shapes."""
         return draw(self.facts, self.faults, self.view, services=self.services, actions=self.actions)
 
     def svg(self) -> str:
-        """The picture as SVG."""
+        """Return the picture as SVG."""
         return svg(self.drawing(), title="graph of nodes and topics")
 
     def png(self) -> bytes:
-        """The picture as PNG, at twice the size of the SVG."""
+        """Return the picture as PNG, at twice the size of the SVG."""
         return png(self.drawing())
 
     def text(self) -> str:
-        """The graph in lines, sorted; the same every time."""
+        """Return the graph as sorted text; deterministic."""
         return graph_text.described(
             self.facts,
             self.faults,

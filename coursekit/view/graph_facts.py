@@ -1,4 +1,4 @@
-"""A graph's content at one moment: nodes, publishers, subscriptions, servers and clients; sorted, unchanging."""
+"""A snapshot of a graph: nodes, publishers, subscriptions, servers and clients, sorted and immutable."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from coursekit.rcl.names import is_hidden
 
 DEBUG_TOPICS = ("/parameter_events", "/rosout")
 DEBUG_NODES = "/rqt_gui_py_node_"
-"""How the names of rqt's own windows begin."""
+"""The prefix of the names of rqt's own nodes."""
 PARAMETER_SERVICES = (
     "describe_parameters",
     "get_parameter_types",
@@ -27,7 +27,7 @@ _GOAL_TYPE = "_SendGoal"
 
 @dataclass(frozen=True, order=True)
 class End:
-    """One end of a topic, service or action: `node` is the full name of the node that has it."""
+    """One end of a topic, service or action; `node` is the full name of its node."""
 
     name: str
     node: str
@@ -37,7 +37,7 @@ class End:
 
 @dataclass(frozen=True)
 class Facts:
-    """The snapshot. `nodes` are full names, each once; `duplicates` those that several nodes share."""
+    """The snapshot. `nodes` are unique full names; `duplicates` are names shared by several nodes, with their counts."""
 
     nodes: tuple[str, ...] = ()
     duplicates: tuple[tuple[str, int], ...] = ()
@@ -51,7 +51,7 @@ class Facts:
     remote: tuple[str, ...] = ()
     """Names of nodes that run on other computers or in other notebooks."""
     gone: tuple[tuple[str, str], ...] = ()
-    """(topic, node) where the last publisher has left while others listen."""
+    """(topic, node) pairs for topics whose last publisher has left while subscriptions remain."""
 
     @property
     def topics(self) -> list[str]:
@@ -70,25 +70,25 @@ class Facts:
 
 
 def names_of(*ends: Iterable[End]) -> list[str]:
-    """The names at which these ends are, each once, sorted."""
+    """Return the unique names of these ends, sorted."""
     return sorted({end.name for group in ends for end in group})
 
 
 def types_of(name: str, *ends: Iterable[End]) -> list[str]:
-    """The types that the ends of that name have, sorted."""
+    """Return the types of the ends of that name, sorted."""
     return sorted({end.type for group in ends for end in group if end.name == name})
 
 
 def nodes_at(name: str, ends: Iterable[End]) -> list[str]:
-    """The nodes that have an end of that name, each once, sorted."""
+    """Return the nodes that have an end of that name, unique and sorted."""
     return sorted({end.node for end in ends if end.name == name})
 
 
 def take(graph: Any, *, hidden: bool = False, debug: bool = False) -> Facts:
     """Read a `coursekit.core.graph.Graph`.
 
-    `hidden` takes in names with a part that begins with '_' (nodes of commands and panels, topics of actions);
-    `debug` /rosout, /parameter_events, rqt's own nodes and the services that every node has for its parameters.
+    `hidden` includes names with a part that begins with '_' (nodes of commands and panels, topics of actions);
+    `debug` includes /rosout, /parameter_events, rqt's own nodes and the parameter services of all nodes.
     """
     nodes = [node for node in list(graph.nodes) if hidden or not is_hidden(node.full_name)]
     nodes = [node for node in nodes if debug or not node.full_name.startswith(DEBUG_NODES)]
@@ -132,7 +132,7 @@ def _is_parameter_service(endpoint: Any) -> bool:
 
 
 def _actions(nodes: list[Any], kind: str) -> tuple[End, ...]:
-    """Actions are told by the service that takes their goals."""
+    """Return the actions; they are recognised by the service for their goals."""
     return tuple(
         sorted(
             End(one.name.removesuffix(_GOAL_SERVICE), node.full_name, one.type_name.removesuffix(_GOAL_TYPE))

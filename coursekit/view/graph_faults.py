@@ -1,4 +1,4 @@
-"""The faults of a graph, in one sentence each, with the cure in another."""
+"""The faults of a graph, each with a sentence for the fault and one for the remedy."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ from coursekit.suggestions import hint, similar
 from .graph_facts import End, Facts, names_of, nodes_at, types_of
 
 ALIKE = 0.75
-"""Names at least this much alike (difflib's ratio) are taken for a slip of the finger."""
+"""The similarity (difflib's ratio) from which a name counts as a typo of another."""
 
 
 @dataclass(frozen=True)
 class Fault:
-    """`places` are the names in the picture that it belongs to; a serious one is drawn in red, others are remarks."""
+    """A fault; a serious one is drawn in red, others are remarks. `places` are its names in the picture."""
 
     text: str
     cure: str
@@ -35,7 +35,7 @@ class Fault:
 
 
 def find(facts: Facts) -> list[Fault]:
-    """All faults of the graph: serious ones first, else in a fixed order."""
+    """Return all faults of the graph, serious ones first, otherwise in a fixed order."""
     found = [
         *_duplicates(facts),
         *_types(facts),
@@ -91,7 +91,7 @@ def _qos(facts: Facts) -> Iterator[Fault]:
 
 
 def mismatches(pub: End, sub: End) -> list[tuple[str, str, str, str]]:
-    """(policy, what is offered, what is requested, the cure) for each policy in which the two do not match."""
+    """Return (policy, offered value, requested value, remedy) for each policy that does not match."""
     offer, wish = pub.qos.resolved(), sub.qos.resolved()
     found = []
     if offer.reliability == BEST_EFFORT and wish.reliability == RELIABLE:
@@ -123,7 +123,7 @@ def _seconds(nanoseconds: int) -> str:
     return "none" if nanoseconds == INFINITE else f"{nanoseconds * 1e-9:g} s"
 
 
-# -- ends that meet nobody
+# -- ends without a counterpart
 
 
 def _topics(facts: Facts) -> Iterator[Fault]:
@@ -137,7 +137,7 @@ def _topics(facts: Facts) -> Iterator[Fault]:
             yield _lonely(name, published, facts, heard=True)
         elif name not in heard:
             other = _alike(name, facts.publishers, facts.subscriptions)
-            if other is None or other in published:  # else it is said at the other name
+            if other is None or other in published:  # otherwise the other name reports it
                 yield _lonely(name, heard, facts, heard=False)
 
 
@@ -165,7 +165,7 @@ def _lonely(name: str, others: Sequence[str], facts: Facts, *, heard: bool) -> F
 
 
 def _alike(name: str, mine: Sequence[End], theirs: Sequence[End]) -> str | None:
-    """The topic of the same type that was probably meant: one spelt alike, or of the same last name and in want of us."""
+    """Find the probably intended topic of this type: a similar name, or the same last part and no such end."""
     types = types_of(name, mine)
     candidates = [one for one in names_of(end for end in theirs if end.type in types) if _letters(one) != _letters(name)]
     last, served = name.rpartition("/")[2], names_of(mine)
@@ -175,7 +175,7 @@ def _alike(name: str, mine: Sequence[End], theirs: Sequence[End]) -> str | None:
 
 
 def _letters(name: str) -> str:
-    """/turtle1 and /turtle2 are no slip of the finger."""
+    """Return a name without digits: /turtle1 is no typo of /turtle2."""
     return "".join(letter for letter in name if not letter.isdigit())
 
 

@@ -1,4 +1,4 @@
-"""The drawing of a graph: nodes as pills, topics, services and actions as boxes, faults in red with their cures."""
+"""The drawing of a graph: nodes as pills; topics, services and actions as boxes; faults in red with their remedies."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ COLOURS = {
     "service": ("#e8f5ec", "#4d9a6a", "#1d5233"),
     "action": ("#f2ecfb", "#8b66c2", "#42286b"),
 }
-"""Fill, line and letters of each kind of thing."""
+"""Fill, outline and text colour of each kind."""
 SMALL = {"node": "#5d6d7a", "topic": "#93783f", "service": "#5b8a6b", "action": "#866ba8"}
 
 
 @dataclass
 class Thing:
-    """A box of the picture."""
+    """A box in the picture."""
 
     kind: str
     name: str
@@ -39,18 +39,18 @@ class Thing:
 
     @property
     def key(self) -> str:
-        """Unique in the picture: a node and a topic may share a name."""
+        """The key, unique in the picture: a node and a topic may share a name."""
         return f"{self.kind} {self.name}"
 
     def box(self) -> Box:
-        """Its size."""
+        """Return the box's size."""
         width = max(text_width(self.name, NAME_SIZE), text_width(self.note, TYPE_SIZE))
         return Box(self.key, max(64.0, width + 30.0), 44.0 if self.note else 34.0, self.group)
 
 
 @dataclass
 class Link:
-    """A line of the picture; `broken` where a fault keeps messages from passing."""
+    """A line in the picture; `broken` if a fault blocks its messages."""
 
     start: str
     end: str
@@ -60,7 +60,7 @@ class Link:
 
 
 def draw(facts: Facts, faults: Sequence[Fault], view: str, *, services: bool, actions: bool) -> Drawing:
-    """The picture of the graph in one of the views 'nodes', 'active' and 'all'."""
+    """Return the picture of the graph in one of the views 'nodes', 'active' and 'all'."""
     serious = [fault for fault in faults if fault.serious]
     things = {thing.key: thing for thing in _things(facts, view, services, actions)}
     links = _merged(_links(facts, view, things, serious))
@@ -78,7 +78,7 @@ def draw(facts: Facts, faults: Sequence[Fault], view: str, *, services: bool, ac
     return _drawing(layout, things, links, serious)
 
 
-# -- what there is
+# -- contents
 
 
 def _things(facts: Facts, view: str, services: bool, actions: bool) -> Iterator[Thing]:
@@ -132,7 +132,7 @@ def _links(facts: Facts, view: str, things: dict[str, Thing], faults: Sequence[F
 
 
 def _merged(links: Iterator[Link]) -> list[Link]:
-    """One line for each pair of boxes: both ways between the same two is one with two heads."""
+    """Merge links so that each pair of boxes has one line; a link in both directions gets two heads."""
     found: dict[tuple[str, str], Link] = {}
     for link in links:
         pair, back = (link.start, link.end), (link.end, link.start)
@@ -147,7 +147,7 @@ def _merged(links: Iterator[Link]) -> list[Link]:
     return list(found.values())
 
 
-# -- how it is drawn
+# -- drawing
 
 
 def _drawing(layout: Layout, things: dict[str, Thing], links: list[Link], faults: Sequence[Fault]) -> Drawing:
@@ -206,7 +206,7 @@ def _badge(x: float, y: float, number: int) -> list[Rect | Text | Curve]:
 
 
 def _draw_labels(drawing: Drawing, link: Link, route: list[tuple[float, float]]) -> None:
-    """The topics' names on a line between two nodes, on a patch of paper."""
+    """Draw the topic names on a line between two nodes, on a white background."""
     if not link.labels or not route:
         return
     (x0, y0), (x1, y1) = route[0], route[1]
@@ -223,7 +223,7 @@ def _draw_labels(drawing: Drawing, link: Link, route: list[tuple[float, float]])
 
 
 def _draw_faults(drawing: Drawing, faults: Sequence[Fault]) -> None:
-    """The numbered list below the picture."""
+    """Draw the numbered list of faults below the picture."""
     if not faults:
         return
     drawing.width = max(drawing.width, 560.0)

@@ -1,4 +1,4 @@
-"""A graph in lines of text, and the details of one node or topic."""
+"""A graph as text, and the details of one node or topic."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from .graph_faults import Fault
 
 
 def described(facts: Facts, faults: Sequence[Fault], *, services: bool, actions: bool, dead_ends: bool) -> str:
-    """The graph, a line for each topic; sorted, the same every time.
+    """Return the graph, a line for each topic; sorted and deterministic.
 
-    `dead_ends` takes in topics that have only publishers or only subscribers, and says so.
+    `dead_ends` includes topics with only publishers or only subscribers, and marks them.
     """
     counts = [counted(len(facts.nodes), "node"), counted(len(facts.topics), "topic")]
     lines = [f"graph: {', '.join(counts)}", f"nodes: {', '.join(_marked(facts)) or '(none)'}"]
@@ -33,7 +33,7 @@ def described(facts: Facts, faults: Sequence[Fault], *, services: bool, actions:
 
 
 def _marked(facts: Facts) -> Iterable[str]:
-    """The nodes; those that came by the network are marked."""
+    """Return the nodes; those from the network are marked."""
     return (f"{name} (network)" if name in facts.remote else name for name in facts.nodes)
 
 
@@ -48,7 +48,7 @@ def _line(kind: str, name: str, sources: Sequence[End], targets: Sequence[End]) 
 
 
 def details(graph: Any, name: str) -> str:
-    """The output of `ros2 node info` or `ros2 topic info -v` for the node, topic, service or action of that name."""
+    """Return the output of `ros2 node info` or `ros2 topic info -v` for the node, topic, service or action of that name."""
     node = next((one for one in list(graph.nodes) if one.full_name == name), None)
     if node is not None:
         return _of_node(node)

@@ -1,14 +1,16 @@
-"""OpenCV's windows and camera in a session: `cv2.imshow`, `waitKey`, `VideoCapture(0)` and their company.
+"""OpenCV's windows and camera in a session: `cv2.imshow`, `waitKey`, `VideoCapture(0)` and related functions.
 
-The wheel of OpenCV that the course installs opens no windows, and most machines of a lab have no webcam. When cv2 is
-imported in a session, `install` gives it
+The OpenCV wheel of the course opens no windows, and most lab machines have no webcam. When cv2 is imported in a
+session, `install` adds
 
-- imshow, namedWindow, waitKey, waitKeyEx, pollKey, destroyWindow, destroyAllWindows, getWindowProperty, setWindowTitle,
+- imshow, namedWindow, waitKey, waitKeyEx, pollKey, destroyWindow, destroyAllWindows, getWindowProperty,
+  setWindowTitle,
   resizeWindow, moveWindow: windows are kept here, and a notebook shows them (`coursekit.lab.windows()`);
-- VideoCapture: camera 0 is the virtual one; files and addresses are opened by OpenCV itself.
+- VideoCapture: camera 0 is the virtual one; files and URLs are opened by OpenCV itself.
 
-It steps aside: windows stay OpenCV's own where it can open them (a display, and a build with a GUI); the camera stays
-the real one where there is a device (`/dev/video0`). COURSEKIT_CAMERA=virtual or real overrules the latter.
+It does not replace working functions: windows stay OpenCV's own where it can open them (a display, and a build with a
+GUI), and the real camera stays where there is a device (`/dev/video0`). COURSEKIT_CAMERA=virtual or real overrides
+the camera's choice.
 """
 
 from __future__ import annotations
@@ -31,14 +33,14 @@ _RealCapture = cv2.VideoCapture
 
 
 class Window:
-    """A named window: the newest image, nothing else."""
+    """A named window with its newest image."""
 
     def __init__(self, name: str) -> None:
         self.name = name
         self.title = name
         self.image: Any = None
         self.shown = 0
-        """How many images it has had."""
+        """The number of images shown so far."""
         self.open = True
 
     def __repr__(self) -> str:
@@ -63,7 +65,7 @@ class Desk:
         self._pressed = session.clock.new_event()
 
     def window(self, name: str) -> Window:
-        """The window of that name, opened on first use."""
+        """Return the window of that name, opened on first use."""
         window = self.windows.get(name)
         if window is None:
             window = self.windows[name] = Window(name)
@@ -71,19 +73,19 @@ class Desk:
         return window
 
     def close(self, name: str) -> None:
-        """Close a window; harmless when there is none."""
+        """Close a window; does nothing if there is none."""
         window = self.windows.pop(name, None)
         if window is not None:
             window.open = False
             _windows.tell(window)
 
     def press(self, key: str | int) -> None:
-        """Press a key: a character, or a number as waitKey returns it."""
+        """Press a key: a character, or a key code as returned by waitKey."""
         self.keys.append(ord(key) if isinstance(key, str) else int(key))
         self._pressed.set()
 
     def wait_key(self, milliseconds: int) -> int:
-        """Wait for a key, at most that long (0: without end); its number, -1 for none."""
+        """Wait at most that long for a key (0: forever). Returns its code, or -1 for none."""
         clock = self.session.clock
         end = None if milliseconds <= 0 else clock.steady() + milliseconds * 1_000_000
         while not self.keys:
@@ -98,7 +100,7 @@ class Desk:
 
 
 def desk() -> Desk:
-    """The current session's desk."""
+    """Return the current session's desk."""
     session = current()
     found = getattr(session, "_desk", None)
     if found is None:
@@ -107,7 +109,7 @@ def desk() -> Desk:
 
 
 def as_bgr(image: Any) -> Any:
-    """A window's picture of an array, as OpenCV makes it: 16 bits are divided, floats are from 0 to 1."""
+    """Convert an array to a window's image, as OpenCV does: 16-bit values are divided, floats range from 0 to 1."""
     if image.dtype == np.uint16:
         image = (image >> 8).astype(np.uint8)
     elif image.dtype.kind == "f":
@@ -123,7 +125,7 @@ def as_bgr(image: Any) -> Any:
 
 
 def imshow(winname: str, mat: Any) -> None:
-    """Show an image in a window, which is opened if need be."""
+    """Show an image in a window, which is opened if necessary."""
     if not isinstance(mat, np.ndarray) or not mat.size or mat.ndim not in (2, 3):
         raise cv2.error(
             f"imshow('{winname}') got no image but {type(mat).__name__}. If it comes from a camera or a file, look at "
@@ -154,12 +156,12 @@ def destroyAllWindows() -> None:
 
 
 def waitKey(delay: int = 0) -> int:
-    """Wait `delay` ms of session time for a key (0: without end); its number, -1 for none."""
+    """Wait `delay` ms of session time for a key (0: forever). Returns its code, or -1 for none."""
     return desk().wait_key(int(delay))
 
 
 def pollKey() -> int:
-    """The key that was pressed, -1 for none; does not wait."""
+    """Return the pressed key, or -1 for none, without waiting."""
     return desk().keys.popleft() if desk().keys else -1
 
 
@@ -171,20 +173,20 @@ def setWindowTitle(winname: str, title: str) -> None:
 
 
 def getWindowProperty(winname: str, prop_id: int) -> float:
-    """1.0 for a window that is open, -1.0 for one that is not."""
+    """Return 1.0 for an open window, otherwise -1.0."""
     return 1.0 if winname in desk().windows else -1.0
 
 
 def resizeWindow(winname: str, *_size: Any) -> None:
-    """Nothing: a window in a notebook is as wide as its image, or as the page."""
+    """Do nothing: a window in a notebook is as wide as its image, or as the page."""
 
 
 def moveWindow(winname: str, x: int, y: int) -> None:
-    """Nothing: windows stand where the notebook has them."""
+    """Do nothing: the notebook positions the windows."""
 
 
 class VideoCapture:
-    """`cv2.VideoCapture`: the virtual camera for a number, OpenCV's own reader for a file or an address."""
+    """`cv2.VideoCapture`: the virtual camera for a number, OpenCV's own reader for a file or URL."""
 
     def __new__(cls, *args: Any, **kwargs: Any) -> Any:
         index = args[0] if args else kwargs.get("index", kwargs.get("filename"))
@@ -216,13 +218,13 @@ def has_display() -> bool:
 
 
 def has_camera() -> bool:
-    """Whether a real camera is to be used."""
+    """Whether to use a real camera."""
     wish = os.environ.get("COURSEKIT_CAMERA", "")
     return os.path.exists("/dev/video0") if wish not in ("virtual", "real") else wish == "real"
 
 
 def install() -> None:
-    """Lend cv2 what it lacks here, while sessions are open."""
+    """Patch cv2 with the functions missing here, while sessions are open."""
     if not has_display():
         patch_manager.lend(*_WINDOW_PATCHES)
     if not has_camera():
@@ -230,7 +232,7 @@ def install() -> None:
 
 
 def patches() -> list[Patch]:
-    """All that may be lent, whatever this computer has."""
+    """Return all possible patches, regardless of this computer."""
     return [*_WINDOW_PATCHES, _CAMERA_PATCH]
 
 

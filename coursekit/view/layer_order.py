@@ -1,4 +1,4 @@
-"""The order of boxes within the layers of a layered layout: few crossings, groups together."""
+"""The order of boxes within the layers of a layered layout: few crossings, groups kept together."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from itertools import pairwise
 SWEEPS = 12
 MANY_LINKS = 400
 PATIENCE = 3
-"""A large picture is done after so many sweeps that save nothing."""
+"""The number of sweeps without improvement after which a large layout is finished."""
 
 
 class Order:
-    """`rows[i]` is layer i from top to bottom; `groups` the group of each box; `bands` the groups from the top."""
+    """`rows[i]` is layer i from top to bottom; `groups` maps boxes to groups; `bands` are the groups from top to bottom."""
 
     def __init__(self, groups: dict[str, str]) -> None:
         self.groups = groups
@@ -21,7 +21,7 @@ class Order:
         self.bands: list[str] = []
 
     def places(self) -> dict[str, int]:
-        """The place of each box in its layer."""
+        """Return the index of each box in its layer."""
         return {key: place for row in self.rows for place, key in enumerate(row)}
 
 
@@ -53,7 +53,7 @@ def order_layers(order: Order, layers: dict[str, int], chains: Sequence[Sequence
 
 
 class _Neighbours:
-    """The links of each box to the layer before it and to the one after it."""
+    """The links of each box to the layers before and after it."""
 
     def __init__(self, links: Sequence[tuple[str, str]]) -> None:
         self.before: dict[str, list[str]] = {}
@@ -64,7 +64,7 @@ class _Neighbours:
 
 
 def _walk(keys: list[str], chains: Sequence[Sequence[str]]) -> list[str]:
-    """The boxes so that connected ones follow each other."""
+    """Return the boxes in an order in which connected ones follow each other."""
     beside: dict[str, list[str]] = {key: [] for key in keys}
     for a, b in _links(chains):
         beside[a].append(b)
@@ -89,7 +89,7 @@ def _copy(rows: list[list[str]]) -> list[list[str]]:
 
 
 def crossings(rows: Sequence[Sequence[str]], links: Sequence[tuple[str, str]]) -> int:
-    """How many pairs of links (between neighbouring layers) cross.
+    """Count the crossing pairs of links (between neighbouring layers).
 
     >>> crossings([["a", "b"], ["c", "d"]], [("a", "d"), ("b", "c")])
     1
@@ -100,7 +100,7 @@ def crossings(rows: Sequence[Sequence[str]], links: Sequence[tuple[str, str]]) -
         by_layer.setdefault(at[a][0], []).append((at[a][1], at[b][1]))
     count = 0
     for pairs in by_layer.values():
-        ends: list[int] = []  # of the links that start above; those that end below this one's end cross it
+        ends: list[int] = []  # of links that start above; a link crosses those that end below its own end
         for _, end in sorted(pairs):
             place = bisect_right(ends, end)
             count += len(ends) - place
@@ -109,7 +109,7 @@ def crossings(rows: Sequence[Sequence[str]], links: Sequence[tuple[str, str]]) -
 
 
 def _sweep(order: Order, linked: _Neighbours, rank: dict[str, int], *, down: bool) -> None:
-    """Sort each layer by the mean place of its neighbours in the layer before."""
+    """Sort each layer by the mean position of its neighbours in the previous layer."""
     beside = linked.before if down else linked.after
     places = order.places()
     for row in order.rows if down else reversed(order.rows):
@@ -122,7 +122,7 @@ def _sweep(order: Order, linked: _Neighbours, rank: dict[str, int], *, down: boo
 
 
 def _swap(order: Order, linked: _Neighbours) -> None:
-    """Exchange neighbours of one group where that saves crossings."""
+    """Swap neighbours of one group where that removes crossings."""
     places = order.places()
     for row in order.rows:
         sides = (linked.before, linked.after)
@@ -137,7 +137,7 @@ def _swap(order: Order, linked: _Neighbours) -> None:
 
 
 def _saved(upper: list[int], lower: list[int]) -> int:
-    """How many crossings an exchange of two boxes saves, whose links end at these places (sorted)."""
+    """Count the crossings removed by swapping two boxes, whose links end at these (sorted) positions."""
     if len(upper) > len(lower):
         return sum(len(upper) - bisect_right(upper, end) - bisect_left(upper, end) for end in lower)
     return sum(bisect_left(lower, end) - (len(lower) - bisect_right(lower, end)) for end in upper)

@@ -1,4 +1,4 @@
-"""The heights at which a layered layout's boxes stand: near their neighbours, never on each other."""
+"""The vertical positions of a layered layout's boxes: near their neighbours, without overlaps."""
 
 from __future__ import annotations
 
@@ -17,7 +17,10 @@ def place(
     between: float,
     pads: tuple[float, float],
 ) -> tuple[dict[str, float], dict[str, tuple[float, float]]]:
-    """(centre y of each box, (top, bottom) of each band); `pads` is the room above and below a named band's boxes."""
+    """Return (centre y of each box, (top, bottom) of each band).
+
+    `pads` is the padding above and below the boxes of a named band.
+    """
     ys: dict[str, float] = {}
     bands: dict[str, tuple[float, float]] = {}
     top = 0.0
@@ -62,11 +65,11 @@ def _one_band(
 def _apart(
     wished: Sequence[float], row: Sequence[str], heights: dict[str, float], between: float
 ) -> list[float]:
-    """The places nearest to `wished` (least squares) that keep the order and the distances."""
+    """Return the positions nearest to `wished` (least squares) that keep the order and the distances."""
     offsets = [0.0]
     for a, b in pairwise(row):
         offsets.append(offsets[-1] + (heights[a] + heights[b]) / 2 + between)
-    runs: list[tuple[float, int]] = []  # mean and length, rising: pool adjacent violators
+    runs: list[tuple[float, int]] = []  # (mean, length), increasing: pool adjacent violators
     for wish, offset in zip(wished, offsets, strict=False):
         mean, size = wish - offset, 1
         while runs and runs[-1][0] > mean:

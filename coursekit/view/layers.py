@@ -1,7 +1,7 @@
-"""Layered layout of a small directed graph, from left to right: boxes with sizes in, places and routes out.
+"""Layered layout of a small directed graph, from left to right: it takes boxes with sizes and returns positions and routes.
 
-The steps are Sugiyama's: turn edges so that there is no cycle, give each box a layer, order the layers so that few
-edges cross, then place boxes as straight as they can be. Boxes of one group (a namespace) share a horizontal band.
+The steps are Sugiyama's: reverse edges to remove cycles, assign boxes to layers, order the layers for few
+crossings, then align the boxes. Boxes of one group (a namespace) share a horizontal band.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ GROUP_TITLE = 18.0
 
 @dataclass(frozen=True)
 class Box:
-    """The box that is to be placed; `group` '' is none."""
+    """A box to place; a `group` of '' means none."""
 
     key: str
     width: float
@@ -30,7 +30,7 @@ class Box:
 
 @dataclass
 class Layout:
-    """Centres of the boxes, points along the edges (as many as given, in their order) and frames of the groups."""
+    """Centres of the boxes, points along the edges (in the given order) and frames of the groups."""
 
     centres: dict[str, Point] = field(default_factory=dict)
     routes: list[list[Point]] = field(default_factory=list)
@@ -42,9 +42,9 @@ class Layout:
 def arrange(
     boxes: Sequence[Box], edges: Sequence[tuple[str, str]], *, gap: float = 64.0, between: float = 16.0
 ) -> Layout:
-    """Place `boxes` so that `edges` (pairs of keys) mostly point right.
+    """Place `boxes` such that `edges` (pairs of keys) mostly point right.
 
-    `gap` is the room between layers, `between` that between boxes above each other, in pixels.
+    `gap` is the space between layers, `between` the vertical space between boxes, in pixels.
 
     >>> layout = arrange([Box("a", 40, 20), Box("b", 40, 20)], [("a", "b")])
     >>> layout.centres["a"][0] < layout.centres["b"][0], layout.centres["a"][1] == layout.centres["b"][1]
@@ -62,7 +62,7 @@ def arrange(
 
 
 def _acyclic(keys: Sequence[str], edges: Sequence[tuple[str, str]]) -> list[tuple[str, str]]:
-    """The edges, turned round where they close a cycle (Eades, Lin, Smyth: few are)."""
+    """Return the edges, with those that close a cycle reversed (Eades, Lin, Smyth: there are few)."""
     rank = {key: place for place, key in enumerate(_sequence(list(keys), edges))}
     return [(a, b) if rank[a] <= rank[b] else (b, a) for a, b in edges]
 
@@ -93,7 +93,7 @@ def _sequence(left: list[str], edges: Sequence[tuple[str, str]]) -> list[str]:
 
 
 def _layers(keys: Sequence[str], edges: Sequence[tuple[str, str]]) -> dict[str, int]:
-    """The layer of each box: right of all that point at it, and as near to what it points at as it can be."""
+    """Return the layer of each box: right of its sources, and a box without sources as near to its targets as possible."""
     layers = dict.fromkeys(keys, 0)
     after: dict[str, list[str]] = {}
     for a, b in edges:
@@ -114,7 +114,7 @@ def _layers(keys: Sequence[str], edges: Sequence[tuple[str, str]]) -> dict[str, 
 
 
 def _chain(index: int, pair: tuple[str, str], layers: dict[str, int], order: Order) -> list[str]:
-    """The edge's boxes, with a stand-in in every layer that it crosses."""
+    """Return the edge's boxes, with a placeholder in every layer that it crosses."""
     a, b = pair
     group = order.groups[a] if order.groups[a] == order.groups[b] else ""
     chain = [a]
@@ -171,7 +171,7 @@ def _route(
     sizes: dict[str, tuple[float, float]],
     spans: dict[str, tuple[float, float]],
 ) -> list[Point]:
-    """From the rim of the first box to that of the last; straight through the layers in between."""
+    """Return the route from the edge of the first box to that of the last, straight through the layers in between."""
     if len(chain) == 1:
         return []
     points: list[Point] = []

@@ -1,4 +1,4 @@
-"""Where a stage is looked at from: by hand, along with a frame, or as it was saved."""
+"""The view of a stage: moved by the user, following a frame, or restored."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ if TYPE_CHECKING:
     from .scene_stage import Stage
 
 Place = tuple[float, float, float, float]
-"""Where a frame is: x, y, z [m] and its yaw [rad]"""
+"""The pose of a frame: x, y, z [m] and yaw [rad]"""
 ORBIT, FOLLOWER = "Orbit", "ThirdPersonFollower"
 
 
 class Looking:
-    """The point of view of a stage. `frame` is RViz's Target Frame, '' the fixed one; `type` its kind of camera."""
+    """The view of a stage. `frame` is RViz's Target Frame, '' the fixed frame; `type` is the kind of camera."""
 
     def __init__(self, stage: Stage) -> None:
         self.stage = stage
         self.frame, self.type = "", ORBIT
         self.moved: dict[str, Any] | None = None
-        """Where a hand has put the camera, in the target frame; None: as configured"""
+        """The camera as moved by the user, in the target frame; None: as configured"""
         self.go_home()
 
     def place(self) -> Place | None:
-        """Where the target frame is; None where there is none, or it cannot be placed."""
+        """Return the pose of the target frame; None if there is none, or it cannot be placed."""
         if not self.frame:
             return None
         try:
@@ -42,7 +42,7 @@ class Looking:
         return x, y, z, yaw if self.type == FOLLOWER else 0.0
 
     def camera(self) -> Camera | None:
-        """The camera in the fixed frame; None when nobody said where."""
+        """Return the camera in the fixed frame; None if neither the user nor the configuration sets one."""
         view = self.moved or self.stage.config.view
         if not view:
             return None
@@ -52,12 +52,12 @@ class Looking:
         return Camera(view["distance"], view["yaw"] + place[3], view["pitch"], target, self.type == FLAT)
 
     def move(self, given: Mapping[str, Any]) -> None:
-        """A hand has moved the camera to distance, yaw, pitch and target of the fixed frame. Raises ValueError."""
+        """Move the camera to distance, yaw, pitch and target in the fixed frame, for the user. Raises ValueError."""
         numbers = {key: given[key] for key in ("distance", "yaw", "pitch", "target") if key in given}
         self.moved = self._in_frame(make_view(numbers) or {})
 
     def follow(self, frame: str, type_: str = ORBIT) -> None:
-        """Look at a frame and move with it, '' with none; a ThirdPersonFollower turns with it, too.
+        """Make the camera follow a frame, or none for ''; a ThirdPersonFollower also rotates with the frame.
 
         A TopDownOrtho looks straight down, x to the right.
         """
@@ -70,7 +70,7 @@ class Looking:
             self.moved["target"] = [0.0, 0.0, 0.0]
 
     def go_home(self) -> None:
-        """As it was configured."""
+        """Restore the configured view."""
         view = self.stage.config.view or {}
         self.frame, self.type = str(view.get("target_frame", "")), str(view.get("type", ORBIT))
         self.moved = None
@@ -78,16 +78,16 @@ class Looking:
     # -- saved views
 
     def view(self) -> dict[str, Any] | None:
-        """The camera's values in a file."""
+        """Return the view for a configuration file."""
         return {**self.moved, **going_with(self.frame, self.type)} if self.moved else self.stage.config.view
 
     def save(self, name: str) -> None:
-        """Keep where one looks from under a name."""
+        """Save the current view under a name."""
         now = self._in_frame(self.stage.camera().as_dict())
         self.stage.config.views[name] = {**now, **going_with(self.frame, self.type)}
 
     def use(self, name: str) -> None:
-        """Look from where it was saved; LookupError names what there is."""
+        """Restore a saved view; LookupError lists the saved views."""
         views = self.stage.config.views
         if name not in views:
             there = f"There are: {', '.join(views)}" if views else "None is saved yet"
@@ -97,7 +97,7 @@ class Looking:
         self.moved = {key: view[key] for key in ("distance", "yaw", "pitch", "target")}
 
     def _in_frame(self, view: dict[str, Any]) -> dict[str, Any]:
-        """A view of the fixed frame as one of the target frame."""
+        """Transform a view from the fixed frame to the target frame."""
         place = self.place() or (0.0, 0.0, 0.0, 0.0)
         x, y, z = (there - here for there, here in zip(view["target"], place, strict=False))
         x, y = _turned((x, y), -place[3])

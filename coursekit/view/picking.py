@@ -1,4 +1,4 @@
-"""The clicked thing of a stage: its display, and its facts."""
+"""The selected thing of a stage: its display and its facts."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from .scene_stage import Stage
 
 @dataclass(frozen=True, eq=False)
 class Picked:
-    """A place on a thing, kept by names: shapes come and go with each message."""
+    """A point on a thing, stored by names: shapes come and go with each message."""
 
     display: str
-    """The display's key"""
+    """The display's key."""
     thing: str
     here: np.ndarray
-    """Where on the thing, in its own frame [m]"""
+    """The point in the thing's own frame [m]."""
     at: np.ndarray
-    """Where that was in the fixed frame [m]: dots stay there, whatever sensor they come from"""
+    """The point in the fixed frame [m]: dots stay there, regardless of their sensor's motion."""
 
 
 def pick(stage: Stage, number: int, point: Any) -> Picked | None:
-    """The thing that has or just had this number, clicked at a point of the fixed frame [m]; None if it has gone."""
+    """Return the thing with this (recent) number, clicked at a point of the fixed frame [m]; None if it has gone."""
     with stage.lock:
         key = stage.scene.key_of(number)
         thing = stage.scene.things.get(key) if key is not None else None
@@ -35,7 +35,7 @@ def pick(stage: Stage, number: int, point: Any) -> Picked | None:
 
 
 def told(stage: Stage, picked: Picked) -> dict[str, Any] | None:
-    """Display, topic and values as they are now, for the page; None when the thing is no longer shown."""
+    """Return the display, topic and current values for the page; None if the thing is no longer shown."""
     with stage.lock:
         thing = stage.scene.things.get((picked.display, picked.thing))
         one = next((one for one in stage.displays if one.key == picked.display), None)

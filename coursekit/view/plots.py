@@ -1,8 +1,8 @@
 """matplotlib's windows in a session: `plt.show`, `plt.pause`, animations and `flush_events` of a process.
 
-A node that plots runs in a thread, where no GUI toolkit works: it asks none. Its figures become windows as OpenCV's do
-(a notebook shows them: `coursekit.lab.windows()`), `show` lasts until Ctrl-C or until the last figure is closed, and
-timers, such as an animation's, keep the session's time. Plots of a notebook's own cells are left alone.
+A node that plots runs in a thread, where no GUI toolkit works, so none is used. Its figures become windows as
+OpenCV's do (a notebook shows them: `coursekit.lab.windows()`). `show` lasts until Ctrl-C or until the last figure is
+closed. Timers, such as an animation's, use the session's time. Plots made by a notebook's own cells are not affected.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from coursekit.processes.process import Process, current_process
 from .highgui import desk, imshow
 
 FRAME = 0.1
-"""Longest time between two looks at the figures [s]."""
+"""The maximum time between two updates of the figures [s]."""
 _real: dict[str, Any] = {
     "new_figure_manager": plt.new_figure_manager,
     "show": plt.show,
@@ -34,7 +34,7 @@ _real: dict[str, Any] = {
 
 
 class Plots:
-    """The figures of one process and the timers that run."""
+    """The figures of one process and its running timers."""
 
     def __init__(self, process: Process) -> None:
         self.clock = process.session.clock
@@ -44,17 +44,17 @@ class Plots:
         process.cleanups.append(self.close)
 
     def add(self, manager: Any) -> None:
-        """Look after a new figure."""
+        """Manage a new figure."""
         self.managers.append(manager)
         manager.canvas.mpl_connect("draw_event", lambda _: self._drawn.add(manager.num))
 
     def open_managers(self) -> list[Any]:
-        """Those that pyplot still has."""
+        """Return the figures that pyplot still has."""
         self.managers = [one for one in self.managers if Gcf.figs.get(one.num) is one]
         return self.managers
 
     def draw(self) -> None:
-        """Draw what has changed, and show it."""
+        """Draw the changed figures, and show them."""
         for manager in self.open_managers():
             canvas = manager.canvas
             name = canvas.figure.get_label() or f"Figure {manager.num}"
@@ -65,7 +65,7 @@ class Plots:
                 imshow(name, np.asarray(canvas.buffer_rgba())[..., 2::-1])
 
     def run(self, seconds: float | None) -> None:
-        """Draw and fire timers for so long; None: until no figure is open."""
+        """Draw and fire timers for `seconds`; None: until no figure is open."""
         end = None if seconds is None else self.clock.steady() + round(seconds * 1e9)
         while self.open_managers() if end is None else True:
             self.draw()
@@ -78,14 +78,14 @@ class Plots:
                 timer.fire()
 
     def close(self) -> None:
-        """Close its figures and their windows."""
+        """Close the process's figures and their windows."""
         for manager in self.open_managers():
             desk().close(manager.canvas.figure.get_label() or f"Figure {manager.num}")
             Gcf.figs.pop(manager.num, None)
 
 
 class SessionTimer(bases.TimerBase):
-    """A timer that counts the session's time while its process shows figures."""
+    """A timer that uses the session's time while its process shows figures."""
 
     plots: Plots
     due = 0
@@ -100,7 +100,7 @@ class SessionTimer(bases.TimerBase):
             self.plots.timers.remove(self)
 
     def fire(self) -> None:
-        """Call its callbacks, and be due again one interval later."""
+        """Call the callbacks, and schedule the next call one interval later."""
         self.due += self.interval * 1_000_000
         self._on_timer()  # type: ignore[attr-defined]
         if self.single_shot:
@@ -108,7 +108,7 @@ class SessionTimer(bases.TimerBase):
 
 
 def plots() -> Plots | None:
-    """The figures of the present process; None outside of processes."""
+    """Return the figures of the current process; None outside of processes."""
     process = current_process()
     if process is None:
         return None
@@ -118,14 +118,14 @@ def plots() -> Plots | None:
 
 
 def new_figure_manager(num: int | str, *args: Any, FigureClass: Any = plt.Figure, **kwargs: Any) -> Any:
-    """A figure and its manager: of a process, without a window of the system's."""
+    """Make a figure and its manager; in a process without a window of the system."""
     if current_process() is None:
         return _real["new_figure_manager"](num, *args, FigureClass=FigureClass, **kwargs)
     return FigureCanvasAgg.new_manager(FigureClass(*args, **kwargs), num)
 
 
 def show(*args: Any, block: bool | None = None, **kwargs: Any) -> Any:
-    """Show the figures; returns when the last is closed, at once with `block=False` or after `plt.ion()`."""
+    """Show the figures; returns when the last is closed, or at once with `block=False` or after `plt.ion()`."""
     own = plots()
     if own is None:
         return _real["show"](*args, **kwargs) if block is None else _real["show"](*args, block=block, **kwargs)
@@ -167,12 +167,12 @@ def _set_new_active_manager(cls: Any, manager: Any) -> None:
 
 
 def patches() -> list[Patch]:
-    """The replacements in pyplot."""
+    """Return the patches of pyplot."""
     return _PATCHES
 
 
 def install() -> None:
-    """Lend pyplot these, while sessions are open."""
+    """Patch pyplot while sessions are open."""
     patch_manager.lend(*_PATCHES)
 
 

@@ -19,13 +19,13 @@ JOINTS = {
     "revolute": ("#e4effb", "#3173b5", "#16385c"),
     "prismatic": ("#f2ecfb", "#8b66c2", "#42286b"),
 }
-"""Fill, line and letters by the joint's type."""
+"""Fill, outline and text colour by joint type."""
 NAME_SIZE, NOTE_SIZE = 13.0, 10.5
 GREY = "#8795a1"
 
 
 def motion(joint: Joint) -> str:
-    """How a joint moves, in a few words.
+    """Describe a joint's motion.
 
     >>> motion(Joint("j", "continuous", "a", "b", axis=(0.0, 1.0, 0.0)))
     'continuous about y'
@@ -50,7 +50,7 @@ def _axis(axis: tuple[float, float, float]) -> str:
 
 
 class RobotTree:
-    """The tree of a robot: links green, joints by how they move.
+    """The tree of a robot: links in green, joints coloured by type.
 
     >>> from coursekit.urdf import parse
     >>> RobotTree(parse('<robot name="ball"><link name="base_link"/></robot>'))
@@ -64,7 +64,7 @@ class RobotTree:
         self.robot = robot
 
     def text(self) -> str:
-        """The tree in lines."""
+        """Return the tree as text."""
         robot = self.robot
         links, joints = counted(len(robot.links), "link"), counted(len(robot.joints), "joint")
         lines = [f"{robot.name}: {links}, {joints}", robot.root]
@@ -78,7 +78,7 @@ class RobotTree:
         return "\n".join(lines)
 
     def drawing(self) -> Drawing:
-        """The shapes, from left to right."""
+        """Return the picture's shapes, from left to right."""
         boxes, notes, edges = self._boxes()
         layout = arrange(boxes, edges, gap=34.0, between=12.0)
         drawing = Drawing(max(layout.width, 120.0), max(layout.height, 50.0))
@@ -119,11 +119,11 @@ class RobotTree:
         drawing.add(*shapes, name=name, tip=f"{'link' if link else 'joint'} {name}")
 
     def svg(self) -> str:
-        """The picture as SVG."""
+        """Return the picture as SVG."""
         return svg(self.drawing(), title=f"links and joints of {self.robot.name}")
 
     def png(self) -> bytes:
-        """The picture as PNG."""
+        """Return the picture as PNG."""
         return png(self.drawing())
 
     def __repr__(self) -> str:

@@ -1,4 +1,4 @@
-"""A scene: things with shapes at poses, and what has changed in it since it was last sent."""
+"""A scene: things with shapes at poses, and its changes since they were last sent."""
 
 from __future__ import annotations
 
@@ -13,29 +13,29 @@ Pose = tuple[float, float, float, float, float, float, float]
 """x, y, z [m] and a unit quaternion x, y, z, w"""
 Scale = tuple[float, float, float]
 Key = tuple[str, str]
-"""(the display that a thing belongs to, its own name)"""
+"""(the thing's display, its own name)"""
 HERE: Pose = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 FULL: Scale = (1.0, 1.0, 1.0)
 _CLOSE = 1e-7
 _REMEMBERED = 2000
-"""Numbers of so many things that went are known at least: a page may click what has just been replaced."""
+"""The minimum number of removed things whose numbers are remembered: a page may report a click on a replaced thing."""
 
 
 @dataclass
 class Thing:
-    """Shapes that move together."""
+    """Shapes that move as one."""
 
     number: int
     shapes: tuple[Shape, ...]
     pose: Pose = HERE
     scale: Scale = FULL
     solid: str = ""
-    """The robot it is a part of, which has a soft shadow on the floor; '': none"""
+    """The robot that the thing is part of, which gets a soft shadow on the floor; '' for none"""
 
 
 @dataclass
 class Changes:
-    """The browser's steps to show the scene as it is now, in this order."""
+    """The steps that bring the browser's scene up to date, in this order."""
 
     gone: list[int] = field(default_factory=list)
     made: list[Thing] = field(default_factory=list)
@@ -68,7 +68,7 @@ class Scene:
     def put(
         self, display: str, name: str, *shapes: Shape, pose: Pose | None = None, scale: Scale = FULL, solid: str = ""
     ) -> None:
-        """Give a thing these shapes, in place of those it had; `pose` in the fixed frame."""
+        """Set a thing's shapes, replacing earlier ones; `pose` is in the fixed frame."""
         old = self.things.get((display, name))
         if old is None or not _replaces(shapes, old.shapes):
             if old is not None:
@@ -83,7 +83,7 @@ class Scene:
         self.things[display, name] = self._made[thing.number] = thing
 
     def place(self, display: str, name: str, pose: Pose, scale: Scale = FULL) -> None:
-        """Move a thing that is there."""
+        """Move an existing thing."""
         thing = self.things[display, name]
         if thing.scale == scale and all(abs(a - b) < _CLOSE for a, b in zip(thing.pose, pose, strict=True)):
             return
@@ -98,7 +98,7 @@ class Scene:
             self._keys = {one: of for one, of in self._keys.items() if one in kept}
 
     def key_of(self, number: int) -> Key | None:
-        """The display that has the number, or had it until it was replaced; None: not known.
+        """Return the key of the thing that has the number, or had it until replaced; None if unknown.
 
         >>> scene = Scene()
         >>> scene.put("scan", "dots", Label("old"))
@@ -109,22 +109,22 @@ class Scene:
         return self._keys.get(number)
 
     def has(self, display: str, name: str) -> bool:
-        """Whether a thing is there."""
+        """Whether a thing exists."""
         return (display, name) in self.things
 
     def remove(self, display: str, name: str) -> None:
-        """Take a thing away; harmless when it is not there."""
+        """Remove a thing; does nothing if it does not exist."""
         thing = self.things.pop((display, name), None)
         if thing is not None:
             self._forget(thing)
 
     def clear(self, display: str) -> None:
-        """Take all things of a display away."""
+        """Remove all things of a display."""
         for key in [key for key in self.things if key[0] == display]:
             self.remove(*key)
 
     def keep_only(self, display: str, names: Sequence[str] | set[str]) -> None:
-        """Take away the things of a display that are not named."""
+        """Remove the things of a display that are not in `names`."""
         for key in [key for key in self.things if key[0] == display and key[1] not in names]:
             self.remove(*key)
 
@@ -134,25 +134,25 @@ class Scene:
             self._gone.append(thing.number)
 
     def changes(self) -> Changes:
-        """The changes since the last call."""
+        """Return the changes since the last call."""
         found = Changes(self._gone, list(self._made.values()), list(self._moved.values()))
         self._gone, self._made, self._moved = [], {}, {}
         return found
 
     def whole(self) -> Changes:
-        """All of it, for a page that shows nothing yet."""
+        """Return the whole scene, for a page that shows nothing yet."""
         self.changes()
         return Changes([], list(self.things.values()), [])
 
     def bounds(self, displays: Sequence[str] | None = None) -> tuple[np.ndarray, np.ndarray] | None:
-        """The least and the greatest corner of a box around what is shown [m]; None of an empty scene."""
+        """Return the minimum and maximum corner of the bounding box [m]; None for an empty scene."""
         things = [thing for key, thing in self.things.items() if displays is None or key[0] in displays]
         corners = [corner for thing in things for corner in _corners(thing)]
         return (np.min(corners, axis=0), np.max(corners, axis=0)) if corners else None
 
 
 def _replaces(shapes: Sequence[Shape], old: Sequence[Shape]) -> bool:
-    """Whether the page can change the old shapes into these: it keeps a picture until it has loaded the next one."""
+    """Whether the page can change the old shapes into these: it keeps a picture until the next one is loaded."""
     return len(shapes) == len(old) and all(isinstance(one, Picture) for one in (*shapes, *old))
 
 

@@ -1,4 +1,4 @@
-"""Scenes of the past: what was in a scene at a time, and what turns one such moment into another."""
+"""Past states of scenes: the content of a scene at a time, and the changes between two such moments."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ import numpy as np
 from .scene import Changes, Scene, Thing
 
 Moment = Mapping[int, Thing]
-"""The things of a scene as they were, by their numbers."""
+"""The things of a scene at a moment, by number."""
 _POSE_BYTES = 200
 
 
 def moment_of(scene: Scene) -> Moment:
-    """The content of a scene now. Shapes are shared with it: they are replaced there, never changed."""
+    """Return the current content of a scene. Shapes are shared: the scene replaces them and never modifies them."""
     return {thing.number: replace(thing) for thing in scene.things.values()}
 
 
 def between(before: Moment, after: Moment) -> Changes:
-    """The steps of a page that shows one moment, to show the other.
+    """Return the changes that turn a page from one moment into another.
 
     >>> from coursekit.view.scene_shapes import Label
     >>> scene = Scene()
@@ -40,7 +40,7 @@ def between(before: Moment, after: Moment) -> Changes:
 
 
 def size_of(moment: Moment, before: Moment) -> int:
-    """The memory of a moment beside an earlier one [bytes]: shapes that both have are there once."""
+    """Return the extra memory of a moment after an earlier one [bytes]: shared shapes count once."""
     new = [one for one in moment.values() if one.number not in before or before[one.number].shapes is not one.shapes]
     values = [value for one in new for shape in one.shapes for value in vars(shape).values()]
     return _POSE_BYTES * len(moment) + sum(value.nbytes for value in values if isinstance(value, np.ndarray))

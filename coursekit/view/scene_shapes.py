@@ -13,12 +13,12 @@ Colour = tuple[float, float, float, float]
 Body = tuple[np.ndarray, np.ndarray]
 """Vertices (n, 3) and faces (m, 3)"""
 CREASE = math.cos(math.radians(40))
-"""Faces that meet at less than this angle look like one smooth surface."""
+"""Cosine of the angle between faces below which they are shaded as one smooth surface."""
 
 
 @dataclass(frozen=True, eq=False)
 class Triangles:
-    """Filled triangles; `colours` (m, 4), one for each face, goes before `colour`."""
+    """Filled triangles; `colours` (m, 4), one for each face, take precedence over `colour`."""
 
     vertices: np.ndarray
     """(n, 3) [m]"""
@@ -30,7 +30,7 @@ class Triangles:
 
 @dataclass(frozen=True, eq=False)
 class Band(Triangles):
-    """A band along pieces of a line. A page turns them to whoever looks, and never draws them thinner than can be seen."""
+    """A band along line segments. A page turns it towards the viewer, and never draws it too thin to see."""
 
     ends: np.ndarray = field(default_factory=lambda: np.zeros((0, 3)))
     """(2n, 3) [m], from each even point to the odd one after it"""
@@ -42,7 +42,7 @@ class Band(Triangles):
 
 @dataclass(frozen=True, eq=False)
 class Lines:
-    """Lines from each even point to the odd one after it, `pixels` wide; `colours` (2n, 3) goes before `colour`."""
+    """Lines from each even point to the odd one after it, `pixels` wide; `colours` (2n, 3) take precedence over `colour`."""
 
     points: np.ndarray
     """(2n, 3) [m]"""
@@ -53,7 +53,7 @@ class Lines:
 
 @dataclass(frozen=True, eq=False)
 class Points:
-    """Dots of `size` metres, or pixels of the screen; `colours` (n, 3) goes before `colour`."""
+    """Dots of `size` metres, or screen pixels; `colours` (n, 3) take precedence over `colour`."""
 
     points: np.ndarray
     """(n, 3) [m]"""
@@ -65,10 +65,10 @@ class Points:
 
 @dataclass(frozen=True, eq=False)
 class Picture:
-    """A picture that lies in the plane z = 0, its lower left corner at the origin."""
+    """A picture in the plane z = 0, its lower left corner at the origin."""
 
     image: np.ndarray
-    """(rows, columns, 4) uint8, RGBA, the uppermost row first"""
+    """(rows, columns, 4) uint8, RGBA, top row first"""
     width: float
     """[m]"""
     height: float
@@ -78,7 +78,7 @@ class Picture:
 
 @dataclass(frozen=True)
 class Label:
-    """A text that faces whoever looks; `height` [m], 0: as small letters on the screen."""
+    """A text that faces the viewer; `height` in metres, or 0 for small text of constant screen size."""
 
     text: str
     colour: Colour = (0.15, 0.2, 0.25, 1.0)
@@ -86,7 +86,7 @@ class Label:
 
     @property
     def light(self) -> bool:
-        """Whether it is too light to be read on the light floor: it wants a dark rim; small letters have one colour.
+        """Whether the text is too light for the light floor and needs a dark rim; small text has a fixed colour.
 
         >>> Label("A", (1.0, 1.0, 0.2, 1.0), height=0.5).light
         True
@@ -99,7 +99,7 @@ Shape = Triangles | Band | Lines | Points | Picture | Label
 
 
 def colour_of(rgb: list[int] | tuple[int, ...], alpha: float = 1.0) -> Colour:
-    """A colour from numbers of 0 to 255.
+    """Make a colour from values of 0 to 255.
 
     >>> colour_of([255, 0, 51])
     (1.0, 0.0, 0.2, 1.0)
@@ -109,7 +109,7 @@ def colour_of(rgb: list[int] | tuple[int, ...], alpha: float = 1.0) -> Colour:
 
 
 def rotation(quaternions: np.ndarray) -> np.ndarray:
-    """(n, 4) quaternions x, y, z, w as (n, 3, 3) matrices.
+    """Convert (n, 4) quaternions x, y, z, w to (n, 3, 3) rotation matrices.
 
     >>> rotation(np.array([[0.0, 0.0, 1.0, 0.0]]))[0].tolist()
     [[-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]]
@@ -125,7 +125,7 @@ def rotation(quaternions: np.ndarray) -> np.ndarray:
 
 @lru_cache(maxsize=64)
 def box(x: float = 1.0, y: float = 1.0, z: float = 1.0) -> Body:
-    """Vertices and faces of a box around the origin.
+    """Return vertices and faces of a box centred on the origin.
 
     >>> vertices, faces = box(2.0, 1.0, 1.0)
     >>> vertices.shape, faces.shape, float(vertices[:, 0].max())
@@ -139,7 +139,7 @@ def box(x: float = 1.0, y: float = 1.0, z: float = 1.0) -> Body:
 
 @lru_cache(maxsize=8)
 def ball(fine: int = 2) -> Body:
-    """Vertices and faces of a ball of diameter 1."""
+    """Return vertices and faces of a ball of diameter 1."""
     import trimesh
 
     made = trimesh.creation.icosphere(subdivisions=fine, radius=0.5)
@@ -148,7 +148,7 @@ def ball(fine: int = 2) -> Body:
 
 @lru_cache(maxsize=64)
 def tube(start: float, end: float, radius: float, tip: float | None = None, sides: int = 16) -> Body:
-    """Vertices and faces of a cylinder along x from `start` to `end`; its far end has the radius `tip`, 0 is a cone."""
+    """Return a cylinder along x from `start` to `end`; the radius at `end` is `tip`, where 0 makes a cone."""
     turn = np.arange(sides) * (2 * np.pi / sides)
     ring = np.stack([np.zeros(sides), np.cos(turn), np.sin(turn)], axis=1)
     far = radius if tip is None else tip
@@ -161,19 +161,19 @@ def tube(start: float, end: float, radius: float, tip: float | None = None, side
 
 
 def arrow(length: float, radius: float, head: float, head_radius: float, colour: Colour) -> Triangles:
-    """An arrow along x: a shaft of `length` and a head after it [m]."""
+    """Return an arrow along x: a shaft of `length`, followed by a head [m]."""
     return join([tube(0.0, length, radius), tube(length, length + head, head_radius, 0.0)], colour)
 
 
 def join(parts: list[Body], colour: Colour) -> Triangles:
-    """Several bodies as one shape."""
+    """Join several bodies to one shape."""
     starts = np.cumsum([0, *(len(vertices) for vertices, _ in parts)])
     faces = [one + start for (_, one), start in zip(parts, starts, strict=False)]
     return Triangles(np.concatenate([one for one, _ in parts]), np.concatenate(faces), colour)
 
 
 def scattered(body: Body, places: np.ndarray, turns: np.ndarray | None = None) -> Body:
-    """The same body at many places (n, 3), turned by quaternions (n, 4), as one.
+    """Copy a body to many positions (n, 3), rotated by quaternions (n, 4), as one body.
 
     >>> vertices, _ = scattered(box(), np.array([[0.0, 0.0, 0.0], [5.0, 0.0, 0.0]]))
     >>> len(vertices), float(vertices[:, 0].max())
@@ -188,7 +188,7 @@ def scattered(body: Body, places: np.ndarray, turns: np.ndarray | None = None) -
 
 
 def towards(direction: np.ndarray) -> np.ndarray:
-    """A rotation that turns x to a direction.
+    """Return a rotation that maps the x axis to a direction.
 
     >>> (towards(np.array([0.0, 2.0, 0.0])) @ [1.0, 0.0, 0.0]).tolist()
     [0.0, 1.0, 0.0]
@@ -201,7 +201,7 @@ def towards(direction: np.ndarray) -> np.ndarray:
 
 
 def simpler(body: Body, most: int) -> Body:
-    """A body of at most about `most` faces: where it has more, corners that are near each other become one."""
+    """Simplify a body to about `most` faces at most, by merging corners that are near each other."""
     cells = 128.0
     made = body
     while len(made[1]) > most and cells >= 2:
@@ -211,7 +211,7 @@ def simpler(body: Body, most: int) -> Body:
 
 
 def _clustered(body: Body, cells: float) -> Body:
-    """Corners in the same cell of a lattice as one, at their mean; `cells` is their number along the longest edge."""
+    """Merge the corners in each cell of a lattice to their mean; `cells` is the number of cells along the longest edge."""
     vertices, faces = body
     low = vertices.min(axis=0)
     edge = max(float(np.ptp(vertices, axis=0).max()) / cells, 1e-12)
@@ -227,7 +227,7 @@ def _clustered(body: Body, cells: float) -> Body:
 
 
 def corner_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """(3m, 3): the normal of each corner of each face: smooth over flat edges, sharp over others."""
+    """Return the normal of each corner of each face (3m, 3): smooth across flat edges, sharp across others."""
     from scipy.sparse import csr_matrix
 
     corners = vertices[faces]

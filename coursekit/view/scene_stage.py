@@ -1,4 +1,4 @@
-"""The stage: the displays of one view, the frames they are placed by, and what they say."""
+"""The stage: the displays of one view, their frames, and their status."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ from .scene_camera import Camera, camera_of
 from .scene_still import Still
 
 WORLD = ("map", "odom", "world")
-"""Frames that are a good fixed frame when they are there, the best first."""
+"""Preferred fixed frames, the best first."""
 
 ROOM = 3.0
-"""From so far [m] at least one looks at robots that may drive around."""
+"""The minimum camera distance for robots that may drive around [m]."""
 
 CLOCK_SECONDS = 1.0
-"""So often it is looked whether there is a simulation's clock [s]."""
+"""The period of checking for a simulation clock [s]."""
 
 
 class Stage:
@@ -55,7 +55,7 @@ class Stage:
     # -- the displays
 
     def add(self, config: DisplayConfig) -> Display:
-        """One more."""
+        """Add a display."""
         with self.lock:
             self._count += 1
             made = make_display(config, self._count)
@@ -64,11 +64,11 @@ class Stage:
             return made
 
     def names(self) -> list[str]:
-        """The names of the displays."""
+        """Return the names of the displays."""
         return [one.config.name for one in self.displays]
 
     def find(self, name: str) -> Display:
-        """The display of that name; LookupError, which names those that there are."""
+        """Return the display of that name; LookupError lists the existing ones."""
         for one in self.displays:
             if one.config.name == name:
                 return one
@@ -76,7 +76,7 @@ class Stage:
         raise LookupError(f"There is no display '{name}'. There are: {known}")
 
     def switch(self, display: Display, on: bool) -> None:
-        """Turn one on or off."""
+        """Switch a display on or off."""
         with self.lock:
             display.config.enabled = on
             display.disconnect(self.node)
@@ -84,20 +84,20 @@ class Stage:
             display.connect(self.node)
 
     def retopic(self, display: Display, topic: str) -> None:
-        """Have one listen to another topic."""
+        """Change the topic of a display."""
         with self.lock:
             display.config.topic = topic if topic.startswith("/") else f"/{topic}"
             self.switch(display, display.config.enabled)
 
     def remove(self, display: Display) -> None:
-        """Show it no longer."""
+        """Remove a display."""
         with self.lock:
             display.disconnect(self.node)
             self.scene.clear(display.key)
             self.displays.remove(display)
 
     def change(self, display: Display, options: Mapping[str, Any]) -> None:
-        """Change some of its options; ValueError names what cannot be. What is shown stays, with its new looks."""
+        """Change some options of a display and redraw its content; ValueError names invalid ones."""
         with self.lock:
             display.config.options = changed(display.config, options)
             if set(options) & set(QOS):
@@ -109,18 +109,18 @@ class Stage:
 
     @property
     def fixed_frame(self) -> str:
-        """The fixed frame: as told, else guessed as soon as frames or a robot are known."""
+        """The fixed frame: as configured, else chosen as soon as frames or a robot are known."""
         return self.config.fixed_frame or self._guessed or self._root_of_a_robot() or "map"
 
     def fix(self, frame: str) -> None:
-        """Look from another frame; '' guesses anew."""
+        """Change the fixed frame; '' chooses it automatically."""
         with self.lock:
             self.config.fixed_frame, self._guessed = frame, ""
             for one in self.displays:
                 self.switch(one, one.config.enabled)
 
     def _guess(self) -> None:
-        """A frame named as a world is, else the root of the largest tree."""
+        """Choose a frame with a usual name of the world, else the root of the largest tree."""
         if self.config.fixed_frame or self._guessed or not self.buffer.frames:
             return
         below: dict[str, int] = {}
@@ -131,13 +131,13 @@ class Stage:
         self._guessed = named[0] if named else max(below, key=lambda one: below[one])
 
     def _root_of_a_robot(self) -> str:
-        """Where there are no frames: a robot of one link has no joint, so nobody publishes any for it."""
+        """Return a robot's root if there are no frames: a robot of one link has no joint, so no node publishes its frame."""
         if self.buffer.frames:
             return ""
         return next((one.prefix(self) + one.robot.root for one in self.robots() if one.robot is not None), "")
 
     def root(self, frame: str) -> str:
-        """The uppermost frame above one."""
+        """Return the root of a frame's tree."""
         seen = {frame}
         while (above := self.buffer.parent(frame)) is not None and above not in seen:
             seen.add(above)
@@ -145,7 +145,10 @@ class Stage:
         return frame
 
     def pose(self, frame: str, stamp: int = 0) -> Pose:
-        """A frame in the fixed frame, at a time [ns], 0: the newest. Raises NoTransform; NotYet if its time may come."""
+        """Return a frame's pose in the fixed frame at a time [ns], 0 for the newest.
+
+        Raises NoTransform, or its subclass NotYet if a transform for that time may still come.
+        """
         fixed = self.fixed_frame
         frame = frame.removeprefix("/")
         if frame == fixed:
@@ -158,14 +161,14 @@ class Stage:
             raise (NotYet if ahead else NoTransform)(text) from None
 
     def _ahead(self, frame: str, fixed: str, stamp: int) -> bool:
-        """Whether a time is after the newest one at which two frames are joined."""
+        """Whether a time is after the newest common time of two frames."""
         try:
             return stamp > self.buffer.latest_common_time(fixed, frame)
         except TransformException:
             return False
 
     def pose_at(self, header: Any, newest: bool = False) -> Pose:
-        """The frame of a header at its time; with `newest`, the newest one where that time is not held."""
+        """Return the pose of a header's frame at its stamp; with `newest`, else the newest pose."""
         stamp = header.stamp.sec * 1_000_000_000 + header.stamp.nanosec
         try:
             return self.pose(header.frame_id, stamp)
@@ -189,7 +192,7 @@ class Stage:
                f"[{self.root(fixed)}]"  # fmt: skip
 
     def _follow_clock(self) -> None:
-        """Take the time from /clock while somebody publishes it: the frames and goals of a simulation are of its time."""
+        """Use the time of /clock while it has a publisher: the frames and goals of a simulation use that time."""
         from rclpy.parameter import Parameter
 
         simulated = self.node.count_publishers("/clock") > 0
@@ -198,10 +201,10 @@ class Stage:
             self.node.set_parameters([Parameter("use_sim_time", value=simulated)])
 
     def now(self) -> int:
-        """The node's time [ns]."""
+        """Return the node's time [ns]."""
         return int(self.node.get_clock().now().nanoseconds)
 
-    # -- what it says
+    # -- status
 
     def update(self) -> Scene:
         """Bring the scene up to date."""
@@ -213,7 +216,7 @@ class Stage:
             return self.scene
 
     def global_status(self) -> tuple[str, str]:
-        """RViz's Global Status: of the fixed frame."""
+        """Return RViz's Global Status, of the fixed frame."""
         if not self.buffer.frames:
             return "Warn", f"Fixed Frame: no tf data. Frame [{self.fixed_frame}] does not exist"
         if self.fixed_frame not in self.buffer.frames:
@@ -221,27 +224,27 @@ class Stage:
         return "Ok", ""
 
     def robots(self) -> list[RobotModel]:
-        """The displays of robots that are on."""
+        """Return the enabled robot displays."""
         return [one for one in self.displays if isinstance(one, RobotModel) and one.config.enabled]
 
     def images(self) -> list[Image]:
-        """The displays of pictures that are on and have one."""
+        """Return the enabled image displays that have an image."""
         return [one for one in self.displays if isinstance(one, Image) and one.config.enabled and one.picture is not None]
 
 
     # -- pictures
 
     def keys(self, *kinds: str) -> list[str]:
-        """The keys of the displays of these kinds."""
+        """Return the keys of the displays of these kinds."""
         return [one.key for one in self.displays if one.kind in kinds]
 
     def seen(self) -> bool:
-        """Whether what one looks at is there: a robot, where any is shown."""
+        """Whether the object to look at is placed: a robot, if any is shown."""
         robots = self.robots()
         return self.looking.camera() is not None or not robots or any(one.poses for one in robots)
 
     def camera(self) -> Camera:
-        """From where to look: as told, else so that all but floors and clouds is seen; far enough if robots move."""
+        """Return the user's camera, else one that shows all but floors and clouds, with room for moving robots."""
         told = self.looking.camera()
         if told is not None:
             return told
@@ -251,7 +254,7 @@ class Stage:
         return camera_of(self.scene, keys, 0.5 if at_home else ROOM)
 
     def png(self, width: int = 640, height: int = 400) -> bytes:
-        """A still picture of what is shown now."""
+        """Return a still picture of the current scene."""
         with self.lock:
             return Still(self.camera(), width, height).png(self.scene, self.keys("Grid", "Map"))
 

@@ -13,7 +13,7 @@ from .scene_camera import FIELD, NEAR, Camera
 from .scene_shapes import Band, Label, Lines, Picture, Points, Triangles, rotation
 
 FINE = 2
-"""Drawn so many times larger, then shrunk: smooth edges."""
+"""The oversampling factor for smooth edges."""
 _SHIFT = 4
 _TOP, _BOTTOM = (250, 247, 245), (232, 226, 221)
 _LIGHT = np.array([0.35, -0.5, 0.79])
@@ -34,7 +34,7 @@ class Still:
         self._labels: list[tuple[np.ndarray, Label]] = []
 
     def png(self, scene: Scene, below: list[str]) -> bytes:
-        """Draw a scene: the displays `below` (floors) first. The same bytes for the same scene."""
+        """Draw a scene, the displays `below` (floors) first. The same scene gives the same bytes."""
         things = list(scene.things.items())
         for floor in (True, False):
             for key, thing in things:
@@ -105,7 +105,7 @@ class Still:
             self._parts.append((depth, pixels[index : index + 1], (blue, green, red), 1.0, radius))
 
     def _picture(self, shape: Picture, world: Any) -> None:
-        """A map, at once: it lies below everything."""
+        """Draw a map at once: it lies below everything."""
         w, h = shape.width, shape.height
         seen = self.camera.seen(world(np.array([[0, h, 0], [w, h, 0], [w, 0, 0], [0, 0, 0]], float)))
         if seen[:, 2].min() <= NEAR:
@@ -147,7 +147,7 @@ class Still:
         self.image[box] = (canvas[box] * alpha + self.image[box] * (1 - alpha)).round()
 
     def _write(self, image: np.ndarray) -> None:
-        """The labels, in a font that matplotlib brings along."""
+        """Draw the labels, in a font included in matplotlib."""
         if not self._labels:
             return
         from matplotlib import get_data_path
@@ -168,7 +168,7 @@ class Still:
 
 
 def _before(a: np.ndarray, b: np.ndarray) -> np.ndarray | None:
-    """The part of a line that is in front of the camera."""
+    """Return the part of a line in front of the camera; None if there is none."""
     if a[2] <= NEAR and b[2] <= NEAR:
         return None
     if a[2] <= NEAR or b[2] <= NEAR:

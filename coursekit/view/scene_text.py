@@ -1,4 +1,4 @@
-"""A view in lines: what is shown, from which topics, and what is wrong with it."""
+"""A view as text: the displays, their topics and their faults."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .scene_stage import Stage
 
 
 def described(stage: Stage) -> str:
-    """The fixed frame and a line for each display; the same every time on the virtual clock."""
+    """Return the fixed frame and a line for each display; deterministic on the virtual clock."""
     frame = stage.fixed_frame
     known = stage.buffer.frames or frame != "map"
     guessed = " (guessed)" if known and not stage.config.fixed_frame else ""

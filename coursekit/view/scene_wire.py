@@ -13,16 +13,16 @@ from .scene import Changes, Thing
 from .scene_shapes import Band, Colour, Label, Lines, Picture, Points, Triangles, corner_normals
 
 _FLOAT = 0x17
-"""Float32Array among MeshCat's msgpack extensions"""
+"""The msgpack extension code of MeshCat's Float32Array"""
 THINNEST = 2.0
-"""So many pixels wide at least is a band on the page."""
+"""The minimum width of a band on the page [pixels]."""
 _DOUBLE_SIDED, _NEAREST = 2, 1003
 BLOCK = 11
-"""Numbers for each pose: which thing, position, quaternion, scale"""
+"""The numbers per pose: the thing's number, position, quaternion, scale"""
 
 
 def packed(changes: Changes) -> tuple[dict[str, Any], list[bytes]]:
-    """(message, buffers): the first buffer holds all poses, the others are commands."""
+    """Return (message, buffers): the first buffer holds all poses, the others are commands."""
     labels: list[dict[str, Any]] = []
     commands: list[bytes] = []
     for thing in changes.made:
@@ -42,7 +42,7 @@ def _numbers(thing: Thing) -> tuple[float, ...]:
 
 
 def css(colour: Colour) -> str:
-    """A colour for the page.
+    """Convert a colour to CSS.
 
     >>> css((1.0, 0.0, 0.0, 0.5))
     'rgba(255, 0, 0, 0.5)'
@@ -109,7 +109,7 @@ def _band(path: str, shape: Band) -> dict[str, Any]:
 
 
 def _segments(path: str, attributes: dict[str, Any], paint: dict[str, Any], wide: dict[str, float]) -> dict[str, Any]:
-    """Pieces of a line; the page makes those `wide` that are to be so."""
+    """Return line segments; `wide` tells the page how wide to draw them."""
     made = _object(path, "LineSegments", attributes, {"type": "LineBasicMaterial", **paint})
     made["object"]["userData"] = wide
     return made

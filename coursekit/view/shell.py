@@ -1,4 +1,4 @@
-"""The IPython shell this process runs in."""
+"""The IPython shell of this process."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 
 def running_shell() -> Any:
-    """The IPython shell, None outside of one; IPython is not imported for the question."""
+    """Return the IPython shell, or None; does not import IPython."""
     ipython = sys.modules.get("IPython")
     return ipython.get_ipython() if ipython is not None else None
 

@@ -1,4 +1,4 @@
-"""The turtles' window as a picture and as text. The turtle is our own drawing."""
+"""The turtles' window as a picture and as text. The turtle is drawn by coursekit."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ KINDS = [
     {"shell": "#7a5bc0", "plate": "#9a7ee0", "rim": "#523a8c", "skin": "#cfc0f2"},
     {"shell": "#b09a3a", "plate": "#d0bb5a", "rim": "#7d6c23", "skin": "#ebe2a4"},
 ]
-"""Colours of the turtles, in the order in which they appear."""
+"""The turtles' colours, in order of appearance."""
 _ACROSS = 4
-"""Bits after the point of coordinates for OpenCV."""
+"""Fractional bits of coordinates for OpenCV."""
 
 
 def _ellipse(x: float, y: float, a: float, b: float, turned: float = 0.0, corners: int = 28) -> Polygon:
-    """An ellipse about (x, y) with half axes a and b [m], turned [rad]."""
+    """Return an ellipse about (x, y) with half axes a and b [m], rotated by `turned` [rad]."""
     cos, sin = math.cos(turned), math.sin(turned)
     points = []
     for number in range(corners):
@@ -40,7 +40,7 @@ def _ellipse(x: float, y: float, a: float, b: float, turned: float = 0.0, corner
 
 @lru_cache(maxsize=1)
 def shape() -> list[tuple[str, Polygon]]:
-    """The turtle as polygons [m], looking along x: (name of its colour, corners), from below to above."""
+    """Return the turtle as polygons [m], facing along x: (colour name, corners), from bottom to top."""
     legs = [
         ("skin", _ellipse(0.23 * ahead, 0.27 * side, 0.17, 0.085, side * ahead * math.radians(52)))
         for ahead in (1, -1)
@@ -54,7 +54,7 @@ def shape() -> list[tuple[str, Polygon]]:
 
 
 def _plates() -> list[tuple[str, Polygon]]:
-    """A six-sided plate in the middle of the shell and six about it."""
+    """Return a six-sided plate in the middle of the shell and six around it."""
 
     def plate(x: float, y: float, radius: float) -> tuple[str, Polygon]:
         corners = [(x + radius * math.cos(a), y + radius * math.sin(a)) for a in _SIXTHS]
@@ -68,7 +68,7 @@ _SIXTHS = [math.pi * number / 3 for number in range(6)]
 
 
 def describe(world: World, name: str = "/turtlesim") -> str:
-    """The window in words: every turtle's place, heading and way.
+    """Describe the window: every turtle's position, heading and path length.
 
     >>> world = World(); _ = world.spawn()
     >>> print(describe(world))
@@ -87,7 +87,7 @@ def describe(world: World, name: str = "/turtlesim") -> str:
 
 
 def picture(world: World, background: tuple[int, int, int] = BACKGROUND, size: int = 500) -> Any:
-    """The window as an image: a `size` x `size` x 3 array of uint8, blue first, as OpenCV has it."""
+    """Return the window as an image: a `size` x `size` x 3 array of uint8 in OpenCV's BGR order."""
     scale = size / (SIDE + 1 / 45)
     image = np.full((size, size, 3), background[::-1], np.uint8)
     for stroke in world.paper.strokes:
@@ -100,7 +100,7 @@ def picture(world: World, background: tuple[int, int, int] = BACKGROUND, size: i
 
 
 def png(world: World, background: tuple[int, int, int] = BACKGROUND, size: int = 500) -> bytes:
-    """The window as a PNG file."""
+    """Return the window as a PNG file."""
     return bytes(cv2.imencode(".png", picture(world, background, size))[1])
 
 

@@ -22,7 +22,7 @@ from .frame_tree import FrameTree
 
 
 def generate_dot(data: dict[str, Any], recorded_time: tuple[int, int]) -> str:
-    """The tree in Graphviz's language, from what the service tf2_frames says."""
+    """Return the tree in Graphviz's language, from the response of the service tf2_frames."""
     if not data:
         return 'digraph G { "No tf data received" }'
     lines = ["digraph G {"]
@@ -55,7 +55,7 @@ def _arguments() -> argparse.Namespace:
 
 
 def main() -> int:
-    """Listen, ask the own service for the frames, write the files."""
+    """Listen, request the frames from its own service, write the files."""
     rclpy.init(args=sys.argv)
     args = _arguments()
     node = rclpy.create_node("view_frames")

@@ -1,4 +1,4 @@
-"""A bar in the notebook for work that takes a while: it comes after a moment, tells how far it is, and goes."""
+"""A progress bar in the notebook for slow work: it appears after a moment, shows the progress, and disappears."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from typing import Any
 from .shell import running_shell
 
 PATIENCE_SECONDS = 1.5
-"""Shorter work gets no bar [s]."""
+"""The minimum duration of work with a bar [s]."""
 LOOK_SECONDS = 0.3
 LATE_SECONDS = 45.0
 
 
 class Working(AbstractContextManager["Working"]):
-    """Shows `what` is going on while the block lasts; on the virtual clock, and without a notebook, nothing.
+    """Shows `what` and a bar while the block runs; nothing on the virtual clock or without a notebook.
 
     >>> with Working("Driving") as bar:
     ...     bar.share = 0.5
@@ -25,9 +25,9 @@ class Working(AbstractContextManager["Working"]):
 
     def __init__(self, what: str, seconds: float = 0.0, late: str = "") -> None:
         self.what, self.seconds, self.late = what, seconds, late
-        """`late` is said below the bar once the block has lasted LATE_SECONDS."""
+        """`late` is shown below the bar once the block has run for LATE_SECONDS."""
         self.share: float | None = None
-        """How much is done, 0 to 1; None where nobody knows, or where the work lasts `seconds`."""
+        """The completed fraction, 0 to 1; None if unknown, or if the work lasts `seconds`."""
         self._over = threading.Event()
         self._thread = threading.Thread(target=self._show, daemon=True)
         self._since = time.monotonic()
@@ -53,7 +53,7 @@ class Working(AbstractContextManager["Working"]):
         shown.update(HTML(""))
 
     def html(self) -> str:
-        """The bar as it is now."""
+        """Return the current bar."""
         passed = time.monotonic() - self._since
         share = passed / self.seconds if self.seconds else self.share
         value = "" if share is None else f' value="{min(max(share, 0.0), 1.0):.3f}"'
@@ -64,7 +64,7 @@ class Working(AbstractContextManager["Working"]):
 
 
 def _has_a_page() -> bool:
-    """Whether a notebook's page may be looked at: a kernel on the wall clock."""
+    """Whether a notebook page may show the bar: the process is a kernel on the wall clock."""
     from coursekit.processes.session import current
 
     return hasattr(getattr(running_shell(), "kernel", None), "session") and not current().clock.virtual

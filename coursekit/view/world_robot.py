@@ -1,4 +1,4 @@
-"""A robot of a simulated world in its scene: each link as its description draws it, its wheels as they have turned."""
+"""A robot of a simulated world in its scene: links as in its description, wheels at their current rotation."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from .world_shapes import robot_shape
 ROBOTS = "robots"
 _RED = (0.78, 0.18, 0.14, 1.0)
 _HEADROOM = 0.15
-"""A robot's contacts are written so far above it [m]."""
+"""The height of the contact label above the robot [m]."""
 
 
 class RobotShape:
-    """How a robot is drawn: by its description's links, else by what of it bumps."""
+    """The shape of a robot: the links of its description, else its collision parts."""
 
     def __init__(self, scene: Scene, robot: Robot, assembly: Any) -> None:
         self.robot = robot
@@ -49,7 +49,7 @@ class RobotShape:
         return f"{self.robot.name}::{link}"
 
     def place(self, scene: Scene, robot: Robot) -> None:
-        """Put it where it is now, its joints as they are."""
+        """Move the robot to its current pose and joint positions."""
         base = upright(robot.place)
         poses: dict[str, Pose] = {"": HERE}
         if self._kinematics is not None:
@@ -73,13 +73,13 @@ class RobotShape:
         scene.place(ROBOTS, key, pose)
 
     def forget(self, scene: Scene) -> None:
-        """Take it away."""
+        """Remove the robot."""
         for key in [key for key in scene.things if key[0] == ROBOTS and key[1].startswith(f"{self.robot.name}::")]:
             scene.remove(*key)
 
 
 def _link_shapes(assembly: Any) -> dict[str, list[Triangles]]:
-    """The triangles of each link that has any; none where there is no description, or not all of its meshes."""
+    """Return the triangles of each link that has any; empty without a description or with a missing mesh."""
     robot = assembly.description if assembly is not None else None
     if robot is None:
         return {}
@@ -95,7 +95,7 @@ def _link_shapes(assembly: Any) -> dict[str, list[Triangles]]:
 
 
 def upright(place: Pose2D) -> Pose:
-    """A place on the floor as a pose."""
+    """Convert a planar pose to a 3D pose."""
     half = place.theta / 2
     return (place.x, place.y, 0.0, 0.0, 0.0, math.sin(half), math.cos(half))
 

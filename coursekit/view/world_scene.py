@@ -1,4 +1,4 @@
-"""The true world of a simulator as a scene: what stands, what can be moved, robots, and what their LiDARs see."""
+"""The true world of a simulator as a scene: fixed and movable things, robots, and the beams of their LiDARs."""
 
 from __future__ import annotations
 
@@ -27,33 +27,33 @@ _FLOOR_COLOUR = (0.89, 0.88, 0.85, 1.0)
 _LINE_COLOUR = (0.74, 0.73, 0.70, 1.0)
 _BEAM_COLOUR = (0.25, 0.5, 0.95, 0.22)
 _MARGIN = 1.0
-"""The floor reaches so far beyond all things [m]."""
+"""The margin of the floor around all things [m]."""
 _BELOW = -0.02
-"""Where the floor is drawn [m]: things on it do not flicker through it."""
+"""The height of the floor [m], low enough that things on it do not flicker."""
 LASER_NS = 100_000_000
-"""Beams are drawn anew after so much simulated time."""
+"""The period of redrawing the beams, in simulated time [ns]."""
 
 
 class WorldScene:
-    """A world's view of the simulator that `find` gives, which may be none."""
+    """The view of the world of the simulator returned by `find`, which may be None."""
 
     def __init__(self, find: Callable[[], Simulator | None]) -> None:
         self.scene = Scene()
         self.lock = threading.RLock()
         self.lasers = True
-        """Whether the beams of LiDARs are drawn."""
+        """Whether LiDAR beams are drawn."""
         self._find = find
         self._simulator: Simulator | None = None
         self._changes = -1
         self._robots: dict[str, RobotShape] = {}
         self._looks: dict[str, Any] = {}
         self._all_there: list[str] = []
-        """The names of what was there when the floor was laid."""
+        """The names of the things that existed when the floor was drawn."""
         self._swept = -LASER_NS
 
     @property
     def simulator(self) -> Simulator | None:
-        """The simulator whose world it shows."""
+        """The simulator whose world is shown."""
         return self._find()
 
     def update(self) -> Scene:
@@ -85,7 +85,7 @@ class WorldScene:
             self._swept = simulation.now_ns
             self._sweep(simulator)
 
-    # -- what is there
+    # -- contents
 
     def _build(self, simulator: Simulator) -> None:
         simulation = simulator.simulation
@@ -105,7 +105,7 @@ class WorldScene:
             self._lay_floor()
 
     def _show(self, thing: Thing, pose: Pose) -> None:
-        """Put a thing where it is; its shape is made anew where another one has taken its name."""
+        """Place a thing; its shape is rebuilt if another thing has taken its name."""
         look = (thing.parts, thing.texture, thing.colour)
         if self.scene.has(THINGS, thing.name) and self._looks.get(thing.name) == look:
             self.scene.place(THINGS, thing.name, pose)
@@ -126,7 +126,7 @@ class WorldScene:
         lines = Lines(np.array(along + across, float), _LINE_COLOUR)
         self.scene.put(FLOOR, "lines", lines, pose=(0.0, 0.0, _BELOW / 2, 0.0, 0.0, 0.0, 1.0))
 
-    # -- what is seen
+    # -- LiDAR beams
 
     def _all_swept(self, simulator: Simulator) -> bool:
         return all(self.scene.has(LASER, name) for name in lidars(simulator))
@@ -148,28 +148,28 @@ class WorldScene:
         return self._simulator is not None
 
     def images(self) -> list[Any]:
-        """No pictures beside the scene."""
+        """Return no images: none are shown beside the scene."""
         return []
 
     def camera(self) -> Camera:
-        """From above the south, so that all things are seen."""
+        """Return a camera high in the south that shows all things."""
         camera = camera_of(self.scene, [THINGS, ROBOTS], 3.0)
         return Camera(camera.distance * 0.7, -math.pi / 2, 1.05, camera.target)
 
     def names(self) -> dict[int, str]:
-        """The models that the scene's things belong to, by number; not the floor and the beams."""
+        """Return the models of the scene's things by number, without the floor and the beams."""
         with self.lock:
             things = self.scene.things.items()
             return {one.number: name.partition("::")[0] for (display, name), one in things if display in (THINGS, ROBOTS)}
 
     def png(self, width: int = 640, height: int = 400) -> bytes:
-        """A still picture of what is shown now."""
+        """Return a still picture of the current scene."""
         with self.lock:
             return Still(self.camera(), width, height).png(self.scene, [FLOOR])
 
 
 def lidars(simulator: Simulator) -> dict[str, tuple[Robot, Lidar]]:
-    """The robots' LiDARs that turn, by a name for each."""
+    """Return the robots' LiDARs with more than one beam, each with a unique name."""
     found: dict[str, tuple[Robot, Lidar]] = {}
     for name, robot in simulator.simulation.robots.items():
         devices = simulator.assemblies[name].devices if name in simulator.assemblies else []
@@ -179,7 +179,7 @@ def lidars(simulator: Simulator) -> dict[str, tuple[Robot, Lidar]]:
 
 
 def _steps(low: float, high: float) -> np.ndarray:
-    """Where lines go: a metre apart, farther apart in a large world."""
+    """Return the positions of the floor's lines: one metre apart, or more in a large world."""
     return np.arange(low, high + 0.5, max(1.0, round((high - low) / 100)))
 
 

@@ -12,11 +12,11 @@ from coursekit.sim.world import Thing
 from .scene_shapes import Body, Colour, Triangles, ball, join
 
 ROUND = 32
-"""Corners of a cylinder."""
+"""The number of corners of a cylinder."""
 
 
 def body_of(part: Part) -> Body:
-    """Vertices (n, 3) [m] and faces (m, 3) of a part.
+    """Return vertices (n, 3) [m] and faces (m, 3) of a part.
 
     >>> from coursekit.sim.parts import Prism
     >>> vertices, faces = body_of(Prism(((0, 0), (1, 0), (1, 1), (0, 1)), 0.0, 2.0))
@@ -38,7 +38,7 @@ def body_of(part: Part) -> Body:
 
 
 def join_bodies(bodies: list[Body]) -> Body:
-    """Several bodies as one."""
+    """Join several bodies."""
     joined = join(bodies, (0.0, 0.0, 0.0, 1.0))
     return joined.vertices, joined.faces
 
@@ -60,19 +60,19 @@ def _lids(outline: np.ndarray, low: float, high: float) -> list[Body]:
 
 
 def thing_shape(thing: Thing) -> Triangles:
-    """A thing of the world, in its own frame."""
+    """Return a thing of the world as triangles, in its own frame."""
     red, green, blue = thing.colour or USUAL.get(thing.texture, USUAL["plain"])
     return join([body_of(part) for part in thing.parts], (red, green, blue, 1.0))
 
 
 def robot_shape(parts: tuple[Part, ...]) -> Triangles:
-    """A robot of which only its parts are known, in its own frame."""
+    """Return a robot of which only the parts are known as triangles, in its own frame."""
     blue, green, red = ROBOT_COLOUR
     return join([body_of(part) for part in parts], (red, green, blue, 1.0))
 
 
 def fan(origin: tuple[float, float], height: float, ends: np.ndarray, colour: Colour) -> Triangles:
-    """A LiDAR's sweep: triangles from its position to each two neighbouring ends (n, 2) [m], at a height."""
+    """Return a LiDAR's sweep: triangles from its origin to each two neighbouring ends (n, 2) [m], at a height."""
     vertices = np.column_stack((np.concatenate(([origin], ends)), np.full(len(ends) + 1, height)))
     first = np.arange(1, len(ends))
     return Triangles(vertices, np.stack((np.zeros_like(first), first, first + 1), axis=1), colour)

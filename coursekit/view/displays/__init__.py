@@ -1,4 +1,4 @@
-"""The displays of the viewer, each in the manner of RViz's display of that name."""
+"""The displays of the viewer, each modelled on RViz's display of the same name."""
 
 from coursekit.nodes.rviz.config import DisplayConfig
 
@@ -26,7 +26,7 @@ BY_KIND: dict[str, type[Display]] = {one.kind: one for one in _CLASSES}
 
 
 def make_display(config: DisplayConfig, number: int) -> Display:
-    """The display of a configuration; `number` tells it from the others."""
+    """Make the display of a configuration; `number` is unique among the displays."""
     return BY_KIND[config.kind](config, number)
 
 

@@ -17,19 +17,19 @@ _COLOURS = ((0.86, 0.2, 0.18), (0.2, 0.68, 0.3), (0.18, 0.42, 0.85))
 
 
 def axes(length: float, radius: float, alpha: float = 1.0) -> tuple[Triangles, ...]:
-    """The three bars of `length` metres."""
+    """Return the three bars of `length` metres."""
     vertices, faces = tube(0.0, length, radius, sides=10)
     pairs = zip(_ORDERS, _COLOURS, strict=True)
     return tuple(Triangles(vertices[:, order], faces, (*colour, alpha)) for order, colour in pairs)
 
 
 class Axes(Display):
-    """The axes of `reference_frame`, '': of the fixed frame."""
+    """The axes of `reference_frame`; '' is the fixed frame."""
 
     kind = "Axes"
 
     def draw(self, stage: Stage, scene: Scene) -> None:
-        """Draw them once; follow the frame."""
+        """Draw the axes once; follow the frame."""
         frame = self.options["reference_frame"]
         try:
             pose = stage.pose(frame) if frame else HERE

@@ -1,4 +1,4 @@
-"""How sure a pose is: the ellipse of its position and the fan of its heading, one standard deviation each way."""
+"""The uncertainty of a pose: the ellipsoid of its position and the fan of its heading, at one standard deviation."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from coursekit.view.scene_shapes import Colour, Shape, Triangles, ball, rotation
 _POSITION: Colour = (0.8, 0.2, 0.8, 0.3)
 _HEADING: Colour = (1.0, 1.0, 0.5, 0.5)
 _THIN = 0.001
-"""The least half axis [m], so that a flat ellipse is seen"""
+"""The minimum half axis [m], which keeps a flat ellipsoid visible"""
 _STEPS = 12
 
 
 def doubt(covariance: Any, pose: Pose) -> list[Shape]:
-    """The shapes of a 6x6 covariance, in the frame of its pose; none where it is no covariance."""
+    """Return the shapes of a 6x6 covariance, in the frame of its pose; empty if it is not a covariance."""
     matrix = np.asarray(covariance, float).reshape(6, 6)
     if not np.isfinite(matrix).all():
         return []
@@ -27,13 +27,13 @@ def doubt(covariance: Any, pose: Pose) -> list[Shape]:
         return []
     vertices, faces = ball(3)
     half = np.maximum(np.sqrt(np.maximum(sizes, 0.0)), _THIN)
-    unturned = (vertices * 2 * half) @ axes.T @ rotation(np.array(pose[3:]))  # it stands in the header's frame
+    unturned = (vertices * 2 * half) @ axes.T @ rotation(np.array(pose[3:]))  # it is given in the header's frame
     shapes: list[Shape] = [Triangles(unturned, faces, _POSITION)] if sizes.max() > 0 else []
     return shapes + ([_fan(math.sqrt(matrix[5, 5]))] if matrix[5, 5] > 0 else [])
 
 
 def _fan(spread: float) -> Triangles:
-    """A flat fan of one metre about x."""
+    """Return a flat fan of one metre about x."""
     angles = np.linspace(-min(spread, math.pi), min(spread, math.pi), _STEPS)
     rim = np.stack([np.cos(angles), np.sin(angles), np.zeros(_STEPS)], axis=1)
     at = np.arange(1, _STEPS)

@@ -1,4 +1,4 @@
-"""The base of the displays: a topic, a status as RViz words it, and a part of the scene."""
+"""The base of the displays: a topic, a status in RViz's words, and a part of the scene."""
 
 from __future__ import annotations
 
@@ -19,21 +19,21 @@ if TYPE_CHECKING:
 
 LEVELS = ("Ok", "Warn", "Error")
 WAITING = 5
-"""So many messages at most wait for their transform."""
+"""How many messages at most wait for their transform."""
 
 
 class NoTransform(Exception):
-    """A frame cannot be placed; the text names it and what there is."""
+    """A frame cannot be placed; the message names it and lists the known frames."""
 
 
 class NotYet(NoTransform):
-    """A frame cannot be placed yet: its time is after the newest transform, which may still come."""
+    """A frame cannot be placed yet: its time is after the newest transform, and a later one may still come."""
 
 
 class Display:
-    """One row of the list. A subclass gives `draw`, and `kind`, its name in `KINDS`.
+    """One row of the list. A subclass implements `draw`, and sets `kind`, its name in `KINDS`.
 
-    Messages arrive in the node's thread and wait, a few at most; `update` draws in the thread that renders.
+    Messages arrive in the node's thread and are queued, a few at most; `update` draws in the rendering thread.
     """
 
     kind: ClassVar[str] = ""
@@ -56,7 +56,7 @@ class Display:
         return self.config.options
 
     def connect(self, node: Any) -> None:
-        """Subscribe, if it is on and has a topic."""
+        """Subscribe, if the display is on and has a topic."""
         kind = KINDS[self.kind]
         if not kind.type or not self.config.enabled or self._subscription is not None:
             return
@@ -72,7 +72,7 @@ class Display:
 
     @property
     def quality(self) -> Any:
-        """The QoS it asks for: as told, else what fits every publisher."""
+        """The requested QoS: as configured, otherwise one that is compatible with every publisher."""
         from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
         lasting = KINDS[self.kind].lasting
@@ -85,7 +85,7 @@ class Display:
         )
 
     def disconnect(self, node: Any) -> None:
-        """Forget the topic and what came."""
+        """Drop the subscription and its messages."""
         if self._subscription is not None:
             node.destroy_subscription(self._subscription)
         self._subscription = None
@@ -102,41 +102,41 @@ class Display:
         self.heard(msg)
 
     def taken(self) -> list[Any]:
-        """The messages that wait, oldest first; they wait no longer."""
+        """Take the queued messages, oldest first."""
         with self._lock:
             found = list(self._waiting)
             self._waiting.clear()
         return found
 
     def put_back(self, messages: list[Any]) -> None:
-        """Let messages wait again, before those that came meanwhile."""
+        """Put messages back into the queue, before those that have arrived since."""
         with self._lock:
             room = WAITING - len(self._waiting)
             self._waiting.extendleft(reversed(messages[max(0, len(messages) - room) :] if room > 0 else []))
 
-    # -- for a subclass
+    # -- for subclasses
 
     def heard(self, msg: Any) -> None:
-        """A message came, in the node's thread."""
+        """Handle a message, in the node's thread."""
 
     def forget(self) -> None:
-        """Forget what was shown."""
+        """Forget the shown content."""
 
     def draw(self, stage: Stage, scene: Scene) -> None:
         """Bring the display's things in the scene up to date."""
 
     def redraw(self, scene: Scene) -> None:
-        """Its options have changed: the next `draw` has to make everything anew, from what is there."""
+        """Apply changed options: the next `draw` must rebuild everything from the data at hand."""
         scene.clear(self.key)
 
     def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
-        """The facts of one of its things, clicked `here` [m] in the thing's own frame."""
+        """Return the facts of one of the display's things, clicked at `here` [m] in the thing's own frame."""
         return [("Frame", stage.fixed_frame), ("Clicked", point_text(world(thing, here)))]
 
-    # -- what it says
+    # -- the status
 
     def update(self, stage: Stage) -> None:
-        """Draw, or take away what is off."""
+        """Draw the display, or clear it when it is off."""
         if not self.config.enabled:
             stage.scene.clear(self.key)
             return
@@ -153,23 +153,23 @@ class Display:
             self.say("Topic", "Warn", f"No messages received. {why_nothing(stage.node, self)}".strip())
 
     def say(self, what: str, level: str, text: str) -> None:
-        """One line of the status."""
+        """Set one line of the status."""
         self.statuses[what] = (level, text)
 
     def unsay(self, what: str) -> None:
-        """Take a line back."""
+        """Remove a line of the status."""
         self.statuses.pop(what, None)
 
     @property
     def level(self) -> str:
-        """The worst of its lines; 'Off' when it is off."""
+        """The worst level of the status lines; 'Off' when the display is off."""
         if not self.config.enabled:
             return "Off"
         return max((level for level, _ in self.statuses.values()), key=LEVELS.index, default="Ok")
 
     @property
     def remark(self) -> str:
-        """The lines that matter: those of the worst level; of good ones only what is news."""
+        """The lines of the worst level; if that is Ok, only those that add information."""
         worst = self.level
         if worst == "Ok":
             return "; ".join(text for _, text in self.statuses.values() if not text.endswith(" OK"))
@@ -177,18 +177,18 @@ class Display:
 
 
 class StampedDisplay(Display):
-    """Shows the newest message whose header's frame can be placed at its time."""
+    """Shows the newest message whose header's frame can be placed at its stamp."""
 
     def __init__(self, config: DisplayConfig, number: int) -> None:
         super().__init__(config, number)
         self.shown: Any = None
 
     def forget(self) -> None:
-        """Nothing is shown any more."""
+        """Forget the shown message."""
         self.shown = None
 
     def draw(self, stage: Stage, scene: Scene) -> None:
-        """Show the newest message that can be placed; the newer ones wait for their transforms."""
+        """Show the newest message that can be placed; newer ones wait for their transforms."""
         messages = self.taken()
         faults: list[NoTransform] = []
         for index in range(len(messages) - 1, -1, -1):
@@ -208,17 +208,17 @@ class StampedDisplay(Display):
         self._stay(stage, scene)
 
     def redraw(self, scene: Scene) -> None:
-        """Show the newest message once more."""
+        """Show the newest message again."""
         super().redraw(scene)
         if self.shown is not None:
             self.put_back([self.shown])
 
     def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
-        """Frame and time of the message, and where it was clicked, in the fixed frame."""
+        """Return the frame and stamp of the message, and the clicked point in the fixed frame."""
         return [*header_facts(self.shown), ("Clicked", point_text(world(thing, here)))]
 
     def _tell(self, faults: list[NoTransform]) -> None:
-        """Why no message can be shown, newest first. One that came before its transform is no fault, unless all wait."""
+        """Report why no message can be shown. Waiting for a transform is not an error, unless the whole queue waits."""
         if not faults:
             return
         if not isinstance(faults[0], NotYet) or len(faults) == WAITING:
@@ -227,7 +227,7 @@ class StampedDisplay(Display):
             self.say("Transform", "Warn", str(faults[0]))
 
     def _stay(self, stage: Stage, scene: Scene) -> None:
-        """Things stay where their frame was at their time, also when the fixed frame is another now."""
+        """Keep things where their frame was at their stamp, also after a change of the fixed frame."""
         if self.shown is None:
             return
         try:
@@ -236,17 +236,17 @@ class StampedDisplay(Display):
             return
 
     def pose_of(self, msg: Any, stage: Stage) -> Pose:
-        """Where the frame of a message is: at the message's time. Raises NoTransform."""
+        """Return the pose of a message's frame at the message's stamp. Raises NoTransform."""
         return stage.pose_at(msg.header)
 
     def move(self, pose: Pose, scene: Scene) -> None:
-        """Put what is shown to the pose of its frame."""
+        """Move the shown things to the pose of their frame."""
         for display, name in list(scene.things):
             if display == self.key:
                 scene.place(display, name, pose)
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """Show a message; `pose` is that of its frame in the fixed frame."""
+        """Show a message; `pose` is the pose of its frame in the fixed frame."""
         raise TypeError(f"{type(self).__name__} has to say how a message is shown")
 
 

@@ -1,4 +1,4 @@
-"""The facts of a thing for the viewer's Select tool: names and values, in words."""
+"""The facts of a thing for the viewer's Select tool: names and values as text."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from coursekit.view.scene import Pose, Thing
 from coursekit.view.scene_shapes import Points, rotation
 
 Fact = tuple[str, str]
-"""(what, how much)"""
+"""(name, value)"""
 
 
 def point_text(point: Any) -> str:
-    """A point in metres.
+    """Format a point in metres.
 
     >>> point_text((1.0, -0.001, 0.25))
     '1.00, 0.00, 0.25 m'
@@ -24,7 +24,7 @@ def point_text(point: Any) -> str:
 
 
 def pose_facts(pose: Pose) -> list[Fact]:
-    """Position, and orientation as roll, pitch and yaw in degrees.
+    """Return position, and orientation as roll, pitch and yaw in degrees.
 
     >>> pose_facts((0, 0, 0, 0, 0, 1, 0))[1]
     ('Orientation', 'roll 0, pitch 0, yaw 180 deg')
@@ -38,7 +38,7 @@ def pose_facts(pose: Pose) -> list[Fact]:
 
 
 def header_facts(msg: Any) -> list[Fact]:
-    """Frame and time of a message that has a header."""
+    """Return the frame and stamp of a message; empty without a header."""
     header = getattr(msg, "header", None)
     if header is None:
         return []
@@ -47,21 +47,21 @@ def header_facts(msg: Any) -> list[Fact]:
 
 
 def local(thing: Thing, point: Any) -> np.ndarray:
-    """A point of the fixed frame in the thing's own [m]."""
+    """Transform a point from the fixed frame to the thing's frame [m]."""
     turn = rotation(np.array(thing.pose[3:]))
     found: np.ndarray = ((np.asarray(point, float) - thing.pose[:3]) @ turn) / thing.scale
     return found
 
 
 def world(thing: Thing, point: Any) -> np.ndarray:
-    """A point of the thing's own in the fixed frame [m]."""
+    """Transform a point from the thing's frame to the fixed frame [m]."""
     turn = rotation(np.array(thing.pose[3:]))
     found: np.ndarray = (np.asarray(point, float) * thing.scale) @ turn.T + thing.pose[:3]
     return found
 
 
 def nearest_dot(thing: Thing, here: np.ndarray) -> tuple[int, np.ndarray] | None:
-    """The dot next to a place in the thing's frame: its number and where it is; None where there are no dots."""
+    """Return number and position of the dot nearest to a point in the thing's frame; None if there are no dots."""
     dots = next((shape.points for shape in thing.shapes if isinstance(shape, Points) and len(shape.points)), None)
     if dots is None:
         return None

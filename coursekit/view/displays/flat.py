@@ -17,11 +17,11 @@ if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
 
 _THIN = 0.002
-"""Height of a cell [m]"""
+"""The height of a cell [m]"""
 
 
 def places(points: Any) -> np.ndarray:
-    """(n, 3) of a list of points; ValueError if one has no number."""
+    """Convert a list of points to an array (n, 3); ValueError if a coordinate is not finite."""
     found = np.array([(one.x, one.y, one.z) for one in points], float).reshape(-1, 3)
     if not np.isfinite(found).all():
         raise ValueError("Message contained invalid floating point values (nans or infs)")
@@ -30,7 +30,7 @@ def places(points: Any) -> np.ndarray:
 
 class _Points(StampedDisplay):
     def points_of(self, points: Any, scene: Scene) -> np.ndarray | None:
-        """The points, or None and a word about it."""
+        """Return the points, or None after reporting invalid ones."""
         try:
             found = places(points)
         except ValueError as error:
@@ -42,17 +42,17 @@ class _Points(StampedDisplay):
 
     @property
     def colour(self) -> tuple[float, float, float, float]:
-        """As the options say."""
+        """The colour set in the options."""
         return colour_of(self.options["color"], self.options["alpha"])
 
 
 class Polygon(_Points):
-    """The newest polygon, such as a robot's footprint."""
+    """The newest polygon, for example a robot's footprint."""
 
     kind = "Polygon"
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """From corner to corner and back to the first."""
+        """Draw lines from corner to corner and back to the first."""
         corners = self.points_of(msg.polygon.points, scene)
         if corners is None:
             return
@@ -62,12 +62,12 @@ class Polygon(_Points):
 
 
 class GridCells(_Points):
-    """The newest cells, each about its point."""
+    """The newest cells, each centred on its point."""
 
     kind = "GridCells"
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """One flat box for each."""
+        """Draw a flat box for each cell."""
         centres = self.points_of(msg.cells, scene)
         if centres is None:
             return
@@ -85,7 +85,7 @@ class PointStamped(KeptDisplay, _Points):
     kind = "PointStamped"
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """A ball of `radius`."""
+        """Draw a ball of `radius`."""
         if self.points_of([msg.point], scene) is None:
             return
         vertices, faces = ball()
@@ -93,6 +93,6 @@ class PointStamped(KeptDisplay, _Points):
         self.move(pose, scene)
 
     def move(self, pose: Pose, scene: Scene) -> None:
-        """The newest to its place in its frame; those before stay."""
+        """Move the newest point to its position in its frame; earlier ones stay."""
         point = self.shown.point
         super().move(compose(pose, (point.x, point.y, point.z, 0.0, 0.0, 0.0, 1.0)), scene)

@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
 
 FINER = 5
-"""A square is divided by so many, so that its fifths can be read off: 0.2 m of a metre."""
+"""The number of fine subdivisions of a square, for reading off fifths: 0.2 m of a metre."""
 MOST_FINE = 40
-"""Squares along a side, beyond which the fine lines would only be a grey haze."""
+"""The maximum number of squares per side with fine lines, which would otherwise blur into grey."""
 FAINT = 0.3
-"""Of the alpha of the lines between the squares."""
+"""The alpha of the fine lines, relative to that of the grid."""
 
 
 class Grid(Display):
@@ -30,7 +30,7 @@ class Grid(Display):
     kind = "Grid"
 
     def draw(self, stage: Stage, scene: Scene) -> None:
-        """Draw it once; follow its frame."""
+        """Draw the grid once; follow its frame."""
         if not scene.has(self.key, "grid"):
             scene.put(self.key, "grid", *self._lines())
         frame = self.options["reference_frame"]
@@ -50,7 +50,7 @@ class Grid(Display):
         yield self._across(count, np.arange(count + 1.0), alpha)
 
     def _across(self, count: int, numbers: np.ndarray, alpha: float) -> Lines:
-        """Both ways over all squares, at these numbers of squares from the edge."""
+        """Return lines in both directions across the grid, at these distances from the edge in squares."""
         size = self.options["cell_size"]
         at, edge, flat = (numbers - count / 2) * size, np.full_like(numbers, count / 2 * size), np.zeros_like(numbers)
         along = np.stack([np.stack([-edge, at, flat], 1), np.stack([edge, at, flat], 1)], 1).reshape(-1, 3)

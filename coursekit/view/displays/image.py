@@ -1,4 +1,4 @@
-"""Image: the newest picture of a topic, beside the scene."""
+"""Image: the newest image of a topic, beside the scene."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Image(Display):
-    """Raw and compressed topics; `picture` is blue first."""
+    """Shows raw and compressed topics; `picture` is in BGR order."""
 
     kind = "Image"
 
@@ -22,18 +22,18 @@ class Image(Display):
         super().__init__(config, number)
         self.picture: Any = None
         self.drawn = 0
-        """How many pictures there were"""
+        """The number of images so far"""
 
     def forget(self) -> None:
-        """No picture."""
+        """Drop the image."""
         self.picture = None
         self.drawn += 1
 
     def redraw(self, scene: Scene) -> None:
-        """Its options change nothing that is shown."""
+        """Do nothing: the options do not affect the image."""
 
     def draw(self, stage: Stage, scene: Scene) -> None:
-        """Take the newest."""
+        """Take the newest image."""
         from cv_bridge import CvBridgeError
 
         from coursekit.nodes.images.transport import to_bgr

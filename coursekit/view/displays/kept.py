@@ -1,4 +1,4 @@
-"""The base of displays that go on showing what came before: the last few messages, each where it was."""
+"""The base of displays that keep earlier messages: the last few, each at its own pose."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .display import StampedDisplay
 
 
 class KeptDisplay(StampedDisplay):
-    """Shows as many of the newest messages as the option `length` says."""
+    """Shows the newest messages; the option named by `length` sets how many."""
 
     length: ClassVar[str] = "history_length"
 
@@ -22,16 +22,16 @@ class KeptDisplay(StampedDisplay):
 
     @property
     def newest(self) -> str:
-        """The name of the thing of the newest message."""
+        """The name of the newest message's thing."""
         return f"{self._place}"
 
     def keep(self, scene: Scene, *shapes: Shape, pose: Pose | None = None) -> None:
-        """Show these of a new message, in the place of the oldest."""
+        """Show the shapes of a new message, in place of the oldest ones."""
         self._place = (self._place + 1) % max(1, int(self.options[self.length]))
         scene.put(self.key, self.newest, *shapes, pose=pose)
 
     def move(self, pose: Pose, scene: Scene) -> None:
-        """The newest to the pose of its frame; those before stay."""
+        """Move the newest message to the pose of its frame; earlier ones stay."""
         if scene.has(self.key, self.newest):
             scene.place(self.key, self.newest, pose)
 

@@ -25,9 +25,9 @@ _FREE, _ILLEGAL = 255, (255, 0, 255)
 
 
 def painted(cells: np.ndarray, scheme: str = "map") -> np.ndarray:
-    """(rows, columns, 4) RGBA of a grid of -1 and 0 .. 100, its uppermost row first, in RViz's colours.
+    """Convert a grid of -1 and 0 .. 100 to RGBA (rows, columns, 4), top row first, in RViz's colours.
 
-    'map': white is free, black occupied, greenish grey unknown. 'costmap': from blue to red, free is clear.
+    'map': white is free, black occupied, greenish grey unknown. 'costmap': from blue to red, free is transparent.
 
     >>> painted(np.array([[0, 100, -1]])).tolist()
     [[[255, 255, 255, 255], [0, 0, 0, 255], [112, 137, 134, 255]]]
@@ -59,26 +59,26 @@ class Map(StampedDisplay):
         self._updates: Any = None
 
     def connect(self, node: Any) -> None:
-        """Listen to the map, and to the parts of it that change, on the topic with `_updates` behind its name."""
+        """Subscribe to the map, and to its partial updates on the topic with the suffix `_updates`."""
         super().connect(node)
         if self._subscription is not None and self._updates is None:
             kind = load("map_msgs/msg/OccupancyGridUpdate")
             self._updates = node.create_subscription(kind, f"{self.config.topic}_updates", self._parts.append, 10)
 
     def disconnect(self, node: Any) -> None:
-        """Listen no more."""
+        """Drop the subscriptions."""
         if self._updates is not None:
             node.destroy_subscription(self._updates)
         self._updates = None
         super().disconnect(node)
 
     def forget(self) -> None:
-        """No map."""
+        """Forget the map and its updates."""
         super().forget()
         self._parts.clear()
 
     def draw(self, stage: Stage, scene: Scene) -> None:
-        """The newest map, with what has changed in it since."""
+        """Draw the newest map and its updates."""
         if self.count:
             super().draw(stage, scene)
         changed = False
@@ -89,7 +89,7 @@ class Map(StampedDisplay):
             self._stay(stage, scene)
 
     def _change(self, part: Any) -> bool:
-        """Put a part into the map that is shown; whether it fits."""
+        """Apply a partial update to the shown map. Returns whether it fits."""
         info = self.shown.info
         fits = 0 <= part.x <= info.width - part.width and 0 <= part.y <= info.height - part.height
         if not fits or part.width * part.height != len(part.data):
@@ -104,7 +104,7 @@ class Map(StampedDisplay):
         return True
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """Paint it."""
+        """Paint the map."""
         info = msg.info
         if not info.width or not info.height or info.width * info.height != len(msg.data):
             self.say("Map", "Error", f"{info.width} x {info.height} cells, but {len(msg.data)} numbers in data")
@@ -115,7 +115,7 @@ class Map(StampedDisplay):
         self.move(pose, scene)
 
     def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
-        """The cell and its value."""
+        """Return the clicked cell and its value."""
         info = self.shown.info
         column, row = (int(here[axis] // info.resolution) for axis in (0, 1))
         if not (0 <= column < info.width and 0 <= row < info.height):
@@ -133,14 +133,14 @@ class Map(StampedDisplay):
         scene.put(self.key, "map", Picture(image, *size, self.options["alpha"]))
 
     def pose_of(self, msg: Any, stage: Stage) -> Pose:
-        """Where the map's frame is now, else where it was last: a map holds for longer than its time, as in RViz."""
+        """Return the current pose of the map's frame, else the last: as in RViz, a map outlives its stamp."""
         try:
             return stage.pose(msg.header.frame_id, stage.now())
         except NoTransform:
             return stage.pose(msg.header.frame_id)
 
     def move(self, pose: Pose, scene: Scene) -> None:
-        """A little below the floor, so that the grid is seen."""
+        """Move the map to a little below the floor, to keep the grid visible."""
         x, y, z, *turn = numbers(self.shown.info.origin)
         if scene.has(self.key, "map"):
             scene.place(self.key, "map", compose(pose, (x, y, z - _BELOW, *turn)))  # type: ignore[arg-type]

@@ -29,7 +29,7 @@ from .poses import ribbon
 
 
 def shapes_of(msg: Any) -> list[Shape]:
-    """A marker's shapes, in its own frame; raises ValueError (MeshError is one) for a marker that cannot be shown."""
+    """Return a marker's shapes in its own frame; ValueError (or its subclass MeshError) if it cannot be shown."""
     make = _MAKERS.get(msg.type)
     if make is None:
         raise ValueError(f"there is no marker type {msg.type}")
@@ -69,7 +69,10 @@ def _cylinder(msg: Any) -> list[Shape]:
 
 
 def _arrow(msg: Any) -> list[Shape]:
-    """From the pose along x, or between two points: scale.x the shaft's diameter, scale.y the head's, scale.z its length."""
+    """Return an arrow along x from the pose, or between two points.
+
+    Between points, scale.x is the shaft's diameter, scale.y the head's diameter, scale.z the head's length.
+    """
     if not msg.points:
         long, wide = msg.scale.x, msg.scale.y
         shape = arrow(0.77 * long, wide / 4, 0.23 * long, wide / 2, _colour(msg))

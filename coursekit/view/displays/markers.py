@@ -1,4 +1,4 @@
-"""Marker and MarkerArray: shapes that programs draw, by namespace and number, for as long as they live."""
+"""Marker and MarkerArray: shapes drawn by programs, by namespace and id, for their lifetime."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ ADD, DELETE, DELETE_ALL = 0, 2, 3
 TYPES = ("ARROW", "CUBE", "SPHERE", "CYLINDER", "LINE_STRIP", "LINE_LIST", "CUBE_LIST", "SPHERE_LIST", "POINTS",
          "TEXT_VIEW_FACING", "MESH_RESOURCE", "TRIANGLE_LIST")  # fmt: skip
 MOST = 10_000
-"""Markers that are kept; a program that never deletes does not fill the memory."""
+"""The maximum number of markers kept: a program that never deletes any does not fill the memory."""
 
 
 @dataclass
@@ -30,12 +30,12 @@ class _Living:
     msg: Any
     name: str
     ends: int
-    """When its lifetime is over [ns], 0: never"""
+    """The end of its lifetime [ns]; 0: never"""
     drawn: bool = False
 
 
 class Marker(Display):
-    """Messages of one marker each."""
+    """Messages with one marker each."""
 
     kind = "Marker"
 
@@ -45,17 +45,17 @@ class Marker(Display):
         self.living: dict[str, _Living] = {}
 
     def forget(self) -> None:
-        """No markers."""
+        """Forget all markers."""
         self.living = {}
 
     def redraw(self, scene: Scene) -> None:
-        """Draw all that live once more."""
+        """Draw all live markers again."""
         super().redraw(scene)
         for one in self.living.values():
             one.drawn = False
 
     def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
-        """Namespace, number and type of a marker, and where it is."""
+        """Return namespace, id and type of a marker, and its pose."""
         if name not in self.living:
             return super().facts(name, thing, here, stage)
         msg = self.living[name].msg
@@ -63,11 +63,11 @@ class Marker(Display):
         return [*what, *([("Text", msg.text)] if msg.text else []), *header_facts(msg), *pose_facts(numbers(msg.pose))]
 
     def markers(self, msg: Any) -> list[Any]:
-        """The markers of a message."""
+        """Return the markers of a message."""
         return [msg]
 
     def draw(self, stage: Stage, scene: Scene) -> None:
-        """Take what came, end what is over, place the rest."""
+        """Apply new messages, remove expired markers, place the others."""
         now = stage.now()
         for msg in self.taken():
             for marker in self.markers(msg):
@@ -115,7 +115,7 @@ class Marker(Display):
             self.say("Markers", "Ok", f"{len(self.living)} marker{'s' * (len(self.living) != 1)}")
 
     def _pose(self, msg: Any, stage: Stage) -> Pose:
-        """Where it is: `frame_locked` ones follow their frame, others stay where it was at their time."""
+        """Return the marker's pose: a `frame_locked` one follows its frame, others stay at the pose of their stamp."""
         frame = stage.pose(msg.header.frame_id) if msg.frame_locked else stage.pose_at(msg.header, newest=True)
         own = numbers(msg.pose)
         if not finite(own):
@@ -124,10 +124,10 @@ class Marker(Display):
 
 
 class MarkerArray(Marker):
-    """Messages of many markers."""
+    """Messages with many markers."""
 
     kind = "MarkerArray"
 
     def markers(self, msg: Any) -> list[Any]:
-        """All of them."""
+        """Return all markers of a message."""
         return list(msg.markers)

@@ -1,4 +1,4 @@
-"""LaserScan and PointCloud2: dots, coloured by one colour, by intensity, by height or by the cloud's own colours."""
+"""LaserScan and PointCloud2: dots in one colour, or coloured by intensity, by height or by the cloud's own colours."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
 
 MOST = 200_000
-"""Of larger clouds every second, third, ... point is shown."""
+"""The maximum number of points shown; of larger clouds only every second, third, ... point is drawn."""
 KEPT = 1000
-"""So many messages at most are kept for decay_time."""
+"""The maximum number of messages kept for decay_time."""
 MOST_BOXES = 5000
-"""More than that are dots, whatever the style."""
+"""The maximum number of boxes; larger clouds are drawn as dots, regardless of the style."""
 _TYPES = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8"}
 
 
 def rainbow(values: np.ndarray) -> np.ndarray:
-    """(n, 3) colours: the least value blue, the greatest red.
+    """Return (n, 3) colours: the lowest value is blue, the highest red.
 
     >>> rainbow(np.array([0.0, 1.0, 2.0])).tolist()
     [[0.0, 0.0, 0.5], [0.5, 1.0, 0.5], [0.5, 0.0, 0.0]]
@@ -48,35 +48,35 @@ class _Dots(StampedDisplay):
         self._ends: dict[str, int] = {}
 
     def draw(self, stage: Stage, scene: Scene) -> None:
-        """Take away what is too old."""
+        """Draw the newest points; remove those that have decayed."""
         super().draw(stage, scene)
         for name in [name for name, end in self._ends.items() if end <= stage.now() and name != f"{self._made}"]:
             del self._ends[name]
             scene.remove(self.key, name)
 
     def redraw(self, scene: Scene) -> None:
-        """The newest once more; those before go."""
+        """Show the newest message again; remove earlier ones."""
         super().redraw(scene)
         self._ends = {}
 
     def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
-        """The dot next to the click."""
+        """Return the facts of the dot nearest to the click."""
         found = nearest_dot(thing, here)
         if found is None:
             return super().facts(name, thing, here, stage)
         return [*self.dot_facts(*found), ("Position", point_text(world(thing, found[1]))), *header_facts(self.shown)]
 
     def dot_facts(self, number: int, dot: np.ndarray) -> list[Fact]:
-        """The facts of a dot, in the message's frame."""
+        """Return the facts of a dot, given in the message's frame."""
         return [("Point", f"{number}")]
 
     def move(self, pose: Pose, scene: Scene) -> None:
-        """The newest to its place; those before stay."""
+        """Move the newest message to its pose; earlier ones stay."""
         if scene.has(self.key, f"{self._made}"):
             scene.place(self.key, f"{self._made}", pose)
 
     def dots(self, points: np.ndarray, colours: np.ndarray | None, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """Show points, where they are numbers."""
+        """Show the points with finite coordinates."""
         good = np.isfinite(points).all(axis=1)
         points, colours = points[good], None if colours is None else colours[good]
         step = -(-len(points) // MOST) or 1
@@ -104,12 +104,12 @@ class _Dots(StampedDisplay):
 
 
 class LaserScan(_Dots):
-    """The newest scan; beams out of range are left out."""
+    """The newest scan, without beams that are out of range."""
 
     kind = "LaserScan"
 
     def dot_facts(self, number: int, dot: np.ndarray) -> list[Fact]:
-        """Which beam it is, how far it went, and whither."""
+        """Return number, range and angle of the beam."""
         msg, angle, far = self.shown, float(np.arctan2(dot[1], dot[0])), float(np.hypot(dot[0], dot[1]))
         step = msg.angle_increment or 1.0
         beam = round((((angle - msg.angle_min) * np.sign(step)) % (2 * np.pi)) / abs(step))
@@ -118,7 +118,7 @@ class LaserScan(_Dots):
         return facts + ([("Intensity", f"{bright[beam]:g}")] if beam < len(bright) else [])
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """Dots where the beams ended."""
+        """Draw dots at the ends of the beams."""
         ranges = np.asarray(msg.ranges, float)
         angles = msg.angle_min + np.arange(len(ranges)) * msg.angle_increment
         with np.errstate(invalid="ignore"):
@@ -131,12 +131,12 @@ class LaserScan(_Dots):
 
 
 class PointCloud(_Dots):
-    """The newest cloud of the older kind, of a list of points and named channels."""
+    """The newest cloud of the older type, with a list of points and named channels."""
 
     kind = "PointCloud"
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """Dots."""
+        """Draw dots."""
         points = np.array([(one.x, one.y, one.z) for one in msg.points], float).reshape(-1, 3)
         bright = next((np.array(one.values, float) for one in msg.channels if one.name == "intensity"), None)
         shown = bright is not None and len(bright) == len(points) and self.options["color_transformer"] != "FlatColor"
@@ -149,7 +149,7 @@ class PointCloud2(_Dots):
     kind = "PointCloud2"
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """Dots."""
+        """Draw dots."""
         try:
             table = read_cloud(msg)
             points = np.stack([table[axis].astype(float) for axis in "xyz"], axis=1)
@@ -172,7 +172,7 @@ class PointCloud2(_Dots):
 
 
 def read_cloud(msg: Any) -> np.ndarray:
-    """A sensor_msgs/PointCloud2 as a table with its fields' names; raises ValueError if sizes do not fit."""
+    """Convert a sensor_msgs/PointCloud2 to a table with its field names; ValueError if sizes do not match."""
     order = ">" if msg.is_bigendian else "<"
     for field in msg.fields:
         if field.datatype not in _TYPES:

@@ -1,4 +1,4 @@
-"""Pose, PoseArray and Odometry: arrows; Path: a line. And what their messages say, as numbers."""
+"""Pose, PoseArray and Odometry as arrows, Path as a line; and the numbers in their messages."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
 
 
 ABOVE = np.array([0.0, 0.0, 0.01])
-"""A path lies so far above the floor [m]."""
+"""The height of a path above the floor [m]."""
 
 
 def numbers(pose: Any) -> Pose:
-    """The numbers of a geometry_msgs/Pose; a quaternion of zeros counts as no rotation, as in RViz."""
+    """Return the numbers of a geometry_msgs/Pose; a zero quaternion counts as no rotation, as in RViz."""
     p, q = pose.position, pose.orientation
     size = math.sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w)
     turn = (q.x / size, q.y / size, q.z / size, q.w / size) if size > 1e-9 else (0.0, 0.0, 0.0, 1.0)
@@ -35,12 +35,12 @@ def numbers(pose: Any) -> Pose:
 
 
 def finite(pose: Pose) -> bool:
-    """Whether all numbers of a pose are numbers."""
+    """Whether all numbers of a pose are finite."""
     return all(map(math.isfinite, pose))
 
 
 def shapes_of_pose(o: dict[str, Any]) -> list[Shape]:
-    """An arrow, or axes, as a display's options say."""
+    """Return an arrow or axes, according to the display's options."""
     if o["shape"] == "Axes":
         return [*axes(o["axes_length"], o["axes_radius"], o["alpha"])]
     colour = colour_of(o["color"], o["alpha"])
@@ -53,11 +53,11 @@ class PoseStamped(StampedDisplay):
     kind = "Pose"
 
     def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
-        """The pose as the message has it."""
+        """Return the pose of the message."""
         return [*header_facts(self.shown), *pose_facts(numbers(self.shown.pose))]
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """An arrow."""
+        """Draw an arrow or axes."""
         if not finite(numbers(msg.pose)):
             self.say("Message", "Error", "Message contained invalid floating point values (nans or infs)")
             return
@@ -67,22 +67,22 @@ class PoseStamped(StampedDisplay):
         self.move(pose, scene)
 
     def move(self, pose: Pose, scene: Scene) -> None:
-        """Put it to its place in its frame."""
+        """Move the shape to the pose in its frame."""
         if scene.has(self.key, "pose"):
             scene.place(self.key, "pose", compose(pose, numbers(self.shown.pose)))
 
 
 class PoseWithCovariance(StampedDisplay):
-    """The newest pose, such as amcl's."""
+    """The newest pose, for example amcl's."""
 
     kind = "PoseWithCovariance"
 
     def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
-        """The pose as the message has it."""
+        """Return the pose of the message."""
         return [*header_facts(self.shown), *pose_facts(numbers(self.shown.pose.pose))]
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """The pose's shape and its doubt."""
+        """Draw the pose's shape and its uncertainty."""
         here = numbers(msg.pose.pose)
         if not finite(here):
             self.say("Message", "Error", "Message contained invalid floating point values (nans or infs)")
@@ -95,7 +95,7 @@ class PoseWithCovariance(StampedDisplay):
         self.move(pose, scene)
 
     def move(self, pose: Pose, scene: Scene) -> None:
-        """Put it to its place in its frame."""
+        """Move the shapes to the pose in its frame."""
         if scene.has(self.key, "pose"):
             scene.place(self.key, "pose", compose(pose, numbers(self.shown.pose.pose)))
 
@@ -106,7 +106,7 @@ class PoseArray(StampedDisplay):
     kind = "PoseArray"
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """Arrows."""
+        """Draw arrows."""
         poses = np.array([one for one in map(numbers, msg.poses) if finite(one)]).reshape(-1, 7)
         self.say("Poses", "Ok", f"{len(poses)} poses")
         colour, length = colour_of(self.options["color"], self.options["alpha"]), float(self.options["arrow_length"])
@@ -116,12 +116,12 @@ class PoseArray(StampedDisplay):
 
 
 class ParticleCloud(StampedDisplay):
-    """All particles of the newest message of nav2's amcl; the likelier one is, the longer its arrow."""
+    """All particles of the newest message of nav2's amcl; arrows are longer for likelier particles."""
 
     kind = "ParticleCloud"
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """Flat arrows."""
+        """Draw flat arrows."""
         found = [(numbers(one.pose), one.weight) for one in msg.particles]
         good = [(place, weight) for place, weight in found if finite(place) and math.isfinite(weight)]
         self.say("Particles", "Ok", f"{len(good)} particles")
@@ -142,33 +142,33 @@ _FLAT_ARROW = (
     np.array([[0, -0.05, 0], [0, 0.05, 0], [0.7, 0.05, 0], [0.7, -0.05, 0], [0.7, 0.2, 0], [0.7, -0.2, 0], [1, 0, 0]]),
     np.array([[0, 3, 2], [0, 2, 1], [5, 6, 4], [0, 2, 3], [0, 1, 2], [5, 4, 6]]),
 )
-"""Of one metre, seen from both sides."""
+"""An arrow of one metre, visible from both sides."""
 
 
 class Odometry(Display):
-    """An arrow for each place passed; a new one when it moved or turned enough."""
+    """An arrow for each pose along the path; a new one after enough translation or rotation."""
 
     kind = "Odometry"
 
     def __init__(self, config: DisplayConfig, number: int) -> None:
         super().__init__(config, number)
         self.trail: list[tuple[Any, Pose]] = []
-        """Messages, and the pose in each"""
+        """Messages, with the pose in each"""
         self._made = 0
 
     def forget(self) -> None:
-        """No trail."""
+        """Forget the trail."""
         self.trail = []
 
     def redraw(self, scene: Scene) -> None:
-        """Give every arrow its new looks, where it is; with fewer to keep the oldest go."""
+        """Redraw every arrow in place; with fewer to keep, remove the oldest."""
         while len(self.trail) > max(1, int(self.options["keep"])):
             self._drop(scene)
         for back, (msg, here) in enumerate(reversed(self.trail)):
             scene.put(self.key, f"{self._made - back}", *self._shapes(msg, here))
 
     def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
-        """The pose of an arrow, and how fast it went there."""
+        """Return the pose of an arrow, and the velocity there."""
         back = self._made - int(name)
         if back >= len(self.trail):
             return super().facts(name, thing, here, stage)
@@ -177,7 +177,7 @@ class Odometry(Display):
         return [*header_facts(msg), *pose_facts(pose), ("Velocity", f"{ahead:.2f} m/s, {turn:.2f} rad/s")]
 
     def draw(self, stage: Stage, scene: Scene) -> None:
-        """Arrows for what came."""
+        """Add arrows for new messages."""
         messages = self.taken()
         for index, msg in enumerate(messages):
             here = numbers(msg.pose.pose)
@@ -220,7 +220,7 @@ class Path(KeptDisplay):
     length = "buffer_length"
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """A line through the poses."""
+        """Draw a ribbon through the poses."""
         points = np.array([numbers(one.pose)[:3] for one in msg.poses]).reshape(-1, 3)
         points = points[np.isfinite(points).all(axis=1)]
         self.say("Path", "Ok", f"{len(points)} poses")
@@ -229,7 +229,7 @@ class Path(KeptDisplay):
 
 
 def ribbon(points: np.ndarray, width: float, colour: tuple[float, float, float, float]) -> Band:
-    """A flat band along points (n, 3), `width` metres wide, a little above them."""
+    """Return a flat ribbon along points (n, 3), `width` metres wide, a little above them."""
     along = np.diff(points, axis=0)
     along = along / np.maximum(np.linalg.norm(along[:, :2], axis=1, keepdims=True), 1e-9)
     bent = np.concatenate([along[:1], along[:-1] + along[1:], along[-1:]])

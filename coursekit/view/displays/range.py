@@ -1,4 +1,4 @@
-"""Range: the cone that an ultrasonic or infrared sensor looks into, as far as what it sees."""
+"""Range: the cone of an ultrasonic or infrared sensor, up to the measured range."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ class Range(KeptDisplay):
     length = "buffer_length"
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """A cone along x from the sensor; none where nothing is in reach."""
+        """Draw a cone along x from the sensor; none if the range is outside the limits."""
         far = msg.range
         if math.isinf(far) and msg.min_range == msg.max_range:
-            far = msg.min_range if far < 0 else 0.0  # a switch: -inf is "something there", inf "nothing there"
+            far = msg.min_range if far < 0 else 0.0  # a switch: -inf means detected, inf not detected
         if not (math.isfinite(far) and msg.min_range <= far <= msg.max_range):
             self.say("Range", "Ok", f"Nothing between {msg.min_range:.3g} and {msg.max_range:.3g} m: {msg.range:.3g}")
             self.keep(scene, pose=pose)

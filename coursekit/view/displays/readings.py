@@ -1,4 +1,4 @@
-"""Temperature, RelativeHumidity, FluidPressure and Illuminance: a dot at the sensor, coloured by what it reads."""
+"""Temperature, RelativeHumidity, FluidPressure and Illuminance: a dot at the sensor, coloured by its value."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class _Reading(StampedDisplay):
     unit: ClassVar[str] = ""
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """Blue at `min_intensity`, red at `max_intensity`, and the number beside it."""
+        """Draw the dot, blue at `min_intensity` and red at `max_intensity`, with the number beside it."""
         value, low, high = getattr(msg, self.field), self.options["min_intensity"], self.options["max_intensity"]
         if not math.isfinite(value):
             self.say("Reading", "Warn", f"The sensor reads {value}")
@@ -35,7 +35,7 @@ class _Reading(StampedDisplay):
 
 
 class Temperature(_Reading):
-    """Degrees Celsius."""
+    """In degrees Celsius."""
 
     kind, field, unit = "Temperature", "temperature", "°C"
 
@@ -47,12 +47,12 @@ class RelativeHumidity(_Reading):
 
 
 class FluidPressure(_Reading):
-    """Pascal."""
+    """In pascals."""
 
     kind, field, unit = "FluidPressure", "fluid_pressure", "Pa"
 
 
 class Illuminance(_Reading):
-    """Lux."""
+    """In lux."""
 
     kind, field, unit = "Illuminance", "illuminance", "lx"

@@ -1,4 +1,4 @@
-"""RobotModel: a robot's shapes from its description, each link where tf says that it is."""
+"""RobotModel: a robot's shapes from its description, each link at its tf pose."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 MOST_FACES = 10_000
-"""Of each surface: a robot from a drawing office has a hundred times what the eye and a notebook need."""
+"""The maximum number of faces per surface: CAD models have a hundred times more than the eye and a notebook need."""
 
 
 class RobotModel(Display):
@@ -31,12 +31,12 @@ class RobotModel(Display):
         super().__init__(config, number)
         self.robot: Robot | None = None
         self.poses: dict[str, Pose] = {}
-        """Where the links are that could be placed"""
+        """The poses of the links that could be placed"""
         self._text = ""
         self._drawn: set[str] = set()
 
     def forget(self) -> None:
-        """No robot."""
+        """Forget the robot."""
         self.robot, self.poses, self._text, self._drawn = None, {}, "", set()
 
     def draw(self, stage: Stage, scene: Scene) -> None:
@@ -48,12 +48,12 @@ class RobotModel(Display):
             self._place(stage, scene)
 
     def redraw(self, scene: Scene) -> None:
-        """Make the shapes anew."""
+        """Rebuild the shapes."""
         if self._text:
             self._read(self._text, scene)
 
     def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
-        """The link, the joint that holds it, and where it is."""
+        """Return the link, its joint and its pose."""
         joints = self.robot.joints.values() if self.robot is not None else ()
         held = [("Joint", f"{one.name} ({one.type})") for one in joints if one.child == name]
         return [("Link", name), *held, ("Frame", stage.fixed_frame), *pose_facts(thing.pose)]
@@ -78,7 +78,7 @@ class RobotModel(Display):
             self.say("URDF", "Warn", plain[0] + (f" (and {len(plain) - 1} more)" if len(plain) > 1 else ""))
 
     def _plain(self) -> list[str]:
-        """The meshes that are drawn without their textures."""
+        """Return notes about meshes that are drawn without their textures."""
         assert self.robot is not None
         shapes = [visual.geometry for link in self.robot.links.values() for visual in link.visuals]
         return [note for shape in dict.fromkeys(shapes) for note in notes_of(shape, self.robot.file)]
@@ -102,7 +102,7 @@ class RobotModel(Display):
         return fault
 
     def prefix(self, stage: Stage) -> str:
-        """The prefix of the links' names in tf: as set, else the topic's namespace where only that exists."""
+        """Return the tf prefix of the links: as set, else the topic's namespace if only that exists in tf."""
         assert self.robot is not None
         told = self.options["tf_prefix"]
         if told:

@@ -1,4 +1,4 @@
-"""Wrench, TwistStamped and AccelStamped: an arrow for what is along, and one with a ring for what is about an axis."""
+"""Wrench, TwistStamped and AccelStamped: an arrow for the linear part, an arrow with a ring for the angular part."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
 
 _SMALL = 0.01
-"""Below this length [m], times the width, an arrow is hidden"""
+"""The arrow length, relative to its width, below which it is hidden"""
 _RING = 24
 
 
 class _Screw(KeptDisplay):
-    """Two vectors at the origin of the header's frame, of the last `history_length` messages."""
+    """Two vectors at the origin of the header's frame, for the last `history_length` messages."""
 
     names = ("linear", "angular")
 
     def vectors(self, msg: Any) -> tuple[Any, Any]:
-        """The vector along, and the one about."""
+        """Return the linear and the angular vector."""
         raise TypeError(f"{type(self).__name__} has to say what it shows")
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
-        """Arrows of `..._arrow_scale` metres for each unit."""
+        """Draw arrows of `..._arrow_scale` metres per unit."""
         along, about = (np.array([one.x, one.y, one.z]) for one in self.vectors(msg))
         if not (np.isfinite(along).all() and np.isfinite(about).all()):
             self.say("Message", "Error", "Message contained invalid floating point values (nans or infs)")
@@ -57,7 +57,7 @@ class _Screw(KeptDisplay):
 
 
 def _ring(at: float, radius: float, thick: float, colour: Colour) -> Triangles:
-    """Three quarters of a circle about x."""
+    """Return three quarters of a circle about x."""
     turn = np.linspace(0.0, 1.5 * np.pi, _RING)
     middle = np.stack([np.full(_RING, at), radius * np.cos(turn), radius * np.sin(turn)], axis=1)
     none = np.zeros(_RING)
@@ -75,7 +75,7 @@ class Wrench(_Screw):
     names = ("force", "torque")
 
     def vectors(self, msg: Any) -> tuple[Any, Any]:
-        """Force and torque."""
+        """Return force and torque."""
         return msg.wrench.force, msg.wrench.torque
 
 
@@ -85,7 +85,7 @@ class TwistStamped(_Screw):
     kind = "TwistStamped"
 
     def vectors(self, msg: Any) -> tuple[Any, Any]:
-        """Linear and angular."""
+        """Return the linear and angular velocity."""
         return msg.twist.linear, msg.twist.angular
 
 
@@ -95,5 +95,5 @@ class AccelStamped(_Screw):
     kind = "AccelStamped"
 
     def vectors(self, msg: Any) -> tuple[Any, Any]:
-        """Linear and angular."""
+        """Return the linear and angular acceleration."""
         return msg.accel.linear, msg.accel.angular

@@ -1,4 +1,4 @@
-"""Why no message comes on a display's topic."""
+"""Explanations for a display's topic without messages."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def why_nothing(node: Any, display: Display) -> str:
-    """Another type, a QoS that does not fit, a message that came before, a publisher that is silent, or none."""
+    """Name the cause: another type, incompatible QoS, a missed earlier message, a silent publisher, or no publisher."""
     topic, wanted = display.config.topic, KINDS[display.kind].type
     resolved = dict(node.get_topic_names_and_types())
     if node.count_publishers(topic):
@@ -24,7 +24,7 @@ def why_nothing(node: Any, display: Display) -> str:
 
 
 def _unfit(node: Any, display: Display) -> str:
-    """Which publisher's QoS does not fit what a display asks for, in rclpy's words."""
+    """Name the publisher whose QoS is incompatible with the display's, in rclpy's words."""
     from rclpy.qos import QoSCompatibility, qos_check_compatible
 
     for one in node.get_publishers_info_by_topic(display.config.topic):
@@ -35,7 +35,7 @@ def _unfit(node: Any, display: Display) -> str:
 
 
 def _missed(node: Any, display: Display) -> str:
-    """Which publisher keeps messages for late joiners that a display does not ask for."""
+    """Name a publisher that keeps messages for late joiners, which the display does not request."""
     from rclpy.qos import DurabilityPolicy
 
     topic, lasting = display.config.topic, DurabilityPolicy.TRANSIENT_LOCAL

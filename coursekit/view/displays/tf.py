@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
 
 LENGTH, RADIUS = 0.12, 0.005
-"""An axis [m] at marker_scale 1"""
+"""The size of an axis at marker_scale 1 [m]"""
 _ARROW = (0.93, 0.72, 0.2, 1.0)
 
 
@@ -31,7 +31,7 @@ class TF(Display):
     def __init__(self, config: DisplayConfig, number: int) -> None:
         super().__init__(config, number)
         self._changes: dict[str, tuple[int, int]] = {}
-        """Of each moving frame: its newest stamp, and when that was first seen [ns]."""
+        """For each moving frame: its newest stamp, and when that was first seen [ns]."""
 
     def draw(self, stage: Stage, scene: Scene) -> None:
         """Follow the frames."""
@@ -47,7 +47,7 @@ class TF(Display):
         self._tell(stage, poses, lost, old)
 
     def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
-        """The frame, its parent, how long ago it changed, and where it is in the fixed frame."""
+        """Return the frame, its parent, the age of its last change, and its pose in the fixed frame."""
         frame = name.partition(" ")[2]
         parent = stage.buffer.parent(frame) or "none"
         return [("Frame", frame), ("Parent", parent), ("Age", self._age(frame, stage)), *pose_facts(thing.pose)]
@@ -72,7 +72,7 @@ class TF(Display):
         return poses, lost, old
 
     def _is_old(self, frame: str, stage: Stage) -> bool:
-        """Whether a moving frame has not changed for long; its stamp does not tell, it may be of a simulation's time."""
+        """Whether a moving frame has not changed for long; measured by arrival, since stamps may be in simulated time."""
         cache, now = stage.buffer.frames.get(frame), stage.now()
         if cache is None or cache.static:
             return False
@@ -93,7 +93,7 @@ class TF(Display):
         return made
 
     def _arrow(self, frame: str, pose: Pose, parent: Pose, scene: Scene) -> set[str]:
-        """A unit arrow, stretched from the frame to its parent."""
+        """Place a unit arrow, stretched from the frame to its parent."""
         dx, dy, dz = (b - a for a, b in zip(pose[:3], parent[:3], strict=True))
         length = math.sqrt(dx * dx + dy * dy + dz * dz)
         if length < 1e-6:
@@ -124,13 +124,13 @@ def _few(names: list[str]) -> str:
 
 
 def _unit_arrow(scale: float) -> Triangles:
-    """From the origin to x = 1."""
+    """Return an arrow from the origin to x = 1."""
     body = tube(0.0, 1.0, 0.0018 * scale, sides=6)
     return Triangles(*scattered(body, np.zeros((1, 3))), _ARROW)
 
 
 def _turn_to(x: float, y: float, z: float) -> tuple[float, float, float, float]:
-    """The quaternion that turns the x axis to a unit vector."""
+    """Return the quaternion that rotates the x axis onto a unit vector."""
     if x < -0.999999:
         return 0.0, 0.0, 1.0, 0.0
     w = math.sqrt((1.0 + x) / 2)

@@ -1,1 +1,1 @@
-"""The commands `ros2` and `coursekit`: one parser, used by shell, notebook and terminals alike."""
+"""The commands `ros2` and `coursekit`: one parser for the shell, notebooks and terminals."""

@@ -1,4 +1,4 @@
-"""The common parts of the commands: a hidden node of their own, and names of the graph for completion."""
+"""The common parts of the commands: a hidden node for each, and completion of graph names."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from coursekit.suggestions import did_you_mean
 
 
 class Unhappy(Exception):
-    """Ends a command with a text on stderr and an exit code."""
+    """Ends a command with a message on stderr and an exit code."""
 
     def __init__(self, text: str, code: int = 1) -> None:
         super().__init__(text)
@@ -26,7 +26,7 @@ class Unhappy(Exception):
 
 @contextlib.contextmanager
 def command_node(name: str = "_ros2cli", **options: Any) -> Iterator[Any]:
-    """A hidden node for the time of a command."""
+    """Provide a hidden node for the duration of a command."""
     import rclpy
 
     process = current_process()
@@ -42,7 +42,7 @@ def command_node(name: str = "_ros2cli", **options: Any) -> Iterator[Any]:
 
 
 def on_clock(args: Any) -> dict[str, Any]:
-    """The options by which a command's node follows /clock, if `--use-sim-time` was given."""
+    """Return the node options for following /clock, if `--use-sim-time` was given."""
     from rclpy.parameter import Parameter
 
     simulated = getattr(args, "use_sim_time", False)
@@ -50,13 +50,13 @@ def on_clock(args: Any) -> dict[str, Any]:
 
 
 def yaml_values(text: str) -> dict[str, Any]:
-    """The fields that were typed as YAML.
+    """Parse fields typed as YAML.
 
     >>> yaml_values("{a: 1}")
     {'a': 1}
 
     Raises:
-        Unhappy: when it is no YAML, or no fields with values.
+        Unhappy: when it is not YAML, or not a mapping.
     """
     fault = "The passed value needs to be a dictionary in YAML format"
     try:
@@ -72,36 +72,36 @@ def yaml_values(text: str) -> dict[str, Any]:
 
 
 WAIT_SECONDS = 5.0
-"""So long a command waits as on a robot; then it says what it waits for, and what there is instead."""
+"""How long a command waits as on a robot before it prints what it waits for, and the alternatives [s]."""
 ENDS_WAITING = "Ctrl-C ends the waiting, in a notebook the stop button."
 
 
 def say_missing(name: str, known: list[str], what: str) -> None:
-    """Say that nobody offers a service or an action, and which name was probably meant."""
+    """Report that no node offers a service or an action, and suggest the name that was probably meant."""
     there = f"There are: {', '.join(known)}." if known else "There is none: does the program run that offers it?"
     meant = did_you_mean(name, known, there)
     say_error(f"Still waiting: no node offers the {what} {name}. {meant} {ENDS_WAITING}")
 
 
 def graph() -> Graph:
-    """The graph of this terminal's domain."""
+    """Return the graph of this terminal's domain."""
     from .attach import domain_id
 
     return current().graph(domain_id())
 
 
 def full_name(name: str) -> str:
-    """A name with the leading slash that may be left out."""
+    """Return a name with its leading slash, which may be omitted."""
     return name if name.startswith("/") else f"/{name}"
 
 
 def node_names(hidden: bool = False) -> list[str]:
-    """The full names of the nodes in the graph, sorted."""
+    """Return the full names of the nodes in the graph, sorted."""
     return sorted(node.full_name for node in list(graph().nodes) if hidden or not is_hidden(node.full_name))
 
 
 def find_node(name: str) -> Any:
-    """The node of that full name; raises Unhappy with ROS's text."""
+    """Return the node of that full name; raises Unhappy with ROS's message."""
     for node in list(graph().nodes):
         if node.full_name == full_name(name):
             return node
@@ -109,17 +109,17 @@ def find_node(name: str) -> Any:
 
 
 def topics(hidden: bool = False) -> list[tuple[str, list[str]]]:
-    """(name, types) of the topics."""
+    """Return (name, types) of the topics."""
     return [(name, types) for name, types in graph().topics() if hidden or not is_hidden(name)]
 
 
 def services(hidden: bool = False) -> list[tuple[str, list[str]]]:
-    """(name, types) of the services."""
+    """Return (name, types) of the services."""
     return [(name, types) for name, types in graph().services() if hidden or not is_hidden(name)]
 
 
 def complete_by(*command: str) -> Any:
-    """For tab completion: the names that `ros2 COMMAND` prints in the session that runs."""
+    """Complete by the names that `ros2 COMMAND` prints in the running session."""
 
     def complete(**_: Any) -> list[str]:
         from .attach import answer
@@ -135,7 +135,7 @@ complete_services = complete_by("service", "list")
 
 
 def complete_values(typed: str) -> Any:
-    """For tab completion: the default values of the type that the argument `typed` names."""
+    """Complete by the default values of the type given in the argument `typed`."""
 
     def complete(parsed_args: Any, **_: Any) -> list[str]:
         return [prototype(getattr(parsed_args, typed))]
@@ -144,7 +144,7 @@ def complete_values(typed: str) -> Any:
 
 
 def prototype(name: str) -> str:
-    """The default values of a message, a request or a goal as YAML; raises Unhappy when there is no such type."""
+    """Return the default values of a message, request or goal as YAML; raises Unhappy for an unknown type."""
     from rosidl_runtime_py import message_to_yaml
     from rosidl_runtime_py.utilities import get_interface
 
@@ -158,7 +158,7 @@ def prototype(name: str) -> str:
 
 
 def complete_interfaces(kind: str) -> Any:
-    """For tab completion: names of 'msg', 'srv' or 'action' interfaces."""
+    """Complete by the names of 'msg', 'srv' or 'action' interfaces."""
 
     def complete(**_: Any) -> list[str]:
         from rosidl_runtime_py import get_interfaces
@@ -169,12 +169,12 @@ def complete_interfaces(kind: str) -> Any:
 
 
 def say_error(text: str) -> None:
-    """A line on stderr."""
+    """Print a line on stderr."""
     print(text, file=sys.stderr)
 
 
 def add_hidden_flag(parser: Any, what: str) -> None:
-    """`--include-hidden-...`."""
+    """Add the flag `--include-hidden-...`."""
     parser.add_argument(
         f"--include-hidden-{what}", action="store_true", dest="hidden", help=f"Consider hidden {what} as well"
     )

@@ -1,4 +1,4 @@
-"""The terminal's side: hand a command to the session that runs, and be its screen, keyboard and Ctrl-C."""
+"""The terminal's side: pass a command to the running session, and relay its output, input and Ctrl-C."""
 
 from __future__ import annotations
 
@@ -27,17 +27,17 @@ from . import endpoint
 
 START_SECONDS = 20.0
 ATTEMPTS = 3
-"""A session that ends in the moment in which it is asked has not taken the command: another one is asked."""
+"""How many sessions are tried: one that ends while it is being asked has not accepted the command."""
 
 
 def domain_id() -> int:
-    """The domain of this terminal."""
+    """Return the domain of this terminal."""
     text = os.environ.get("ROS_DOMAIN_ID") or "0"
     return int(text) if text.isdecimal() else 0
 
 
 def connect_or_start() -> socket.socket:
-    """A connection to the domain's session; one is started when there is none."""
+    """Connect to the domain's session, which is started if there is none."""
     domain = domain_id()
     with contextlib.suppress(endpoint.NoSession):
         return endpoint.connect(domain)
@@ -60,7 +60,7 @@ def connect_or_start() -> socket.socket:
 
 
 def attach(argv: Sequence[str]) -> int:
-    """Have the session carry out `ros2 ARGV`; its exit code."""
+    """Run `ros2 ARGV` in the session. Returns the exit code."""
     for _ in range(ATTEMPTS - 1):
         with contextlib.suppress(endpoint.NoSession):
             return _be_terminal(connect_or_start(), {"argv": list(argv)})
@@ -68,7 +68,7 @@ def attach(argv: Sequence[str]) -> int:
 
 
 def answer(argv: Sequence[str]) -> list[str]:
-    """The words that the domain's session prints to `ros2 ARGV`; none when no session runs."""
+    """Return the words that the domain's session prints for `ros2 ARGV`; empty when no session runs."""
     try:
         client = endpoint.connect(domain_id())
     except endpoint.NoSession:
@@ -80,12 +80,12 @@ def answer(argv: Sequence[str]) -> list[str]:
 
 
 def who_answers() -> tuple[str, int]:
-    """The notebook whose session this terminal speaks to, '' for none's, and how many sessions run; NoSession."""
+    """Return this terminal's notebook ('' if its session has none) and the number of sessions; raises NoSession."""
     return _name_of(domain_id()), endpoint.live_sessions(domain_id())
 
 
 def holder(domain: int) -> str | None:
-    """The notebook or test that has the domain's terminals, '' for the session that commands start; None for nobody."""
+    """Return the notebook or test that owns the domain's terminals, '' for a session started by commands; None for none."""
     with contextlib.suppress(endpoint.NoSession):
         return _name_of(domain)
     return None
@@ -99,7 +99,7 @@ def _name_of(domain: int) -> str:
 
 
 def attach_script(path: Path, argv: Sequence[str]) -> int | None:
-    """Have the session carry out `python3 PATH ARGV`; its exit code, or None when no session runs."""
+    """Run `python3 PATH ARGV` in the session. Returns the exit code, or None when no session runs."""
     try:
         return _be_terminal(endpoint.connect(domain_id()), {"script": str(path), "argv": list(argv)})
     except endpoint.NoSession:
@@ -132,7 +132,7 @@ def _send(client: socket.socket, message: dict[str, object]) -> None:
 
 @contextlib.contextmanager
 def _signals_to(client: socket.socket) -> Iterator[None]:
-    """Pass Ctrl-C and `kill` on while the block runs."""
+    """Forward Ctrl-C and `kill` while the block runs."""
 
     def forward(signum: int, _frame: object) -> None:
         with contextlib.suppress(OSError):
@@ -155,18 +155,18 @@ def _forward_stdin(client: socket.socket, keyboard: Keyboard) -> None:
 
 
 def _say_which(notebook: str) -> None:
-    """Where several notebooks run, a person is told to which one this terminal speaks."""
+    """Print which of several notebooks this terminal uses, for a person at the terminal."""
     if sys.stderr.isatty() and endpoint.live_sessions(domain_id()) > 1:
         print(f"(in the session of {notebook}, the notebook in which a cell was run last)", file=sys.stderr, flush=True)
 
 
 def _show(client: socket.socket, keyboard: Keyboard) -> int:
-    """Print what the process prints; returns when it ends. NoSession: the session ended before it took the command."""
+    """Print the process's output until it ends. NoSession: the session ended before it accepted the command."""
     taken = False
     with contextlib.suppress(ConnectionResetError):
         for line in lines(client):
             message = json.loads(line)
-            if not taken:  # what is typed goes to a session that has the command, not to one that is going
+            if not taken:  # typed input must go to a session that has the command, not to one that is ending
                 threading.Thread(target=_forward_stdin, args=(client, keyboard), daemon=True).start()
                 taken = True
             if message.get("session"):

@@ -1,4 +1,4 @@
-"""The common parts of the verbs of `ros2 bag`: arguments, their checks, and how they refuse."""
+"""The common parts of the verbs of `ros2 bag`: arguments, their validation, and error messages."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ _VALUES = ("depth", "avoid_ros_namespace_conventions")
 
 
 def refuse(text: str) -> ask.Unhappy:
-    """The end of the command, in Humble's words."""
+    """Return an error that ends the command, in Humble's words."""
     return ask.Unhappy(f"[ERROR] [ros2bag]: {text}")
 
 
 def refusing(main: Callable[[Any], int]) -> Callable[[Any], int]:
-    """Have a verb say what is wrong with a bag, without a traceback."""
+    """Make a verb report errors of a bag without a traceback."""
 
     @functools.wraps(main)
     def run(args: Any) -> int:
@@ -38,7 +38,7 @@ def refusing(main: Callable[[Any], int]) -> Callable[[Any], int]:
 
 
 def add_reader(parser: argparse.ArgumentParser) -> None:
-    """`bag_path` and `-s`."""
+    """Add the arguments `bag_path` and `-s`."""
     parser.add_argument("bag_path", type=existing_path, help="Bag to open")
     parser.add_argument(
         "-s",
@@ -50,7 +50,7 @@ def add_reader(parser: argparse.ArgumentParser) -> None:
 
 
 def existing_path(value: str) -> str:
-    """A path that is there."""
+    """Validate a path that must exist."""
     try:
         found = Path(value).exists()
     except (OSError, ValueError):
@@ -61,7 +61,7 @@ def existing_path(value: str) -> str:
 
 
 def positive_float(value: str) -> float:
-    """A number above 0."""
+    """Parse a number above 0."""
     number = _number(value)
     if not number > 0.0 or math.isinf(number):
         raise argparse.ArgumentTypeError(f"{value} is not in the valid range (> 0.0)")
@@ -69,7 +69,7 @@ def positive_float(value: str) -> float:
 
 
 def not_negative_float(value: str) -> float:
-    """A number, 0 or above."""
+    """Parse a number of at least 0."""
     number = _number(value)
     if not number >= 0.0 or math.isinf(number):
         raise argparse.ArgumentTypeError(f"Value {value} is less than zero.")
@@ -84,7 +84,7 @@ def _number(value: str) -> float:
 
 
 def not_negative_int(value: str) -> int:
-    """A whole number, 0 or above."""
+    """Parse a whole number of at least 0."""
     try:
         number = int(value)
     except ValueError:
@@ -95,7 +95,7 @@ def not_negative_int(value: str) -> int:
 
 
 def qos_overrides(path: str | None) -> dict[str, Any]:
-    """The QoS profiles by topic in a YAML file; Unhappy in Humble's words."""
+    """Read QoS profiles by topic from a YAML file; Unhappy in Humble's words."""
     from rclpy.qos import InvalidQoSProfileException
 
     if not path:
@@ -110,7 +110,7 @@ def qos_overrides(path: str | None) -> dict[str, Any]:
 
 
 def profile_of(values: dict[str, Any]) -> Any:
-    """The QoS profile of a dictionary of policies; ValueError for an unknown one."""
+    """Make a QoS profile from a dictionary of policies; ValueError for an unknown one."""
     from rclpy import qos
 
     policies: dict[str, Any] = {}
@@ -132,7 +132,7 @@ def profile_of(values: dict[str, Any]) -> Any:
 
 
 def duration_of(value: Any) -> Any:
-    """The duration of {sec: ..., nsec: ...}; ValueError when one is missing or it is negative."""
+    """Make a duration from {sec: ..., nsec: ...}; ValueError when a key is missing or the duration is negative."""
     from rclpy.duration import Duration
 
     if not value:

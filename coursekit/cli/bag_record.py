@@ -177,7 +177,7 @@ def _add_behaviour(parser: Any) -> None:
 
 
 def default_folder() -> str:
-    """Where a recording goes that is given no name: rosbag2_ and the time."""
+    """Return the folder of an unnamed recording: rosbag2_ and the time."""
     there = time.localtime(current().clock.now() // 10**9)
     return time.strftime("rosbag2_%Y_%m_%d-%H_%M_%S", there)
 

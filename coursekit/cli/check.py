@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Check:
-    """The outcome of one check; no fault means that all is well.
+    """The outcome of one check; an empty fault means success.
 
     >>> Check("python", "3.11.2").fault
     ''

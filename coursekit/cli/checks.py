@@ -1,4 +1,4 @@
-"""The checks of `coursekit doctor` and `ros2 doctor`: each says what is wrong and what to type next."""
+"""The checks of `coursekit doctor` and `ros2 doctor`: each reports the fault and the command that fixes it."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ from .check import Check
 from .system_checks import run_system_checks
 
 Lines = list[tuple[str, str | int]]
-"""Names and values, as a section of the report shows them."""
+"""Names and values in a section of the report."""
 
 
 def python_version() -> Check:
-    """Which Python runs; an older one than 3.10, Humble's own, is refused when coursekit is installed."""
+    """Report the Python version; versions older than 3.10 (Humble's own) are refused at installation."""
     found = platform.python_version()
     return Check("python", found)
 
 
 def which_rclpy() -> Check:
-    """Ours, or a real ROS 2."""
+    """Whether rclpy is coursekit's or a real ROS 2's."""
     spec = importlib.util.find_spec("rclpy")
     if spec is None or spec.origin is None:
         return Check("rclpy", "missing", "rclpy cannot be imported", "Run: pip install --force-reinstall coursekit")
@@ -46,17 +46,17 @@ def which_rclpy() -> Check:
 
 
 def kernel_version() -> Check:
-    """ipykernel 7.4 stalls widgets while a cell runs."""
+    """Check ipykernel: version 7.4 stalls widgets while a cell runs."""
     return _version("ipykernel", (7, 0), (7, 4), typed.install("ipykernel>=7.0,<7.4"))
 
 
 def setuptools_version() -> Check:
-    """setuptools 80 breaks `colcon build --symlink-install`."""
+    """Check setuptools: version 80 breaks `colcon build --symlink-install`."""
     return _version("setuptools", (30,), (80,), typed.install("setuptools<80"))
 
 
 def widgets() -> Check:
-    """The packages that terminals, pads and views are made of."""
+    """Check the packages used by terminals, pads and views."""
     missing = [name for name in ("ipywidgets", "anywidget", "jupyterlab") if importlib.util.find_spec(name) is None]
     if not missing:
         return Check("widgets", "installed")
@@ -64,14 +64,14 @@ def widgets() -> Check:
 
 
 def colcon() -> Check:
-    """The build tool."""
+    """Check the build tool."""
     if importlib.util.find_spec("colcon_core") is not None:
         return Check("colcon", _installed("colcon-core") or "installed")
     return Check("colcon", "missing", "colcon is not installed", "Run: pip install colcon-core colcon-ros")
 
 
 def cpp_tools() -> Check:
-    """The compiler for packages in C++."""
+    """Check the compiler for C++ packages."""
     try:
         tools = find_toolchain()
     except NoToolchain as error:
@@ -80,7 +80,7 @@ def cpp_tools() -> Check:
 
 
 def socket_folder() -> Check:
-    """Where terminals find the session."""
+    """Check the folder in which terminals find the session."""
     from coursekit.systems.runtime_folder import choose
 
     try:
@@ -95,7 +95,7 @@ def socket_folder() -> Check:
 
 
 def session_of_domain() -> Check:
-    """Whether a session answers."""
+    """Check whether a session answers."""
     from .attach import domain_id, who_answers
 
     try:
@@ -107,7 +107,7 @@ def session_of_domain() -> Check:
 
 
 def disk_space() -> Check:
-    """Room for builds and maps."""
+    """Check the disk space for builds and maps."""
     free = shutil.disk_usage(os.getcwd()).free / 1e9
     if free > 0.2:
         return Check("disk", f"{free:.1f} GB free")
@@ -129,12 +129,12 @@ CHECKS: tuple[Callable[[], Check], ...] = (
 
 
 def run_all() -> list[Check]:
-    """All checks, in order."""
+    """Run all checks, in order."""
     return [*(check() for check in CHECKS), *run_system_checks()]
 
 
 def report() -> Iterator[tuple[str, Lines]]:
-    """Sections of (name, value) lines for `ros2 doctor --report`."""
+    """Yield sections of (name, value) lines for `ros2 doctor --report`."""
     yield "NETWORK CONFIGURATION", [("device", f"{name} (messages stay on this computer)") for _, name in if_nameindex()]
     yield (
         "PLATFORM INFORMATION",

@@ -1,7 +1,7 @@
-"""`python -m coursekit.cli.compile_ahead`: what SLAM and the simulator compile at their first start, compiled before.
+"""`python -m coursekit.cli.compile_ahead`: compile the code of SLAM and the simulator before their first start.
 
-numba keeps on disk what it has compiled: the first run takes half a minute of one core, later ones a second.
-`coursekit lab` starts it with the lowest priority while the student reads chapter 0.
+numba caches compiled code on disk: the first run takes half a minute of one core, later ones a second. `coursekit
+lab` starts this module with the lowest priority while the student reads chapter 0.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from coursekit.systems.children import apart
 
 
 def start_in_background(env: Mapping[str, str]) -> None:
-    """Begin it in a child that outlives this process and takes only time that nobody needs; harmless where it cannot."""
+    """Start it in a child with lowest priority, which outlives this process; does nothing if that is impossible."""
     nothing = subprocess.DEVNULL
     command = [sys.executable, "-m", __name__]
     with contextlib.suppress(OSError):
@@ -24,7 +24,7 @@ def start_in_background(env: Mapping[str, str]) -> None:
 
 
 def main() -> int:
-    """Use everything that is compiled once."""
+    """Run all compiled code once."""
     if hasattr(os, "nice"):
         os.nice(19)
     from coursekit.nodes.gazebo.warm_up import warm_up

@@ -10,7 +10,7 @@ from coursekit.nodes.control.asking import Asker
 
 
 def list_controllers(asker: Asker, args: Any) -> None:
-    """The loaded controllers, and what they claim."""
+    """Print the loaded controllers, and the interfaces they claim."""
     for one in asker.controllers():
         print(f"{one.name:20s}[{one.type:20s}] {one.state:10s}")
         for title, flag, names in (
@@ -25,14 +25,14 @@ def list_controllers(asker: Asker, args: Any) -> None:
 
 
 def list_types(asker: Asker, _args: Any) -> None:
-    """The controllers that can be loaded."""
+    """Print the controller types that can be loaded."""
     answer = asker.ask(ListControllerTypes, "list_controller_types")
     for name, base in zip(answer.types, answer.base_classes, strict=True):
         print(f"{name:70s} {base}")
 
 
 def list_interfaces(asker: Asker, _args: Any) -> None:
-    """The interfaces for commands and states."""
+    """Print the command and state interfaces."""
     answer = asker.ask(ListHardwareInterfaces, "list_hardware_interfaces")
     print("command interfaces")
     for one in sorted(answer.command_interfaces, key=lambda one: str(one.name)):
@@ -44,7 +44,7 @@ def list_interfaces(asker: Asker, _args: Any) -> None:
 
 
 def list_components(asker: Asker, args: Any) -> None:
-    """The pieces of hardware."""
+    """Print the hardware components."""
     answer = asker.ask(ListHardwareComponents, "list_hardware_components")
     for number, one in enumerate(answer.component, 1):
         print(f"Hardware Component {number}\n\tname: {one.name}\n\ttype: {one.type}\n\tplugin name: {one.class_type}")

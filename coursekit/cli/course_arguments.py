@@ -1,4 +1,4 @@
-"""The arguments of teachers' commands: chapters, the folder of the notebooks, the names of the class."""
+"""The arguments of teachers' commands: chapters, the notebooks' folder, the roster of the class."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ MORE = "How to collect, mark and give back: `coursekit teachers` (docs/teachers.
 
 
 def chapters_of(known: Sequence[Path], words: Sequence[str]) -> list[Path]:
-    """The chapters that begin with one of the words; every word has to name one."""
+    """Return the chapters whose names begin with one of the words; every word must match one."""
     unknown = [word for word in words if not any(one.name.startswith(word) for one in known)]
     if unknown:
         raise SystemExit(f"No chapter begins with {', '.join(unknown)}. There are: {', '.join(p.stem for p in known)}")
@@ -22,7 +22,7 @@ def chapters_of(known: Sequence[Path], words: Sequence[str]) -> list[Path]:
 
 
 def notebooks_of(args: argparse.Namespace) -> Path:
-    """The folder of the notebooks; the checks beside them are read, and what of them fits no notebook is told."""
+    """Return the notebooks' folder; reads the checks beside them and reports those that match no notebook."""
     from coursekit.grade.editions import notebooks_folder
     from coursekit.grade.own_checks import OWN, BadChecks, read_checks
     from coursekit.grade.partners import expect_partners
@@ -38,7 +38,7 @@ def notebooks_of(args: argparse.Namespace) -> Path:
 
 
 def variants_of(names: Path | None, *, new: bool = False) -> Variants | None:
-    """The copies of those who are named; `new` makes the secret of a class that has none."""
+    """Return the variants for the named students; `new` creates the class's secret if it has none."""
     try:
         return None if names is None else Variants.read(names, new=new)
     except (ValueError, OSError) as error:

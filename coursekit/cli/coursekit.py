@@ -13,7 +13,7 @@ from coursekit.systems.streams import reader_has_gone, use_utf8
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Entry point of the shell command."""
+    """Run the shell command."""
     use_utf8()
     parser = argparse.ArgumentParser(prog="coursekit", description="A ROS 2 course that needs no ROS install.")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")

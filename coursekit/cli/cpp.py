@@ -1,4 +1,4 @@
-"""`coursekit cpp`: gets what compiles nodes in C++ where the system has no compiler, and makes their runtime ready."""
+"""`coursekit cpp`: get a C++ compiler if the system has none, and prepare the runtime for C++ nodes."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ _STEP_S = 0.5
 
 
 def add_commands(commands: Any) -> None:
-    """Add the command to coursekit's own."""
+    """Add the command to `coursekit`."""
     parser = commands.add_parser("cpp", help="prepare what compiles nodes in C++")
     parser.set_defaults(main=run)
 
 
 def run(_args: argparse.Namespace) -> int:
-    """Prepare C++; 1 where that is not to be had here."""
+    """Prepare C++; returns 1 if that is impossible here."""
     try:
         tools = find_toolchain()
     except NoToolchain:
@@ -49,13 +49,13 @@ def run(_args: argparse.Namespace) -> int:
 
 
 def wheels() -> list[str]:
-    """The packages that `pip install "coursekit[cpp]"` would install beside coursekit itself."""
+    """Return the packages that `pip install "coursekit[cpp]"` would install in addition to coursekit."""
     words = [line.partition(";") for line in requires("coursekit") or []]
     return [name.strip() for name, _, marker in words if "extra ==" in marker and "cpp" in marker]
 
 
 def make_ready(tools: Toolchain) -> int:
-    """Make the runtime for these tools where it is not there, with a line that says how long it takes."""
+    """Build the runtime for these tools if it is missing, with a progress line."""
     folder = runtime_folder(tools)
     began = time.monotonic()
     if not folder.is_dir():
@@ -70,7 +70,7 @@ def make_ready(tools: Toolchain) -> int:
 
 
 def _watch(child: subprocess.Popen[bytes], began: float) -> bytes:
-    """Wait for the child; what it wrote to its standard error."""
+    """Wait for the child. Returns its standard error."""
     while True:
         try:
             return child.communicate(timeout=_STEP_S)[1]
@@ -88,7 +88,7 @@ def _alone(env: Mapping[str, str]) -> dict[str, str]:
 
 
 def offer(env: Mapping[str, str]) -> None:
-    """When the lab opens: prepare C++ in the background where there is a compiler, else say how to get one."""
+    """At the start of the lab, prepare C++ in the background if there is a compiler, else print how to get one."""
     try:
         folder = runtime_folder(find_toolchain())
     except NoToolchain:

@@ -1,6 +1,6 @@
-"""The daemon of `ros2`: here the session knows the graph, so what is left of it is whether it is said to run.
+"""The daemon of `ros2`: the session already knows the graph, so only the daemon's reported state remains.
 
-It runs until it is stopped. One that was started anew is a hidden node, as on a robot.
+The daemon counts as running until it is stopped. A restarted one has a hidden node, as on a robot.
 """
 
 from __future__ import annotations
@@ -19,17 +19,17 @@ _TOPICS: tuple[tuple[str, Any, Qos], ...] = (
     ("/parameter_events", ParameterEvent, Qos(depth=1000)),
 )
 _changed: weakref.WeakKeyDictionary[Graph, GraphNode | None] = weakref.WeakKeyDictionary()
-"""The node of a daemon that was started anew; None where it was stopped."""
+"""The node of a restarted daemon; None after a stop."""
 
 
 def is_running(graph: Graph) -> bool:
-    """Whether it runs."""
+    """Whether the daemon is running."""
     node = _changed.get(graph)
     return graph not in _changed or (node is not None and node in graph.nodes)
 
 
 def start(graph: Graph, domain_id: int) -> bool:
-    """Start it; False when it runs already."""
+    """Start the daemon; False when it is already running."""
     if is_running(graph):
         return False
     node = graph.add_node(f"_ros2cli_daemon_{domain_id}_{uuid.uuid4().hex}", "/")
@@ -40,7 +40,7 @@ def start(graph: Graph, domain_id: int) -> bool:
 
 
 def stop(graph: Graph) -> bool:
-    """Stop it; False when it does not run."""
+    """Stop the daemon; False when it is not running."""
     if not is_running(graph):
         return False
     node = _changed.get(graph)

@@ -1,4 +1,4 @@
-"""`coursekit doctor`: what is wrong with the set-up, and what cures it."""
+"""`coursekit doctor`: faults of the set-up, and their remedies."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from .check import Check
 
 
 def run_doctor(args: argparse.Namespace) -> int:
-    """Print every check, and the cure for each fault."""
+    """Print every check, and the remedy for each fault."""
     from .checks import run_all
 
     return tell(run_all())
 
 
 def tell(checks: Iterable[Check]) -> int:
-    """Print checks, with the cure for each fault; 1 where there is one that is more than a warning."""
+    """Print checks with the remedy for each fault. Returns 1 if there is a fault that is more than a warning."""
     from coursekit.words.counting import counted
 
     faults = 0

@@ -1,4 +1,4 @@
-"""`ros2 doctor hello`: do computers hear each other, on a topic and by datagrams to all?"""
+"""`ros2 doctor hello`: do computers reach each other, by a topic and by multicast?"""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def register(verbs: Any) -> None:
 
 
 class _Summary:
-    """What was sent and heard within one print period."""
+    """The messages sent and received within one print period."""
 
     def __init__(self) -> None:
         self.published = 0
@@ -41,7 +41,7 @@ class _Summary:
         self.received: Counter[str] = Counter()
 
     def show(self, topic: str, period: float) -> None:
-        """Print it."""
+        """Print the summary."""
         print("MULTIMACHINE COMMUNICATION SUMMARY")
         print(f"Topic: {topic}, Published Msg Count: {self.published}")
         print("Subscribed from:")
@@ -58,14 +58,14 @@ def _show_table(counter: Counter[str], period: float) -> None:
 
 
 def _count(counter: Counter[str], text: str) -> None:
-    """Count a greeting of another computer."""
+    """Count a greeting from another computer."""
     name = text.rpartition(" ")[2]
     if name != socket.gethostname():
         counter[name] += 1
 
 
 def main(args: Any) -> None:
-    """Say hello, listen, and print what was heard."""
+    """Send greetings, receive those of others, and print a summary."""
     from std_msgs.msg import String
 
     with ask.command_node("_ros2doctor_hello") as node, contextlib.closing(_listening()) as datagrams:
@@ -75,11 +75,11 @@ def main(args: Any) -> None:
 
 
 def _listening() -> socket.socket:
-    """A socket that takes datagrams to all without waiting for them."""
+    """Return a non-blocking socket for multicast datagrams."""
     receiver = socket.socket(socket.AF_INET, socket.SOCK_DGRAM, socket.IPPROTO_UDP)
     receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     receiver.setblocking(False)
-    with contextlib.suppress(OSError):  # without a network nothing comes
+    with contextlib.suppress(OSError):  # without a network no datagrams arrive
         receiver.bind(("", DEFAULT_PORT))
         member = struct.pack("4sl", socket.inet_aton(DEFAULT_GROUP), socket.INADDR_ANY)
         receiver.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, member)
@@ -87,7 +87,7 @@ def _listening() -> socket.socket:
 
 
 class _Hello:
-    """Greets again and again."""
+    """Sends and receives greetings repeatedly."""
 
     def __init__(self, publisher: Any, datagrams: socket.socket, args: Any) -> None:
         self._publisher = publisher
@@ -96,7 +96,7 @@ class _Hello:
         self.summary = _Summary()
 
     def run(self, node: Any) -> None:
-        """Greet and listen until Ctrl-C, or once."""
+        """Send and receive until Ctrl-C, or once."""
         import rclpy
 
         rounds = 1 if self._args.once else max(1, round(self._args.print_period / self._args.emit_period))
@@ -115,17 +115,17 @@ class _Hello:
         text = f"hello, it's me {socket.gethostname()}"
         self._publisher.publish(String(data=text))
         self.summary.published += 1
-        with contextlib.suppress(OSError):  # no network: the summary says that none was sent
+        with contextlib.suppress(OSError):  # no network: the summary shows that none was sent
             send(text.encode(), ttl=self._args.ttl)
             self.summary.sent += 1
 
     def _listen(self, node: Any) -> None:
-        """Take what comes on both ways until it is time to greet again."""
+        """Receive on the topic and by multicast until the next greeting is due."""
         import rclpy
 
         end = current().clock.steady() + int(self._args.emit_period * 1e9)
         while rclpy.ok() and (left := end - current().clock.steady()) > 0:
             rclpy.spin_once(node, timeout_sec=left / 1e9)
-        with contextlib.suppress(OSError):  # nothing more is there
+        with contextlib.suppress(OSError):  # no more datagrams
             while True:
                 _count(self.summary.received, self._datagrams.recv(4096).decode(errors="replace"))

@@ -1,7 +1,7 @@
-"""Where sessions listen for `ros2` commands of the same user: Unix sockets in a folder only they can open.
+"""The sockets at which sessions accept `ros2` commands of the same user, in a folder that only this user can open.
 
-Each session has a socket of its own, `session-DOMAIN-PID`; the link `session-DOMAIN` leads to the one that has the
-terminals. Where there are no Unix sockets, these are files with a loopback port and a token.
+Each session has its own Unix socket, `session-DOMAIN-PID`; the link `session-DOMAIN` points to the one that owns the
+terminals. Without Unix sockets these are files with a loopback port and a token.
 """
 
 from __future__ import annotations
@@ -19,17 +19,17 @@ from coursekit.systems.user_socket import connect_at, listen_at, token_at
 
 
 def address(domain_id: int) -> Path:
-    """The file at which the session that has the domain's terminals is found."""
+    """Return the address of the session that owns the domain's terminals."""
     return folder() / f"session-{domain_id}"
 
 
 def own_address(domain_id: int) -> Path:
-    """The file at which this process listens."""
+    """Return the address of this process."""
     return folder() / f"session-{domain_id}-{os.getpid()}"
 
 
 def listen(domain_id: int, *, take: bool = False) -> socket.socket:
-    """Listen for the domain; OSError when another session has its terminals, unless we `take` them."""
+    """Listen for the domain; OSError when another session owns its terminals, unless `take` takes them over."""
     if not take:
         with contextlib.suppress(NoSession):
             connect(domain_id).close()
@@ -40,17 +40,17 @@ def listen(domain_id: int, *, take: bool = False) -> socket.socket:
 
 
 def claim(domain_id: int) -> bool:
-    """Have the domain's terminals from now on; whether that is a change."""
+    """Take over the domain's terminals. Returns whether that is a change."""
     if has_terminals(domain_id):
         return False
     own = own_address(domain_id)
-    os.utime(own)  # the newest is asked first when this pointer is gone
+    os.utime(own)  # if this link is gone, the newest session is asked first
     _lead_to(own, domain_id)
     return True
 
 
 def has_terminals(domain_id: int) -> bool:
-    """Whether new commands of the domain's terminals come to this process."""
+    """Whether new commands of the domain's terminals go to this process."""
     current, own = address(domain_id), own_address(domain_id)
     with contextlib.suppress(OSError):
         if user_socket.HAS_UNIX:
@@ -70,7 +70,7 @@ def _lead_to(own: Path, domain_id: int) -> None:
 
 
 def token(domain_id: int) -> str:
-    """The first word of a client on a loopback port; empty for Unix sockets. NoSession when it has gone."""
+    """Return the token that a client sends first on a loopback port; empty for Unix sockets. NoSession if it has gone."""
     try:
         return token_at(address(domain_id))
     except NoSession as error:
@@ -78,7 +78,7 @@ def token(domain_id: int) -> str:
 
 
 def connect(domain_id: int) -> socket.socket:
-    """Connect to the session that has the domain's terminals; if it is gone, to another one. Raises NoSession."""
+    """Connect to the session that owns the domain's terminals, or if it is gone, to another one. Raises NoSession."""
     with contextlib.suppress(NoSession):
         return connect_at(address(domain_id))
     for path in sessions(domain_id):
@@ -90,13 +90,13 @@ def connect(domain_id: int) -> socket.socket:
 
 
 def sessions(domain_id: int) -> list[Path]:
-    """Where sessions of the domain listen, the newest first; some may be gone."""
+    """Return the addresses of the domain's sessions, the newest first; some may be stale."""
     found = [one for one in folder().glob(f"session-{domain_id}-*") if one.name.rpartition("-")[2].isdecimal()]
     return sorted(found, key=lambda path: path.lstat().st_mtime_ns, reverse=True)
 
 
 def live_sessions(domain_id: int) -> int:
-    """How many sessions of the domain answer; what others left behind is removed."""
+    """Count the domain's sessions that answer; stale addresses are removed."""
     count = 0
     for path in sessions(domain_id):
         try:

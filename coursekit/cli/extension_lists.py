@@ -1,4 +1,4 @@
-"""`ros2 extension_points` and `ros2 extensions`: what a package can add to `ros2`, and what is there."""
+"""`ros2 extension_points` and `ros2 extensions`: the extension points of `ros2`, and the installed extensions."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def register(subparsers: Any) -> None:
 
 
 def _groups() -> dict[str, list[str]]:
-    """What `ros2` itself has for each extension point, the points of packages included."""
+    """Return the names that `ros2` itself has for each extension point, including the points defined by packages."""
     from .parser import available, make_parser
 
     commands = available()

@@ -1,4 +1,4 @@
-"""Commands and verbs that the packages of a workspace add to `ros2`, by their entry points."""
+"""Commands and verbs added to `ros2` by workspace packages, through entry points."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ _GROUPS = {
     "security": "sros2.verb",
     "wtf": "ros2doctor.verb",
 }
-"""The groups of those commands whose packages have other names than `ros2COMMAND`."""
+"""The groups of commands whose packages are not named `ros2COMMAND`."""
 
 
 def group_of(command: str) -> str:
-    """The group of entry points that are a command's verbs.
+    """Return the entry point group of a command's verbs.
 
     >>> group_of("topic")
     'ros2topic.verb'
@@ -31,7 +31,7 @@ def group_of(command: str) -> str:
 
 
 def add_commands(subparsers: Any, known: list[str], wanted: str | None) -> None:
-    """Add the packages' commands; only the wanted one, if a package has it, so that no other's faults are told."""
+    """Add the packages' commands; only the wanted one if a package has it, to hide errors of the others."""
     names = get_entry_points(COMMANDS)
     left_out = [name for name in names if name != wanted] if wanted in names else known
     for name, extension in get_command_extensions(COMMANDS, exclude_names=left_out).items():
@@ -44,7 +44,7 @@ def _carried_out(extension: Any, parser: argparse.ArgumentParser) -> Any:
 
 
 def add_verbs(command: str, verbs: Any) -> None:
-    """Add the packages' verbs to one of our commands."""
+    """Add the packages' verbs to one of coursekit's commands."""
     for name, extension in get_verb_extensions(group_of(command)).items():
         if name not in verbs.choices:
             add_extension(verbs, f"ros2 {command}", extension).set_defaults(main=_verb(extension))
@@ -55,7 +55,7 @@ def _verb(extension: Any) -> Any:
 
 
 def _code(main: Any, **words: Any) -> int:
-    """The exit code of an extension; a text that it returns, or raises, is its fault."""
+    """Return the exit code of an extension; a returned text or a RuntimeError is its error message."""
     try:
         result = main(**words)
     except RuntimeError as error:

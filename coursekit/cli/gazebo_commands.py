@@ -1,4 +1,4 @@
-"""The commands `gazebo`, `gzserver` and `gzclient`: the simulator, started as launch files and tutorials start it."""
+"""The commands `gazebo`, `gzserver` and `gzclient`: the simulator, started as in launch files and tutorials."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ _CLIENT = ("run", "gazebo_ros", "gzclient")
 
 
 def server() -> int:
-    """`gazebo WORLD` or `gzserver WORLD` in a shell."""
+    """Run `gazebo WORLD` or `gzserver WORLD` from a shell."""
     return ros2.main([*_SERVER, *sys.argv[1:]])
 
 
 def run_server(argv: Sequence[str]) -> int:
-    """The same inside of a session."""
+    """Run the server inside a session."""
     return parser.run([*_SERVER, *argv])
 
 
 def client() -> int:
-    """`gzclient` in a shell."""
+    """Run `gzclient` from a shell."""
     return ros2.main([*_CLIENT, *sys.argv[1:]])
 
 
 def run_client(argv: Sequence[str]) -> int:
-    """The same inside of a session."""
+    """Run the client inside a session."""
     return parser.run([*_CLIENT, *argv])

@@ -1,4 +1,4 @@
-"""`coursekit grade` and `coursekit verify`: how teachers mark what was handed in."""
+"""`coursekit grade` and `coursekit verify`: marking of submissions by teachers."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def _add_grade(grade: argparse.ArgumentParser) -> None:
 
 
 def teachers_page() -> Path | None:
-    """Where the page for teachers is."""
+    """Return the path of the page for teachers."""
     package = Path(__file__).resolve().parents[1]
     found = [file for file in (package.parent / "docs" / "teachers.md", package / "teachers.md") if file.is_file()]
     return found[0] if found else None
@@ -79,7 +79,7 @@ def show_teachers(args: argparse.Namespace) -> int:
 
 
 def run_grade(args: argparse.Namespace) -> int:
-    """Grade, and say where the results are; 1 when a question is open, 2 when the grader itself does not work."""
+    """Grade, and print where the results are. Returns 1 when a question is open, 2 when the grader itself is broken."""
     from coursekit.grade import container
     from coursekit.grade.archives import BadArchive
     from coursekit.grade.bar import Bar
@@ -212,7 +212,7 @@ def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
 
 
 def run_verify(args: argparse.Namespace) -> int:
-    """Say what is wrong with files that were handed in; 1 when something is."""
+    """Report the faults of submitted files. Returns 1 if there are any."""
     from coursekit.grade.handing_in import same_in, verify
     from coursekit.grade.harmless import shown
     from coursekit.words.counting import counted

@@ -1,4 +1,4 @@
-"""The graph in `ros2 doctor --report`: its topics, and which ends can hear each other."""
+"""The graph in `ros2 doctor --report`: its topics, and the compatibility of their endpoints."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ _EVERYWHERE = ("/parameter_events", "/rosout")
 
 
 def report() -> Iterator[tuple[str, Lines]]:
-    """Sections of (name, value) lines."""
+    """Yield sections of (name, value) lines."""
     yield "QOS COMPATIBILITY LIST", pairs() or [("compatibility status", "No publisher/subscriber pairs found")]
     yield "TOPIC LIST", counts()
 
 
 def pairs() -> Lines:
-    """Each publisher with each subscription of its topic, and whether they fit."""
+    """Return each publisher with each subscription of its topic, and whether they are compatible."""
     with ask.command_node() as node:
         return [line for name, types in _topics() for line in _pairs(node, name, types)]
 
 
 def counts() -> Lines:
-    """How many publish to each topic, and how many subscribe."""
+    """Return the number of publishers and subscriptions of each topic."""
     with ask.command_node() as node:
         return [line for name, _ in _topics() for line in _counts(node, name)] or [
             ("topic", "none"),
@@ -34,7 +34,7 @@ def counts() -> Lines:
 
 
 def compatibility() -> checks.Check:
-    """Whether every publisher can be heard by the subscriptions of its topic."""
+    """Check whether every publisher is compatible with the subscriptions of its topic."""
     faults: list[str] = []
     with ask.command_node() as node:
         for topic, types in ask.topics():
@@ -47,7 +47,7 @@ def compatibility() -> checks.Check:
 
 
 def both_ends() -> checks.Check:
-    """Whether every topic has as many publishers as subscriptions; a difference is worth a look, and no fault."""
+    """Check whether every topic has as many publishers as subscriptions; a difference is only a warning."""
     told: list[str] = []
     with ask.command_node() as node:
         for topic, _ in _topics():

@@ -13,17 +13,17 @@ _KNOWN = "gz sim WORLD [-r], gz topic -l | -i -t TOPIC | -e -t TOPIC, gz service
 
 
 def main() -> int:
-    """`gz ...` or `ign ...` in a shell: carried out as `ros2 gz`, in the session that runs."""
+    """Run `gz ...` or `ign ...` from a shell, as `ros2 gz` in the running session."""
     return ros2.main(["gz", *sys.argv[1:]])
 
 
 def run_inside(argv: Sequence[str]) -> int:
-    """The same inside of a session."""
+    """Run the command inside a session."""
     return parser.run(["gz", *argv])
 
 
 def carry_out(words: Sequence[str]) -> int:
-    """Do what the words after `gz` say; the exit code."""
+    """Carry out the words after `gz`. Returns the exit code."""
     command, rest = (words[0], list(words[1:])) if words else ("", [])
     if command in ("sim", "gazebo"):
         from coursekit.nodes.gz.server import main as simulate
@@ -38,7 +38,7 @@ def carry_out(words: Sequence[str]) -> int:
 
 
 def register(subparsers: Any) -> None:
-    """Add the hidden command `ros2 gz`, by which terminals reach the session."""
+    """Add the hidden command `ros2 gz`, through which terminals reach the session."""
     added = subparsers.add_parser("gz", add_help=False)
     added.add_argument("words", nargs=argparse.REMAINDER)
     added.set_defaults(main=lambda args: carry_out(args.words))

@@ -1,4 +1,4 @@
-"""`gz topic` and `gz service`: what is in the newer Gazebo's own graph."""
+"""`gz topic` and `gz service`: the contents of the newer Gazebo's own graph."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def _arguments(command: str, words: list[str]) -> argparse.Namespace:
 
 
 def carry_out(command: str, words: list[str]) -> int:
-    """List topics or services, or print messages; the exit code."""
+    """List topics or services, or print messages. Returns the exit code."""
     told = _arguments(command, words)
     context = gz_context()
     try:

@@ -16,13 +16,13 @@ from . import compile_ahead, hub_check
 from .lab import become, first_page, prepare_lab
 
 FOLDER = "~/course"
-"""A student's copy of the course, in the student's own home."""
+"""A student's copy of the course, in the student's home."""
 NUMBA = "numba"
-"""Of the shared folder and of the student's own cache: what Numba has compiled."""
+"""The subfolder for Numba's compiled code, in the shared folder and in the student's cache."""
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add what the hub starts, and what its administrator types."""
+    """Add the command that the hub starts, and those of its administrator."""
     lab = commands.add_parser("hub-lab", help="the course for one student of a JupyterHub, which starts it (docs/hub.md)")
     lab.add_argument("--folder", default=FOLDER, help=f"the student's copy (default: {FOLDER})")
     lab.add_argument("--language", default="", help="of the course, such as es (default: that of the copy)")
@@ -37,8 +37,8 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_lab(args: argparse.Namespace) -> int:
-    """Bring the student's copy up to date, and go on as the server that the hub expects."""
-    if args.words[:1] == ["coursekit"]:  # an image's entry point and a hub's command may both say it
+    """Update the student's copy, and continue as the server that the hub expects."""
+    if args.words[:1] == ["coursekit"]:  # both an image's entry point and a hub's command may contain it
         return become([sys.executable, "-m", "coursekit.cli.coursekit", *args.words[1:]], dict(os.environ))
     folder, env, options = prepare_lab(args)
     for sentence in fetch_releases(folder):
@@ -46,13 +46,13 @@ def run_lab(args: argparse.Namespace) -> int:
     env.setdefault("JUPYTERHUB_DEFAULT_URL", first_page(folder))
     take_compiled(env)
     words = list(args.words)
-    if words and not words[0].startswith("-"):  # Binder says which server it wants
+    if words and not words[0].startswith("-"):  # Binder specifies the server
         return become([shutil.which(words[0]) or words[0], *words[1:], *options], env)
     return become([sys.executable, "-m", "jupyterhub.singleuser", *options, *words], env)
 
 
 def fetch_releases(folder: Path) -> list[str]:
-    """Bring what teachers have handed out through the server's exchange into the student's copy; what was done."""
+    """Copy the releases in the server's exchange into the student's copy. Returns a list of the actions taken."""
     from coursekit.grade.copy import Course
     from coursekit.grade.exchange import VARIABLE, releases
 
@@ -67,7 +67,7 @@ def fetch_releases(folder: Path) -> list[str]:
 
 
 def take_compiled(env: dict[str, str]) -> None:
-    """Give the student a copy of what Numba has compiled for all: it uses a cache only where it may write."""
+    """Give the student a copy of the shared Numba cache: Numba uses only writable caches."""
     shared = Path(env.get(SHARED) or "", NUMBA)
     if not env.get(SHARED) or not shared.is_dir():
         return
@@ -77,7 +77,7 @@ def take_compiled(env: dict[str, str]) -> None:
 
 
 def run_prepare(args: argparse.Namespace) -> int:
-    """Compile SLAM and the simulator, and the runtime of C++ where there is a compiler."""
+    """Compile SLAM and the simulator, and the C++ runtime if there is a compiler."""
     folder = args.folder.resolve()
     try:
         (folder / NUMBA).mkdir(parents=True, exist_ok=True)

@@ -1,4 +1,4 @@
-"""`coursekit hub-check`: is this server ready for a class, and how many students does it carry?"""
+"""`coursekit hub-check`: is this server ready for a class, and how many students can it serve?"""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from coursekit.cpp.toolchain import NoToolchain, find_toolchain
 from .check import Check
 
 KEPT_FREE = 0.2
-"""The share of the memory that the system and the hub itself need."""
+"""The share of the memory needed by the system and the hub itself."""
 HOME_MB = 300
-"""The size of a student's home in the course: builds, bags, maps."""
+"""The size of a student's home in the course [MB]: builds, bags, maps."""
 
 
 def hub_package() -> Check:
-    """A student's server: it has to be in the same environment as the course."""
+    """Check for JupyterHub's single-user server, which must be in the same environment as the course."""
     if importlib.util.find_spec("jupyterhub") is None:
         cure = 'Run, with the same Python: pip install "coursekit[hub]"'
         return Check("jupyterhub", "missing", "jupyterhub is not installed beside coursekit", cure)
@@ -32,7 +32,7 @@ def hub_package() -> Check:
 
 
 def compiled_ahead() -> Check:
-    """The files of `coursekit hub-prepare`."""
+    """Check the files of `coursekit hub-prepare`."""
     folder = os.environ.get(SHARED)
     if not folder:
         fault = "nothing is compiled ahead: each student's first map and first C++ build take a minute of one core more"
@@ -50,12 +50,12 @@ def _parts(folder: Path) -> dict[str, bool]:
     try:
         there["C++"] = runtime_folder(find_toolchain()).is_relative_to(folder)
     except NoToolchain:
-        pass  # then nobody writes C++ here
+        pass  # then C++ is not used here
     return there
 
 
 def exchange_folder() -> Check:
-    """Through which teachers and students give each other files."""
+    """Check the folder through which teachers and students exchange files."""
     from coursekit.grade.exchange import INBOUND, OUTBOUND, VARIABLE
 
     told = os.environ.get(VARIABLE)
@@ -74,7 +74,7 @@ def exchange_folder() -> Check:
 
 
 def homes() -> Check:
-    """Room for students' homes, where this user's is."""
+    """Report the disk space for students' homes, measured at this user's home."""
     free = shutil.disk_usage(Path.home()).free / 1e6
     return Check("homes", f"{free / 1000:.0f} GB free: {free / HOME_MB:.0f} students of {HOME_MB} MB each")
 
@@ -83,7 +83,7 @@ CHECKS: tuple[Callable[[], Check], ...] = (hub_package, compiled_ahead, exchange
 
 
 def load(students: int) -> list[Check]:
-    """The cost of one student, measured; with a number of students, whether they fit."""
+    """Measure the cost of one student; with a number of students, check whether they fit."""
     import psutil
 
     from .hub_load import MB, NotMeasured, measure
@@ -108,7 +108,7 @@ def load(students: int) -> list[Check]:
 
 
 def run(args: argparse.Namespace) -> int:
-    """Print each check, and the cure for each fault; 1 where there are faults."""
+    """Print each check, and the remedy for each fault. Returns 1 if there are faults."""
     from .doctor import tell
 
     return tell([*(check() for check in CHECKS), *load(args.students)])

@@ -1,4 +1,4 @@
-"""The cost of one student: a Jupyter server, a kernel and chapter 8's simulation of their own are measured."""
+"""Measure the cost of one student: a Jupyter server, a kernel and the simulation of chapter 8."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from .lab import lab_environment, lab_options
 
 MB = 1 << 20
 START_S = 120.0
-"""How long a server or a kernel may take to start."""
+"""The timeout for the start of a server or a kernel [s]."""
 SECONDS = 10
-"""How long the simulation is watched."""
+"""How long the simulation is measured [s]."""
 _ROBOT = """
 import shutil
 from pathlib import Path
@@ -35,11 +35,11 @@ _cart = Path(get_package_share_directory("coursekit_robots")) / "urdf" / "robot_
 %ros2 launch slam_toolbox online_async_launch.py &
 %ros2 topic pub -r 10 /cmd_vel geometry_msgs/msg/Twist "{linear: {x: 0.3}, angular: {z: 0.4}}" &
 """
-"""The robot of chapter 8 drives in circles and maps."""
+"""The robot of chapter 8, driving in circles and mapping."""
 
 
 class NotMeasured(RuntimeError):
-    """A server, a kernel or the simulation does not start; says what to try."""
+    """A server, a kernel or the simulation does not start; the message suggests what to try."""
 
 
 @dataclass(frozen=True)
@@ -47,24 +47,24 @@ class Load:
     """The measured values."""
 
     server_mb: float
-    """Of the Jupyter server."""
+    """The memory of the Jupyter server."""
     kernel_mb: float
-    """Of a kernel that does nothing."""
+    """The memory of an idle kernel."""
     busy_mb: float
-    """Of a kernel that simulates a robot and maps."""
+    """The memory of a kernel that simulates a robot and maps."""
     cores: float
-    """Of the processor, meanwhile: 0.3 is a third of one core."""
+    """The processor load of that kernel in cores: 0.3 is a third of one core."""
     server_s: float
     kernel_s: float
-    """How long their starts took [s]."""
+    """The start times of both [s]."""
 
     def student_mb(self) -> float:
-        """Of a student who simulates."""
+        """Return the memory of a student who runs a simulation."""
         return self.server_mb + self.busy_mb
 
 
 def measure() -> Load:
-    """Start all that a student of the hub has, in a course of its own, and end it again.
+    """Start the programs of a hub's student in a temporary course, measure them, and end them.
 
     Raises:
         NotMeasured: when a server, a kernel or the simulation does not start.
@@ -80,7 +80,7 @@ def measure() -> Load:
 
 @contextmanager
 def _server(folder: Path, env: dict[str, str]) -> Iterator[tuple[subprocess.Popen[bytes], float]]:
-    """A Jupyter server that listens on a socket in the folder; no port is opened."""
+    """Run a Jupyter server that listens on a socket in the folder; no port is opened."""
     began, socket = time.monotonic(), folder / "server.sock"
     command = [sys.executable, "-m", "jupyter", "lab", "--no-browser", f"--ServerApp.sock={socket}", *lab_options(folder)]
     quiet = subprocess.DEVNULL
@@ -134,6 +134,6 @@ def _used_s(process: psutil.Process) -> float:
 
 
 def _memory_mb(pid: int) -> float:
-    """The memory that would be free without the process and its children: shared memory is not counted."""
+    """Return the memory that ending the process and its children would free: shared memory is not counted."""
     top = psutil.Process(pid)
     return sum(float(one.memory_full_info().uss) for one in (top, *top.children(recursive=True))) / MB

@@ -16,7 +16,7 @@ _PRIMITIVES = {
 
 
 def shown(name: str, comments: str = "top") -> Iterator[str]:
-    """The lines of an interface; `comments` is 'top' (as in the file itself), 'all' or 'none'.
+    """Yield the lines of an interface; `comments` is 'top' (as in the file itself), 'all' or 'none'.
 
     >>> list(shown("geometry_msgs/msg/Twist", "none"))[:2]
     ['Vector3  linear', '\\tfloat64 x']
@@ -51,7 +51,7 @@ def _holds_hash_in_string(line: str) -> bool:
 
 
 def _nested_type(line: str, package: str) -> str | None:
-    """The full name of a field's message type; None for primitives, constants and comments."""
+    """Return the full name of a field's message type; None for primitives, constants and comments."""
     field = _FIELD.match(line.split("#")[0])
     if field is None or field[1] in _PRIMITIVES:
         return None

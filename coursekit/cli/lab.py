@@ -19,9 +19,9 @@ from . import compile_ahead, cpp
 from .terminal_settings import terminal_settings
 
 QUIET = ("--ServerApp.log_level=ERROR", "--LabApp.log_level=ERROR")
-"""Of what the server says the address is left; `coursekit lab -- --log-level=INFO` shows the rest."""
+"""Reduces the server's output to its address; `coursekit lab -- --log-level=INFO` shows everything."""
 _SAYS_MORE = re.compile(r"--(debug$|([\w.]+[.])?log[-_]level\b)").match
-"""Whether an option of Jupyter says how much is said: it is refused twice."""
+"""Matches a Jupyter option for the log level, which must not be given twice."""
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -39,12 +39,12 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def folder_of(args: argparse.Namespace) -> Path:
-    """The student's copy of the course; `~` is home also where no shell says so, as on Windows."""
+    """Return the student's copy of the course; expands `~` also where no shell does, as on Windows."""
     return Path(args.folder).expanduser().resolve()
 
 
 def _not_written(folder: Path, error: OSError) -> SystemExit:
-    """The message where a copy of the course cannot be written."""
+    """Return the error for a copy of the course that cannot be written."""
     name = f" ('{error.filename}')" if error.filename else ""
     return SystemExit(
         f"The course cannot be written to '{folder}': {error.strerror}{name}. "
@@ -73,7 +73,7 @@ def update_course(args: argparse.Namespace) -> int:
 
 
 def lab_environment(folder: Path) -> dict[str, str]:
-    """The environment of kernels and terminals: the underlay sourced, the course's folders and language named."""
+    """Return the environment of kernels and terminals, with the underlay, and the course's folders and language."""
     from coursekit.grade.copy import Course
     from coursekit.jupyter.kernel import write_kernelspec
     from coursekit.packages.environment import source_underlay
@@ -88,7 +88,7 @@ def lab_environment(folder: Path) -> dict[str, str]:
 
 
 def lab_options(folder: Path) -> list[str]:
-    """Options of a Jupyter server on that copy, whoever starts it."""
+    """Return the options of a Jupyter server on that copy, regardless of who starts it."""
     options = [
         f"--ServerApp.root_dir={folder}",
         f"--LabServerApp.app_settings_dir={_settings_folder(folder)}",
@@ -98,14 +98,14 @@ def lab_options(folder: Path) -> list[str]:
 
 
 def first_page(folder: Path) -> str:
-    """The page of the server that the course opens with."""
+    """Return the page with which the course opens."""
     from coursekit.grade.copy import Course
 
     return f"/lab/tree/{quote(Course(folder).first())}"
 
 
 def prepare_lab(args: argparse.Namespace) -> tuple[Path, dict[str, str], list[str]]:
-    """The student's copy, up to date; the environment of a server on it, and its options. SystemExit where it cannot be."""
+    """Update the student's copy. Returns its folder, and a server's environment and options; SystemExit if it cannot."""
     update_course(args)
     folder = folder_of(args)
     try:
@@ -131,18 +131,18 @@ def open_lab(args: argparse.Namespace) -> int:
 
 
 def become(command: list[str], env: dict[str, str]) -> int:
-    """Go on as another program, which so gets every signal: who ends us ends it."""
+    """Continue as another program, which then receives all signals directly."""
     sys.stdout.flush()
     if sys.platform != "win32":
         os.execve(command[0], command, env)
     try:
-        return subprocess.call(command, env=env)  # Windows would give the console back at once
+        return subprocess.call(command, env=env)  # on Windows, exec would return control to the console at once
     except KeyboardInterrupt:
         return 0
 
 
 def _settings_folder(folder: Path) -> Path:
-    """Settings of JupyterLab for the course: no news pop-up."""
+    """Write JupyterLab's settings for the course: no news pop-up."""
     settings = folder / ".coursekit" / "lab"
     settings.mkdir(parents=True, exist_ok=True)
     (settings / "overrides.json").write_text(

@@ -1,4 +1,4 @@
-"""The commands `ament_copyright`, `ament_flake8` and `ament_pep257`, as a terminal calls them."""
+"""The commands `ament_copyright`, `ament_flake8` and `ament_pep257` for the terminal."""
 
 from __future__ import annotations
 
@@ -15,24 +15,24 @@ from coursekit.xunit import write_results
 
 
 def copyright_notices(argv: Sequence[str] | None = None) -> int:
-    """Name the sources without a copyright notice; 1 when there are any."""
+    """List the sources without a copyright notice. Returns 1 if there are any."""
     return _copyright(argv)
 
 
 def flake8(argv: Sequence[str] | None = None) -> int:
-    """Tell what flake8 finds; 1 when it finds anything, or is not installed and no file of results is asked for."""
+    """Report flake8's findings. Returns 1 if there are any, or if it is missing and no results file is requested."""
     return _or_told(_flake8, argv)
 
 
 def pep257(argv: Sequence[str] | None = None) -> int:
-    """Tell what pydocstyle finds; 1 when it finds anything, or is not installed and no file of results is asked for."""
+    """Report pydocstyle's findings. Returns 1 if there are any, or if it is missing and no results file is requested."""
     return _or_told(_pep257, argv)
 
 
 def _or_told(lint: Callable[[Sequence[str] | None], int], argv: Sequence[str] | None) -> int:
     try:
         return lint(argv)
-    except unittest.SkipTest as missing:  # which skips the test of a package
+    except unittest.SkipTest as missing:  # in a package, this skips the test
         print(missing, file=sys.stderr)
         parser = argparse.ArgumentParser(add_help=False)
         parser.add_argument("--xunit-file")

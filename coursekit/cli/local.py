@@ -1,4 +1,4 @@
-"""Carry out a command in a session of this interpreter, with this terminal as its screen."""
+"""Run a command in a session of this interpreter, with output to this terminal."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .parser import run
 
 
 def run_in(session: Session, argv: Sequence[str]) -> int:
-    """Run `ros2 ARGV` as the session's only command; its exit code. Ctrl-C goes to it."""
+    """Run `ros2 ARGV` as the session's only command, forwarding Ctrl-C. Returns its exit code."""
     out, err = sys.stdout, sys.stderr
 
     def show(stream: str, text: str) -> None:

@@ -1,7 +1,8 @@
-"""Programs that run beside each other on the wall clock, each in an interpreter of its own: how they find each other.
+"""Discovery among programs that run side by side on the wall clock, each in its own interpreter.
 
-Each listens at `program-DOMAIN-PID` in the user's runtime folder, test runs at `test-DOMAIN-PID`; who comes calls those
-that are there. Two test runs never meet, so that they do not disturb each other. Notebooks stay among themselves.
+Each program listens at `program-DOMAIN-PID` in the user's runtime folder, a test run at `test-DOMAIN-PID`. A new
+program connects to the existing ones. Test runs are never connected to each other, to avoid interference. Notebooks
+do not take part.
 """
 
 from __future__ import annotations
@@ -22,31 +23,31 @@ from coursekit.systems.runtime_folder import folder
 from coursekit.systems.user_socket import NobodyListens, accept, call, listen_at
 
 FLUSH_SECONDS = 0.5
-"""How long the last words of a program may take to be on their way [s]."""
+"""The timeout for sending a program's last messages [s]."""
 _domains: dict[int, Neighbourhood] = {}
 _joining = threading.Lock()
 
 
 def meet(graph: Graph, domain_id: int) -> None:
-    """Have the nodes of `graph` and those of the domain's other programs see each other, from now on.
+    """Connect the nodes of `graph` with those of the domain's other programs.
 
     A second call for the same domain does nothing.
     """
     with _joining:
         if domain_id not in _domains:
-            with contextlib.suppress(OSError):  # no safe folder: `coursekit doctor` says so; a program runs by itself then
+            with contextlib.suppress(OSError):  # no safe folder: `coursekit doctor` reports it; the program runs alone
                 _domains[domain_id] = Neighbourhood(graph, domain_id)
 
 
 class Neighbourhood:
-    """The other programs of one domain, as this one is joined to them."""
+    """The connections to the other programs of one domain."""
 
     def __init__(self, graph: Graph, domain_id: int) -> None:
         self._graph = graph
         self._links: list[Link] = []
         kind = "test" if "pytest" in sys.modules else "program"
         self._path = folder() / f"{kind}-{domain_id}-{os.getpid()}"
-        with alone(folder() / f"meeting-{domain_id}"):  # who listens later calls, so no two are joined twice
+        with alone(folder() / f"meeting-{domain_id}"):  # later listeners call earlier ones, so no two are joined twice
             found = neighbours(domain_id, ("program",) if kind == "test" else ("program", "test"))
             self._server = listen_at(self._path)
             for path in found:
@@ -57,7 +58,7 @@ class Neighbourhood:
         try:
             self._join(call(path), calling=True)
         except NobodyListens:
-            path.unlink(missing_ok=True)  # it ended without a word
+            path.unlink(missing_ok=True)  # it ended without closing its socket
 
     def _join(self, peer: socket.socket, *, calling: bool) -> None:
         try:
@@ -75,13 +76,13 @@ class Neighbourhood:
                 self._join(accept(self._server, self._path), calling=False)
 
     def abandon(self) -> None:
-        """In a forked child: let go of the sockets and of the nodes, which are the parent's, without a word."""
+        """In a forked child, silently drop the sockets and nodes, which belong to the parent."""
         for one in (self._server, *(link.peer for link in self._links)):
             one.close()
         self._graph.abandon()
 
     def leave(self) -> None:
-        """Hang up, after the last words."""
+        """Close the connections after sending the last messages."""
         self._path.unlink(missing_ok=True)
         for link in list(self._links):
             link.flush(FLUSH_SECONDS)
@@ -89,7 +90,7 @@ class Neighbourhood:
 
 
 def neighbours(domain_id: int, kinds: tuple[str, ...] = ("program", "test")) -> list[Path]:
-    """Where programs of the domain listen; some may be gone."""
+    """Return the addresses of the domain's programs; some may be stale."""
     found = [path for kind in kinds for path in folder().glob(f"{kind}-{domain_id}-*")]
     return sorted(path for path in found if path.name.rpartition("-")[2].isdecimal())
 
@@ -101,7 +102,7 @@ def _leave_all() -> None:
 
 
 def _abandon_all() -> None:
-    """A forked child is a program of its own, that meets others when it joins a domain."""
+    """In a forked child, drop all connections: it is a program of its own, and connects when it joins a domain."""
     for one in _domains.values():
         one.abandon()
     _domains.clear()

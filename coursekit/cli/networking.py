@@ -11,7 +11,7 @@ from .router_text import welcome
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add both to the command's parser."""
+    """Add both commands to the parser."""
     network = commands.add_parser("network", help="run a router, or a robot to practise with, at which notebooks meet")
     verbs = network.add_subparsers(dest="verb", required=True, metavar="serve|robot")
     serve = verbs.add_parser("serve", help="run the router until Ctrl-C")

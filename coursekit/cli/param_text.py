@@ -1,4 +1,4 @@
-"""How parameters are written: values with their labels, descriptors, files."""
+"""The text forms of parameters: labelled values, descriptors, files."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ _FIELDS = (
 
 
 def type_name(number: int) -> str:
-    """The word for a parameter type.
+    """Return the name of a parameter type.
 
     >>> type_name(2)
     'integer'
@@ -42,13 +42,13 @@ def type_name(number: int) -> str:
 
 
 def labelled(value: Any) -> tuple[str | None, Any]:
-    """The words before a ParameterValue and the value itself; (None, None) when it is not set."""
+    """Return the label of a ParameterValue and the value itself; (None, None) when it is not set."""
     field = _FIELDS[value.type]
     return (None, None) if field is None else (_KINDS[value.type][1], getattr(value, field))
 
 
 def described(descriptor: Any) -> str:
-    """A ParameterDescriptor, in lines."""
+    """Format a ParameterDescriptor as lines."""
     lines = [f"Parameter name: {descriptor.name}", f"  Type: {type_name(descriptor.type)}"]
     if descriptor.description:
         lines.append(f"  Description: {descriptor.description}")
@@ -65,7 +65,7 @@ def described(descriptor: Any) -> str:
 
 
 def dumped(node: str, names: list[str], values: list[Any]) -> str:
-    """The YAML file of a node's parameters; dots in names become levels."""
+    """Return the YAML file of a node's parameters; dots in names become levels."""
     tree: dict[str, Any] = {}
     for name, value in zip(names, values, strict=True):
         field = _FIELDS[value.type]

@@ -50,11 +50,11 @@ _HIDDEN = {
     "extension_points": "coursekit.cli.extension_lists",
     "extensions": "coursekit.cli.extension_lists",
 }
-"""Commands that the help leaves out; through `gz` other programs reach the session."""
+"""Commands omitted from the help; other programs reach the session through `gz`."""
 
 
 def available() -> list[str]:
-    """The commands whose module exists."""
+    """Return the commands whose module exists."""
     return [name for name in COMMANDS if importlib.util.find_spec(_module(name)) is not None]
 
 
@@ -63,7 +63,7 @@ def _module(command: str) -> str:
 
 
 def make_parser(command: str | None = None) -> argparse.ArgumentParser:
-    """The whole parser, or, to be quick, the one that knows only `command`."""
+    """Make the whole parser, or faster, one that knows only `command`."""
     parser = argparse.ArgumentParser(
         prog="ros2",
         description="ros2 is an extensible command-line tool for ROS 2.",
@@ -93,14 +93,14 @@ def make_parser(command: str | None = None) -> argparse.ArgumentParser:
 
 
 def _let_stand_alone(command: argparse.ArgumentParser, verbs: Any) -> None:
-    """A command without a verb shows its help."""
+    """Make a command without a verb print its help."""
     if verbs.required:
         verbs.required = False
         command.set_defaults(main=lambda _args: command.print_help())
 
 
 def _add_strategy(verbs: Any) -> None:
-    """Let every verb take the flags for how the graph is found. The session knows it: they change nothing."""
+    """Accept the discovery flags in every verb. They have no effect: the session knows the graph."""
     for verb in verbs.choices.values():
         for words, text in _STRATEGY.items():
             if words[-1] in verb._option_string_actions:
@@ -110,7 +110,7 @@ def _add_strategy(verbs: Any) -> None:
 
 
 def run(argv: Sequence[str]) -> int:
-    """Carry out one command line (without the word `ros2`); its exit code."""
+    """Run one command line (without the word `ros2`). Returns its exit code."""
     _see_workspace()
     parser = make_parser(next((word for word in argv if not word.startswith("-")), None))
     args, rest = parser.parse_known_args(list(argv))
@@ -136,7 +136,7 @@ def run(argv: Sequence[str]) -> int:
 
 
 def _see_workspace() -> None:
-    """Let the command's process import the packages of the workspace that it was started in, as they are now."""
+    """Let the command's process import the current packages of the workspace in which it was started."""
     process = current_process()
     if process is not None:
         use_private_modules(process, python_folders(process.env))

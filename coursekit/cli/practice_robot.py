@@ -1,4 +1,4 @@
-"""`coursekit network robot`: a robot to practise with, and the router at which notebooks meet it."""
+"""`coursekit network robot`: a practice robot, and the router through which notebooks reach it."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from pathlib import Path
 from .router_text import welcome
 
 END_SECONDS = 5.0
-"""How long the robot's programs may take to end before they are cut off [s]."""
+"""The timeout for the robot's programs to end before they are killed [s]."""
 
 
 def add_command(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add it to `coursekit network`."""
+    """Add the verb to `coursekit network`."""
     robot = verbs.add_parser("robot", help="run a simulated robot to practise with, and its router, until Ctrl-C")
     where = "where to listen (default: this computer only)"
     robot.add_argument("--listen", default="tcp/127.0.0.1:7447", metavar="ADDRESS", help=where)
@@ -28,7 +28,7 @@ def add_command(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> N
 
 
 def run_robot(args: argparse.Namespace) -> int:
-    """Run the router and the robot's programs until Ctrl-C; their exit code."""
+    """Run the router and the robot's programs until Ctrl-C. Returns their exit code."""
     from coursekit.net.address import read_address
     from coursekit.net.errors import NoNetwork
     from coursekit.net.opening import open_router
@@ -51,12 +51,12 @@ def run_robot(args: argparse.Namespace) -> int:
 
 
 def _join_by_environment(address: str, users: Path | None) -> None:
-    """Have the robot's programs join the router, as any user that it lets in; they meet nobody else on this computer."""
+    """Join the robot's programs to the router as any permitted user; they connect to no other programs on this computer."""
     from coursekit.net.users import first_user
     from coursekit.processes.session import NETWORK_VARIABLE
 
     os.environ |= {NETWORK_VARIABLE: address, "COURSEKIT_ALONE": "1"}
-    for name in ("COURSEKIT_TIME", f"{NETWORK_VARIABLE}_USER", f"{NETWORK_VARIABLE}_PASSWORD"):  # of another network
+    for name in ("COURSEKIT_TIME", f"{NETWORK_VARIABLE}_USER", f"{NETWORK_VARIABLE}_PASSWORD"):  # another network's
         os.environ.pop(name, None)
     if users is not None:
         user, password = first_user(users)
@@ -74,7 +74,7 @@ def _run_programs(world: str) -> int:
 
 
 def _end_with_input() -> None:
-    """End when the other end of this program's input is closed, or its owner was killed."""
+    """End the program when the other end of its input is closed, or the owner was killed."""
     from coursekit.systems.children import interrupt_self
     from coursekit.systems.pipes import wait_for_end
 

@@ -1,4 +1,4 @@
-"""`coursekit release` and `coursekit new`: what teachers hand out, and chapters of their own."""
+"""`coursekit release` and `coursekit new`: handing out notebooks, and starting new chapters."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _NAMES = "a copy for each of these students with numbers and names of its own; a
 
 
 def add_release(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add the commands that write what is handed out."""
+    """Add the commands for handing out notebooks."""
     release = commands.add_parser("release", help="write the notebooks that students get: without solutions")
     release.add_argument("chapters", nargs="*", help="which, such as 02 or 02_topics (default: all)")
     release.add_argument("--out", type=Path, default=Path("release"), help="the folder (default: release)")
@@ -34,7 +34,7 @@ def add_release(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -
 
 
 def run_release(args: argparse.Namespace) -> int:
-    """Release, and say what was written."""
+    """Release, and print the written files."""
     from coursekit.grade.editions import chapters
     from coursekit.grade.release import WHEEL, release
 
@@ -67,7 +67,7 @@ def run_release(args: argparse.Namespace) -> int:
 
 
 def _hand_out(exchange: Path, out: Path) -> str:
-    """Put the release into the exchange; a sentence that says where."""
+    """Put the release into the exchange. Returns a sentence with its location."""
     from coursekit.grade.exchange import hand_out
 
     files = [one for one in out.rglob("*") if one.is_file() and one.suffix in (".ipynb", ".py")]
@@ -90,7 +90,7 @@ def _expect_numbers(variants: Variants | None) -> None:
 
 
 def run_new(args: argparse.Namespace) -> int:
-    """Write the files, and say what to do with them."""
+    """Write the files, and print how to use them."""
     from coursekit.grade.template import write_template
 
     try:

@@ -12,11 +12,11 @@ from coursekit.urdf.inertia import check
 from coursekit.urdf.texts import check_text, error_text, graphviz_text
 
 FAILED = 255
-"""The exit code of the real commands: -1, as a shell sees it."""
+"""The exit code of the real commands: -1 as seen by a shell."""
 
 
 def _read(path: str) -> Robot | None:
-    """The robot of a file, or of standard input ("-"); None, when what is wrong has been said."""
+    """Read the robot of a file, or of standard input ("-"); None after printing an error."""
     try:
         return parse(sys.stdin.read(), "standard input") if path == "-" else load(path)
     except UrdfError as error:
@@ -26,7 +26,7 @@ def _read(path: str) -> Robot | None:
 
 
 def check_urdf(argv: Sequence[str] | None = None) -> int:
-    """`check_urdf FILE`: the tree of links if the file is right, else what is wrong and where."""
+    """Run `check_urdf FILE`: print the tree of links, or the error and its position."""
     use_utf8()
     words = list(sys.argv[1:] if argv is None else argv)
     if not words:
@@ -44,7 +44,7 @@ def check_urdf(argv: Sequence[str] | None = None) -> int:
 
 
 def urdf_to_graphviz(argv: Sequence[str] | None = None) -> int:
-    """`urdf_to_graphviz FILE [OUTPUT]`: the tree as OUTPUT.gv (Graphviz text) and OUTPUT.pdf (picture)."""
+    """Run `urdf_to_graphviz FILE [OUTPUT]`: write the tree as OUTPUT.gv (Graphviz text) and OUTPUT.pdf (picture)."""
     use_utf8()
     words = list(sys.argv[1:] if argv is None else argv)
     if not 1 <= len(words) <= 2:
@@ -80,7 +80,7 @@ def _write_pdf(robot: Robot, path: Path) -> bool:
 
 
 def xacro(argv: Sequence[str] | None = None) -> int:
-    """`xacro FILE name:=value ...`: the file as URDF."""
+    """Run `xacro FILE name:=value ...`: print the file as URDF."""
     import xacro as tool
 
     words = list(sys.argv[1:] if argv is None else argv)

@@ -2,8 +2,8 @@
 # PYTHON_ARGCOMPLETE_OK
 """The command `ros2`.
 
-It acts on the session that runs for this user and ROS domain (the notebook's, or one that it starts). With
-COURSEKIT_TIME or COURSEKIT_STOP_AFTER set it runs by itself. Where a real ROS 2 is sourced, that one is run.
+It uses the running session of this user and ROS domain (the notebook's, or one that it starts). With COURSEKIT_TIME
+or COURSEKIT_STOP_AFTER set it runs in its own session. If a real ROS 2 is sourced, that `ros2` runs instead.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from coursekit.systems.streams import use_utf8
 
 
 def real_ros2() -> Path | None:
-    """The `ros2` of a real ROS 2 that is sourced in this shell."""
+    """Return the `ros2` of a real ROS 2 that is sourced in this shell, or None."""
     for prefix in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
         candidate = Path(prefix) / "bin" / "ros2"
         if prefix and (Path(prefix) / "share" / "ros2cli").is_dir() and candidate.is_file():
@@ -26,12 +26,12 @@ def real_ros2() -> Path | None:
 
 
 def stands_alone() -> bool:
-    """Whether the command should have a session of its own."""
+    """Whether the command should have its own session."""
     return bool(os.environ.get("COURSEKIT_TIME") or os.environ.get("COURSEKIT_STOP_AFTER"))
 
 
 def run_alone(argv: Sequence[str]) -> int:
-    """Carry out the command in a session of this process."""
+    """Run the command in a session of this process."""
     from coursekit.processes.session import current
 
     from .local import run_in
@@ -40,8 +40,8 @@ def run_alone(argv: Sequence[str]) -> int:
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Entry point of the shell command."""
-    use_utf8()  # now, while the streams are the system's own
+    """Run the shell command."""
+    use_utf8()  # now, while the streams are still the system's
     argv = sys.argv[1:] if argv is None else argv
     real = real_ros2()
     if real is not None:

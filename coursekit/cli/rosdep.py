@@ -1,6 +1,6 @@
-"""The command `rosdep`, as tutorials type it before `colcon build`: is there all that the packages of a folder need?
+"""The command `rosdep`, as used in tutorials before `colcon build`: checks the dependencies of a folder's packages.
 
-It installs nothing: what coursekit has, it has already; for the rest it says what to do.
+It installs nothing. What coursekit provides is already there; for the rest it prints what to do.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ _FOR_CPP = re.compile(
     r"|tf2_eigen|cmake|pkg-config|ros_environment|message_generation|\w+_vendor|backward_ros|google_benchmark_vendor|urdf"
     r"|python_cmake_module|osrf_\w+|ros_testing|rviz_(common|rendering|default_plugins)|rosbag2_(cpp|storage\w*)"
 )
-"""Keys that only concern compiling or checking, which is not done here."""
+"""Keys needed only for compiling or checking, which is not done here."""
 _COLLECTIONS = {"ros_core", "ros_base", "desktop", "desktop_full", "gazebo_ros_pkgs", "python3-colcon-common-extensions"}
-"""Keys of many packages at once, of which coursekit has what there is to run."""
+"""Keys of package collections, of which coursekit has the parts that can be run."""
 _DISTRIBUTIONS = {"opencv": "opencv-python-headless", "yaml": "pyyaml", "pil": "pillow", "pykdl": "PyKDL"}
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Carry out `rosdep init|update|check|install|keys ...`; 1 where something is missing."""
+    """Run `rosdep init|update|check|install|keys ...`. Returns 1 if something is missing."""
     use_utf8()
     args = _parser().parse_args(argv)
     if args.verb in ("init", "update"):
@@ -57,7 +57,7 @@ _DONE = "#All required rosdeps installed successfully"
 
 
 def is_there(key: str) -> bool:
-    """Whether a dependency is met: by a package, by a Python library that is installed, or because nothing is compiled.
+    """Whether a dependency is met: by a package, by an installed Python library, or because nothing is compiled.
 
     >>> is_there("rclpy"), is_there("python3-numpy"), is_there("rclcpp"), is_there("nope_msgs")
     (True, True, True, False)
@@ -86,7 +86,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _needed(args: argparse.Namespace) -> dict[str, list[str]]:
-    """Each key with the packages that name it; those in the folders themselves count as there."""
+    """Return each key with the packages that need it; packages in the folders themselves count as present."""
     found: dict[str, Package] = {}
     for path in args.from_paths:
         if not Path(path).is_dir():

@@ -1,4 +1,4 @@
-"""A router's words when it begins."""
+"""The start-up message of a router."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import socket
 
 
 def welcome(addresses: list[str], users: int) -> list[str]:
-    """The commands that join a router at these addresses, and its risks."""
+    """Return the commands that join a router at these addresses, and warnings about its risks."""
     from coursekit.net.address import is_loopback
 
     asks = " --user NAME" if users else ""
@@ -19,7 +19,7 @@ def welcome(addresses: list[str], users: int) -> list[str]:
 
 
 def _reachable(address: str) -> str:
-    """The address as others type it: this computer's name where it listens everywhere."""
+    """Return the address for other computers: with this computer's name if it listens on all interfaces."""
     for everywhere in ("/0.0.0.0:", "/[::]:"):
         address = address.replace(everywhere, f"/{socket.gethostname()}:")
     return address

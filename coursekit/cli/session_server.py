@@ -1,4 +1,4 @@
-"""The session server: carries out `ros2` commands that come from terminals.
+"""The session server: runs `ros2` commands from terminals.
 
 A kernel starts one for its session. `python -m coursekit.cli.session_server` is a session of its own, started when a
 command finds none; it ends soon after its last command.
@@ -25,10 +25,10 @@ IDLE_SECONDS = 3.0
 
 
 class SessionServer:
-    """Listens for a domain and runs what comes, each command as a process of the session.
+    """Listens for a domain and runs each received command as a process of the session.
 
-    `name` is the notebook whose session it is, '' where there is none. With `take` it has the terminals of the domain
-    from now on, else OSError is raised where another session has them.
+    `name` is the session's notebook, or ''. With `take` it takes over the domain's terminals; otherwise OSError is
+    raised if another session owns them.
     """
 
     def __init__(self, session: Session, domain_id: int, name: str = "", *, take: bool = False) -> None:
@@ -44,11 +44,11 @@ class SessionServer:
         self._thread.start()
 
     def claim(self) -> bool:
-        """Have the terminals of the domain from now on; whether another session had them."""
+        """Take over the terminals of the domain. Returns whether that is a change."""
         return endpoint.claim(self.domain_id)
 
     def close(self) -> None:
-        """Listen no more."""
+        """Stop listening."""
         endpoint.close(self._server, self.domain_id)
 
     def _accept(self) -> None:
@@ -71,7 +71,7 @@ class SessionServer:
             self.last_left = time.monotonic()
 
     def allows(self, token: str) -> bool:
-        """Whether the first line of a connection carries the right token."""
+        """Whether the token of a connection's first line is correct."""
         return token == self._token
 
 
@@ -85,18 +85,18 @@ class Connection:
         self._process: Process | None = None
 
     def serve(self, lines: Any) -> None:
-        """Read what the terminal says until it hangs up."""
+        """Read the terminal's messages until it disconnects."""
         first = json.loads(next(lines, "{}"))
         if not self._session_server.allows(str(first.get("token", ""))):
             return
         self._say({"session": self._session_server.name})
         if "argv" not in first:
-            return  # it only wanted to know that
+            return  # it only asked for the session's name
         try:
             self._start(first)
             for line in lines:
                 self._hear(json.loads(line))
-        finally:  # a terminal that died before it read all that was said is an error here
+        finally:  # a terminal that died before reading all output raises an error here
             self._end()
 
     def _start(self, first: dict[str, Any]) -> None:
@@ -117,7 +117,7 @@ class Connection:
         process.on_exit(lambda ended: self._say({"exit": ended.exit_code}))
 
     def _end(self) -> None:
-        """End what still runs: Ctrl-C, and soon after it an end without appeal."""
+        """End a running process: Ctrl-C, and soon after it kill."""
         if self._process is None or self._process.exit_code is not None:
             return
         self._process.interrupt()
@@ -140,11 +140,11 @@ class Connection:
             with self._writing:
                 self._client.sendall(json.dumps(message).encode() + b"\n")
         except OSError:
-            pass  # the terminal is gone; its process is interrupted when that is seen
+            pass  # the terminal is gone; its process is interrupted when that is noticed
 
 
 def serve(session: Session, domain_id: int, name: str = "", *, take: bool = False) -> SessionServer | None:
-    """Listen for the session; None when another one has the domain's terminals, or nobody can listen."""
+    """Listen for the session; None when another one owns the domain's terminals, or listening is impossible."""
     try:
         return SessionServer(session, domain_id, name, take=take)
     except OSError:
@@ -152,7 +152,7 @@ def serve(session: Session, domain_id: int, name: str = "", *, take: bool = Fals
 
 
 def main(domain_id: int, ready: Callable[[], None] = lambda: None) -> int:
-    """Be a session of its own until nobody has used it for a while."""
+    """Run as a session of its own until it is idle."""
     server = serve(current(), domain_id)
     ready()
     if server is None:

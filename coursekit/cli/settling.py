@@ -1,6 +1,7 @@
-"""Waiting, before the graph is looked at, for programs that have just been started.
+"""Waiting for just-started programs before the graph is read.
 
-On a robot a command takes so long to start and to discover the others that they are there; here it would be faster.
+On a robot, a command takes so long to start and to discover others that they are ready by then; here it would be
+faster.
 """
 
 from __future__ import annotations
@@ -11,14 +12,14 @@ from coursekit.processes.process import Process, current_process
 from coursekit.processes.session import Session, current
 
 YOUTH_SECONDS = 2.0
-"""A program that has no node by then has none, or takes its time: nobody waits for it."""
+"""The age after which a program without a node is not waited for [s]."""
 CHILDHOOD_SECONDS = 0.5
-"""A program that has a node is there by then, also if the node serves and hears nothing."""
+"""The age at which a program with a node counts as ready, even if the node has no servers or subscriptions [s]."""
 _LOOK_SECONDS = 0.01
 
 
 def let_settle() -> None:
-    """Wait until programs that were started a moment ago have a node that is spun, or have ended. Wall clock only."""
+    """Wait until just-started programs have a node that is spun, or have ended. Wall clock only."""
     session = current()
     while not session.clock.virtual and any(_is_starting(session, one) for one in list(session.processes)):
         session.clock.sleep(_LOOK_SECONDS)

@@ -1,4 +1,4 @@
-"""`coursekit slam` and `coursekit slam-error`: a log becomes a trajectory and a map; a trajectory gets its marks."""
+"""`coursekit slam` and `coursekit slam-error`: convert a log to a trajectory and a map; score a trajectory."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Make the two commands known."""
+    """Add the two commands."""
     slam = commands.add_parser("slam", help="run SLAM on a CARMEN log (.clf, .log, also .gz, .bz2 and .xz)")
     slam.add_argument("log", metavar="LOG")
     slam.add_argument(
@@ -33,7 +33,7 @@ def add_commands(commands: argparse._SubParsersAction[argparse.ArgumentParser]) 
 
 
 def run_error(args: argparse.Namespace) -> int:
-    """Print mean and standard deviation of the errors."""
+    """Print the mean and the standard deviation of the errors."""
     from coursekit.slam.relations import errors, read_relations, read_trajectory
 
     try:
@@ -49,7 +49,7 @@ def run_error(args: argparse.Namespace) -> int:
 
 
 def run_slam(args: argparse.Namespace) -> int:
-    """Run SLAM on a log, write what was asked for, and say how it went."""
+    """Run SLAM on a log, write the requested files, and print a summary."""
     from coursekit.slam.carmen import read_log
 
     try:
@@ -69,7 +69,7 @@ def run_slam(args: argparse.Namespace) -> int:
 
 
 def _process(log: CarmenLog, odometry: bool) -> Slam:
-    """Feed a log, with progress on a terminal."""
+    """Process a log, with progress on a terminal."""
     from coursekit.slam.scan import Scan
     from coursekit.slam.slam import Slam
 
@@ -88,7 +88,7 @@ def _process(log: CarmenLog, odometry: bool) -> Slam:
 
 
 def _report(log: CarmenLog, slam: Slam, seconds: float) -> None:
-    """A short honest summary."""
+    """Print a short summary."""
     count = len(log.readings)
     odometry = "" if log.has_odometry else ", no odometry"
     print(f"scans:     {count} ({slam.lost} without a match{odometry})")
@@ -99,7 +99,7 @@ def _report(log: CarmenLog, slam: Slam, seconds: float) -> None:
 
 
 def write_map(path: str | Path, drawn: OccupancyGrid) -> tuple[Path, Path]:
-    """Write SLAM's map as nav2 keeps maps: PATH.yaml and PATH.pgm; both names in full. ValueError when it is empty."""
+    """Write SLAM's map in nav2's format, PATH.yaml and PATH.pgm. Returns both paths. ValueError when it is empty."""
     from coursekit.nav.map_file import GridMap, save_map
 
     x, y = (float(one) for one in drawn.origin)
@@ -107,7 +107,7 @@ def write_map(path: str | Path, drawn: OccupancyGrid) -> tuple[Path, Path]:
 
 
 def _write(args: argparse.Namespace, slam: Slam) -> None:
-    """Write the trajectory, and the map if asked for."""
+    """Write the trajectory, and the map if requested."""
     from coursekit.slam.relations import write_trajectory
 
     write_trajectory(args.trajectory, slam.trajectory())

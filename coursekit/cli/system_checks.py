@@ -1,4 +1,4 @@
-"""Checks of `coursekit doctor` that some computers need: each is silent where all is as it should be."""
+"""Checks of `coursekit doctor` for particular computers: each returns None if there is nothing to report."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from coursekit.systems import computer
 from .check import Check
 
 NEWEST = (3, 14)
-"""The newest Python for which all that the course needs has packages."""
+"""The newest Python for which all of the course's dependencies have packages."""
 NEWEST_ON_INTEL_MACS = (3, 13)
-"""Likewise on Macs that have no processor of Apple's, for which Numba makes no packages any more."""
+"""The same for Macs with Intel processors, for which Numba no longer has packages."""
 MOST_CHARACTERS = 120
-"""How long a folder's path may be where Windows takes 260 characters: a build goes this much deeper."""
+"""The maximum length of a folder's path where Windows limits paths to 260 characters: builds add the rest."""
 ARM = (
     "OpenCV has no package for Python on ARM",
     "Install 'Windows installer (64-bit)' from https://www.python.org/downloads/, which runs on ARM too; then delete .venv.",
@@ -24,7 +24,7 @@ ARM = (
 
 
 def interpreter() -> Check | None:
-    """A Python for which packages exist."""
+    """Check for a Python with packages."""
     found = platform.python_version()
     if computer.bits() == 32:
         cure = "Install 'Windows installer (64-bit)' from https://www.python.org/downloads/; then delete .venv."
@@ -44,7 +44,7 @@ def interpreter() -> Check | None:
 
 
 def folder_of_the_course() -> Check | None:
-    """A folder in which many small files can be written and replaced."""
+    """Check for a folder in which many small files can be written and replaced."""
     folder = Path.cwd()
     by = computer.synchronised_by(folder)
     if by:
@@ -59,7 +59,7 @@ def folder_of_the_course() -> Check | None:
 
 
 def scripts() -> Check | None:
-    """PowerShell runs what colcon writes."""
+    """Check that PowerShell runs colcon's scripts."""
     if computer.runs_scripts():
         return None
     cure = "Type: Set-ExecutionPolicy -Scope CurrentUser RemoteSigned"
@@ -70,5 +70,5 @@ SYSTEM_CHECKS: tuple[Callable[[], Check | None], ...] = (interpreter, folder_of_
 
 
 def run_system_checks() -> list[Check]:
-    """Remarks about this computer; none where all is well."""
+    """Return remarks about this computer; empty if there are none."""
     return [found for check in SYSTEM_CHECKS if (found := check()) is not None]

@@ -1,4 +1,4 @@
-"""JupyterLab's terminals: they begin in the course's folder and know `ros2`, with completion by Tab."""
+"""JupyterLab's terminals: they start in the course's folder, with `ros2` and tab completion."""
 
 from __future__ import annotations
 
@@ -30,17 +30,17 @@ function prompt {{ (Split-Path -Leaf (Get-Location)) + '> ' }}
 Set-Location -LiteralPath {folder}
 """
 _POWERSHELL = ("pwsh", "powershell")
-"""The newer one, which one installs, then Windows' own."""
+"""The newer one, installed by the user, then Windows' own."""
 
 
 def terminal_settings(folder: Path) -> list[str]:
-    """Options of JupyterLab for the terminals of the course in that folder; none where there is no shell that we know."""
+    """Return JupyterLab's options for terminals in the course's folder; empty without a supported shell."""
     command = _for_powershell(folder) if which.WINDOWS else _for_bash(folder)
     return [f"--ServerApp.terminado_settings={{'shell_command': {command!r}}}"] if command else []
 
 
 def _for_bash(folder: Path) -> list[str]:
-    """Login shells forget the PATH that they are given: a file of settings has it."""
+    """Return a command with a settings file, because login shells override the inherited PATH."""
     bash = shutil.which("bash")
     if bash is None:
         return []
@@ -49,13 +49,13 @@ def _for_bash(folder: Path) -> list[str]:
 
 
 def _for_powershell(folder: Path) -> list[str]:
-    """Scripts may run in these terminals, also where Windows refuses them: `. install\\setup.ps1` is one."""
+    """Return a command that allows scripts, such as `. install\\setup.ps1`, even if Windows refuses them."""
     shell = next(filter(None, map(shutil.which, _POWERSHELL)), None)
     if shell is None:
         return []
     quoted = {"bin": powershell_quote(str(_bin())), "folder": powershell_quote(str(folder))}
     text = _PROFILE.format(**quoted)
-    file = _write(folder, "terminal.ps1", text, "utf-8-sig")  # without that mark the old one reads the code page
+    file = _write(folder, "terminal.ps1", text, "utf-8-sig")  # without this mark the older one assumes the code page
     return [shell, "-NoLogo", "-NoExit", "-ExecutionPolicy", "Bypass", "-File", str(file)]
 
 

@@ -50,7 +50,7 @@ def _not_negative(text: str) -> int:
 
 
 def main(args: Any) -> int:
-    """Print messages until Ctrl-C, or the first one."""
+    """Print messages until Ctrl-C, or only the first one."""
     if args.csv and args.raw:
         return _refuse("Invalid: --csv and --raw cannot be used together")
     if args.field is not None:
@@ -70,7 +70,7 @@ def _refuse(text: str) -> int:
 
 
 def _message_type(node: Any, args: Any) -> Any:
-    """The class of the topic's messages: as given, or as published."""
+    """Return the class of the topic's messages: as given, or as published."""
     if args.message_type:
         try:
             return get_message(args.message_type)
@@ -110,7 +110,7 @@ class _Echo:
         return profile
 
     def run(self) -> int:
-        """Spin; 0 unless a field does not exist."""
+        """Spin; returns 0 unless a field does not exist."""
         rclpy.spin_until_future_complete(self._node, self._done, timeout_sec=self._args.timeout)
         return 1 if self._failed else 0
 
@@ -120,7 +120,7 @@ class _Echo:
         if self._args.once:
             self._done.set_result(True)
         if self._args.raw:
-            print(msg + bytes(-len(msg) % 4), end="\n---\n")  # as it comes over a network, in whole words
+            print(msg + bytes(-len(msg) % 4), end="\n---\n")  # as on a network, padded to whole words
             return
         for name in self._args.field or ():
             try:

@@ -19,9 +19,9 @@ from . import ask, topic_qos
 
 _LOOK_SECONDS = 0.1
 _ROUNDS = 5
-"""After so many seconds of waiting the command says what it waits for."""
+"""The number of seconds after which a waiting command reports the topic it waits for."""
 NOTHING_SENT = 1
-"""Exit code of a command that was ended while it waited for somebody who listens."""
+"""Exit code of a command that was ended while it waited for subscriptions."""
 
 
 def register(verbs: Any) -> None:
@@ -48,7 +48,7 @@ def register(verbs: Any) -> None:
 
 
 def positive(text: str) -> float:
-    """Read a number above zero."""
+    """Parse a number above zero."""
     try:
         number = float(text)
     except ValueError:
@@ -59,7 +59,7 @@ def positive(text: str) -> float:
 
 
 def main(args: Any) -> int:
-    """Publish."""
+    """Publish messages."""
     try:
         kind = get_message(args.message_type)
     except (AttributeError, ModuleNotFoundError, ValueError):
@@ -94,7 +94,7 @@ def _publish(node: Any, kind: Any, values: dict[str, Any], args: Any) -> int:
 
 
 def _pause(node: Any, seconds: float, simulated: bool) -> None:
-    """Let so much time pass, on the node's clock if it follows /clock."""
+    """Wait, on the node's clock if it follows /clock."""
     if not simulated:
         current().clock.sleep(seconds)
         return
@@ -104,7 +104,7 @@ def _pause(node: Any, seconds: float, simulated: bool) -> None:
 
 
 def _wait_for_listeners(publisher: Any, args: Any, times: int) -> bool:
-    """Wait for those who listen; False when the command was told to end before they were there."""
+    """Wait for subscriptions; False when the command was ended before."""
     wanted = args.wait_matching_subscriptions
     wanted = (1 if times else 0) if wanted is None else wanted
     rounds = 0
@@ -123,7 +123,7 @@ def _wait_for_listeners(publisher: Any, args: Any, times: int) -> bool:
 
 
 def _say_who_listens(topic: str) -> None:
-    """Say that nobody subscribes to a topic, and which one was probably meant."""
+    """Report that no node subscribes to a topic, and suggest the one that was probably meant."""
     listening = {one.name for node in ask.graph().nodes for one in node.subscriptions if not is_hidden(one.name)}
     meant = did_you_mean(topic, sorted(listening - {topic}))
     if topic not in listening and meant:
@@ -131,7 +131,7 @@ def _say_who_listens(topic: str) -> None:
 
 
 def _fill(msg: Any, values: dict[str, Any]) -> list[Any]:
-    """Set the fields; functions that set those stamps that should be the time of publishing."""
+    """Set the fields. Returns setters for the stamps that should be the time of publishing."""
     try:
         return set_message_fields(msg, values, expand_header_auto=True, expand_time_now=True)
     except Exception as error:

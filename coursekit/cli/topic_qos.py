@@ -1,4 +1,4 @@
-"""QoS options of `ros2 topic echo` and `pub`, and the profile that fits the publishers there are."""
+"""QoS options of `ros2 topic echo` and `pub`, and the profile compatible with the present publishers."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ros2topic.api import POLICIES, profile_configure_short_keys
 
 
 def add_arguments(parser: Any, default_profile: str) -> None:
-    """`--qos-profile`, `--qos-depth` and one option for each policy."""
+    """Add `--qos-profile`, `--qos-depth` and one option for each policy."""
     parser.add_argument(
         "--qos-profile",
         choices=QoSPresetProfiles.short_keys(),
@@ -23,7 +23,7 @@ def add_arguments(parser: Any, default_profile: str) -> None:
 
 
 def chosen(args: Any, base: QoSProfile) -> QoSProfile:
-    """`base`, or the preset that was named, with the single settings that were named."""
+    """Return `base` or the given preset, with the given single settings."""
     if args.qos_profile:
         base = QoSPresetProfiles.get_from_short_key(args.qos_profile)
     profile = copy.deepcopy(base)
@@ -40,7 +40,7 @@ def is_chosen(args: Any) -> bool:
 
 
 def fitting(publishers: list[Any]) -> tuple[QoSProfile, list[str]]:
-    """The profile that hears all of these publishers, and what is to be said about it."""
+    """Return the profile compatible with all of these publishers, and remarks to print."""
     profile = QoSProfile(depth=10)
     remarks = []
     for policy, strict, loose in (

@@ -1,4 +1,4 @@
-"""`ros2 topic hz`, `delay` and `bw`: figures about what passes, printed about once a second."""
+"""`ros2 topic hz`, `delay` and `bw`: statistics of a topic, printed about once a second."""
 
 from __future__ import annotations
 
@@ -58,7 +58,7 @@ def _run(args: Any, make: Any) -> int:
 
 
 def statistics(values: Sequence[float]) -> tuple[float, float, float, float]:
-    """Mean, least, greatest and standard deviation.
+    """Return mean, minimum, maximum and standard deviation.
 
     >>> statistics([1.0, 3.0])
     (2.0, 1.0, 3.0, 1.0)
@@ -69,7 +69,7 @@ def statistics(values: Sequence[float]) -> tuple[float, float, float, float]:
 
 
 class _Meter:
-    """Counts messages and prints."""
+    """Counts messages and prints statistics."""
 
     def __init__(self, node: Any, args: Any) -> None:
         self.node = node
@@ -79,25 +79,25 @@ class _Meter:
         self.reported = 0
 
     def now(self) -> float:
-        """Seconds on the node's clock, or on the session's where that was asked for."""
+        """Return seconds on the node's clock, or on the session's if requested."""
         if getattr(self.args, "wall_time", False):
             return float(current().clock.steady()) * 1e-9
         return float(self.node.get_clock().now().nanoseconds) * 1e-9
 
     def report(self) -> None:
-        """Print, if something came since the last time."""
+        """Print the statistics, if messages have arrived since the last report."""
         if self.arrived == self.reported or not self.values:
             return
         self.reported = self.arrived
         self.show()
 
     def show(self) -> None:
-        """Print the figures."""
+        """Print the statistics."""
         raise NotImplementedError
 
 
 class Hz(_Meter):
-    """Rate."""
+    """The publishing rate."""
 
     def __init__(self, node: Any, args: Any) -> None:
         super().__init__(node, args)
@@ -105,7 +105,7 @@ class Hz(_Meter):
         self._accepts = compile(args.filter_expr, "--filter", "eval") if args.filter_expr else None
 
     def count(self, msg: Any) -> None:
-        """A message has come."""
+        """Count a message."""
         if self._accepts is not None and not eval(self._accepts, {"m": msg}):
             return
         now = self.now()
@@ -123,10 +123,10 @@ class Hz(_Meter):
 
 
 class Delay(_Meter):
-    """Age of the messages when they arrive."""
+    """The age of messages at arrival."""
 
     def count(self, msg: Any) -> None:
-        """A message has come."""
+        """Count a message."""
         if not hasattr(msg, "header"):
             raise ask.Unhappy("msg does not have header")
         stamp = Time.from_msg(msg.header.stamp).nanoseconds
@@ -143,7 +143,7 @@ class Delay(_Meter):
 
 
 class Bandwidth(_Meter):
-    """Bytes a second."""
+    """The bandwidth in bytes per second."""
 
     def __init__(self, node: Any, args: Any) -> None:
         super().__init__(node, args)
@@ -152,8 +152,8 @@ class Bandwidth(_Meter):
         print(f"Subscribed to [{ask.full_name(args.topic_name)}]")
 
     def count(self, data: bytes) -> None:
-        """A message has come."""
-        size = -(-len(data) // 4) * 4  # as it comes over a network, in whole words
+        """Count a message."""
+        size = -(-len(data) // 4) * 4  # as on a network, padded to whole words
         self._sizes.append(size)
         self._times.append(self.now())
         self.values.append(size)
@@ -170,7 +170,7 @@ class Bandwidth(_Meter):
 
 
 def _bytes(size: float, rate: float) -> str:
-    """A size in the unit that suits a rate [B/s]: all figures of a report share one.
+    """Format a size in a unit suited to the rate [B/s]: all figures of a report share it.
 
     >>> _bytes(96, 960), _bytes(24, 1500), _bytes(2e6, 6e6)
     ('96 B', '0.02 KB', '2.00 MB')

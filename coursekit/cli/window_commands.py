@@ -1,4 +1,4 @@
-"""Commands of programs with windows: `rviz2`, `rqt`, `rqt_graph` and others run here as the nodes that they are."""
+"""Commands of programs with windows: `rviz2`, `rqt`, `rqt_graph` and others, which run here as nodes."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from pathlib import Path
 from . import parser, ros2
 
 _NODES = {"rqt": "rqt_gui"}
-"""Commands whose package and program are called otherwise."""
+"""Commands whose package and executable have another name."""
 
 
 def run_node() -> int:
-    """`rviz2 ...` in a shell is `ros2 run rviz2 rviz2 ...`; so it is with `rqt_graph` and others."""
+    """Run `rviz2 ...` from a shell as `ros2 run rviz2 rviz2 ...`; likewise `rqt_graph` and others."""
     name = Path(sys.argv[0]).stem
     name = _NODES.get(name, name)
     return ros2.main(["run", name, name, *sys.argv[1:]])
@@ -24,5 +24,5 @@ def _inside(name: str) -> Callable[[Sequence[str]], int]:
 
 
 rviz2_inside, rqt_inside = _inside("rviz2"), _inside("rqt_gui")
-"""The same inside of a session."""
+"""The same commands inside a session."""
 graph_inside, console_inside, plot_inside = _inside("rqt_graph"), _inside("rqt_console"), _inside("rqt_plot")

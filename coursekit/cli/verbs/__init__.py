@@ -1,1 +1,1 @@
-"""The commands of `ros2`, one module each: `register(subparsers)` adds it, its `main(args)` carries it out."""
+"""The commands of `ros2`, one module each: `register(subparsers)` adds a command, `main(args)` runs it."""

@@ -59,7 +59,7 @@ def show_type(args: Any) -> int:
 
 
 def show_info(args: Any) -> int:
-    """Print who serves and who calls an action."""
+    """Print the servers and clients of an action."""
     from rclpy.action import get_action_client_names_and_types_by_node, get_action_server_names_and_types_by_node
 
     name = ask.full_name(args.action_name)
@@ -86,7 +86,7 @@ def _nodes_with(node: Any, action: str, find: Any) -> list[tuple[str, list[str]]
 
 
 def send_goal(args: Any) -> int:
-    """Send a goal, show its feedback if asked, and its result; Ctrl-C cancels it."""
+    """Send a goal, print its feedback if requested, and its result; Ctrl-C cancels it."""
     from rclpy.action import ActionClient
     from rclpy.signals import SignalHandlerOptions, install_signal_handlers
     from rosidl_runtime_py import set_message_fields
@@ -112,7 +112,7 @@ def send_goal(args: Any) -> int:
 
 
 def _offered(node: Any) -> list[str]:
-    """The names of the actions that have a server."""
+    """Return the names of the actions that have a server."""
     from rclpy.action import get_action_server_names_and_types_by_node
 
     nodes = list(ask.graph().nodes)
@@ -122,7 +122,7 @@ def _offered(node: Any) -> list[str]:
 
 
 class _Sending:
-    """One goal on its way."""
+    """One goal in progress."""
 
     def __init__(self, node: Any, client: Any, name: str, feedback: bool) -> None:
         self._node = node
@@ -143,7 +143,7 @@ class _Sending:
         print(f"Feedback:\n    {message_to_yaml(message.feedback)}")
 
     def run(self, goal: Any) -> int:
-        """Send, wait, print."""
+        """Send the goal, wait for its result and print it."""
         from rosidl_runtime_py import message_to_yaml
 
         print("Waiting for an action server to become available...")

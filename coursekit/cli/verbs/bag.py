@@ -62,7 +62,7 @@ def _register_convert(verbs: Any) -> None:
 
 @refusing
 def show_info(args: Any) -> int:
-    """Print what a bag says of itself."""
+    """Print the metadata of a bag."""
     from rosbag2_py import Info
 
     print(Info().read_metadata(args.bag_path, args.storage))
@@ -71,7 +71,7 @@ def show_info(args: Any) -> int:
 
 @refusing
 def make_metadata(args: Any) -> int:
-    """Make the metadata.yaml of a bag anew."""
+    """Recreate the metadata.yaml of a bag."""
     from pathlib import Path
 
     from rosbag2_py import Reindexer, StorageOptions

@@ -89,7 +89,7 @@ def _call(container: str, service: str, **fields: Any) -> Any:
 
 
 def list_components(args: Any) -> int:
-    """Print the containers and what they run."""
+    """Print the containers and their components."""
     one = args.container_node_name
     for name in _containers() if one is None else [_checked(one)]:
         if one is None:
@@ -128,7 +128,7 @@ def _load(container: str, args: Any) -> Any:
 
 
 def load_component(args: Any) -> int:
-    """Load a component into a container that runs."""
+    """Load a component into a running container."""
     answer = _load(_checked(args.container_node_name), args)
     uid, name = answer.unique_id, answer.full_node_name
     text = f"Loaded component {uid} into '{args.container_node_name}' container node as '{name}'"
@@ -137,7 +137,7 @@ def load_component(args: Any) -> int:
 
 
 def unload_components(args: Any) -> int:
-    """Take components out of a container."""
+    """Unload components from a container."""
     container = _checked(args.container_node_name)
     for uid in args.component_uid:
         answer = _call(container, "unload_node", unique_id=uid)
@@ -149,7 +149,7 @@ def unload_components(args: Any) -> int:
 
 
 def run_standalone(args: Any) -> int:
-    """Run a component in a container of its own, until Ctrl-C."""
+    """Run a component in its own container until Ctrl-C."""
     name = args.container_node_name or f"standalone_container_{current().new_uuid().hex()[:12]}"
     words = ["--ros-args", "-r", f"__node:={name}"]
     path = find("rclcpp_components", "component_container")
@@ -168,7 +168,7 @@ def run_standalone(args: Any) -> int:
 
 
 def show_types(args: Any) -> int:
-    """Print the components that packages list."""
+    """Print the components registered by packages."""
     found = registered()
     if args.package_name is not None:
         if args.package_name not in packages():

@@ -66,7 +66,7 @@ def _load(asker: Asker, args: Any) -> str | None:
         return "Error configuring controller"
     if args.set_state == "active" and not asker.switch([], [args.controller_name]):
         return f"Error activating controller, {_LOGS}"
-    print(f"Sucessfully loaded controller {args.controller_name} into state {args.set_state}")  # as ROS spells it
+    print(f"Sucessfully loaded controller {args.controller_name} into state {args.set_state}")  # ROS's spelling
     return None
 
 

@@ -24,15 +24,15 @@ def register(subparsers: Any) -> None:
 
 
 def show_status(_args: Any) -> None:
-    """Print whether it runs."""
+    """Print whether the daemon is running."""
     print(f"The daemon is {'' if daemon.is_running(ask.graph()) else 'not '}running")
 
 
 def start(_args: Any) -> None:
-    """Start it."""
+    """Start the daemon."""
     print("The daemon has been started" if daemon.start(ask.graph(), domain_id()) else "The daemon is already running")
 
 
 def stop(_args: Any) -> None:
-    """Stop it."""
+    """Stop the daemon."""
     print("The daemon has been stopped" if daemon.stop(ask.graph()) else "The daemon is not running")

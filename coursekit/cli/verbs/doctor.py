@@ -35,11 +35,11 @@ def main(args: Any) -> int:
     print("Failed modules:", *(result.name for result in bad))
     if args.report_failed:
         print_report()
-    return 0  # as in ROS, where a failed check is told, and no failure of the command
+    return 0  # as in ROS: a failed check is reported, but is no failure of the command
 
 
 def _tell(result: checks.Check) -> None:
-    """Tell a fault as ROS does, and the cure below it."""
+    """Print a fault as ROS does, and the remedy below it."""
     for line in result.fault.splitlines():
         print(f"UserWarning: {'' if result.only_warning else 'ERROR: '}{line}", file=sys.stderr)
     if result.fault:
@@ -47,7 +47,7 @@ def _tell(result: checks.Check) -> None:
 
 
 def print_report() -> None:
-    """Print what there is to know about the set-up and the graph."""
+    """Print the full report on the set-up and the graph."""
     for title, lines in (*checks.report(), *graph_report.report()):
         print(f"\n   {title}")
         width = _width([key for key, _ in lines])
@@ -56,6 +56,6 @@ def print_report() -> None:
 
 
 def _width(keys: list[str]) -> int:
-    """How wide the first column of a table is, as in ROS: four more than its longest word."""
+    """Return the width of a table's first column, as in ROS: four more than its longest word."""
     longest = max(map(len, keys), default=0)
     return longest + 4 if longest >= 8 else 8

@@ -55,7 +55,7 @@ def _packages() -> list[str]:
 
 
 def _kinds(args: Any) -> list[tuple[str, str]]:
-    """(title, kind) of what is asked for: all when nothing is."""
+    """Return (title, kind) of the requested kinds; all if none is requested."""
     kinds = [("Messages", "msg"), ("Services", "srv"), ("Actions", "action")]
     only = [args.only_msgs, args.only_srvs, args.only_actions]
     return [kind for kind, wanted in zip(kinds, only, strict=True) if wanted or not any(only)]

@@ -23,7 +23,7 @@ LAUNCH_FILE_ENDINGS = (
 
 
 class LaunchFileError(Exception):
-    """Raised when no launch file, or more than one, fits what was asked for."""
+    """Raised when no launch file, or more than one, matches the request."""
 
 
 def register(subparsers: Any) -> None:
@@ -82,7 +82,7 @@ def register(subparsers: Any) -> None:
 
 
 def main(args: argparse.Namespace) -> int:
-    """Carry the command out; return its exit code."""
+    """Run the command; return its exit code."""
     try:
         path, arguments = find_launch_file(args.package_name, args.launch_file_name, args.launch_arguments)
         pairs = parse_launch_arguments(arguments)
@@ -102,7 +102,7 @@ def find_launch_file(
     """Return the launch file's path and the arguments for it.
 
     Raises:
-        LaunchFileError: when there is no such package or file, or several of the name.
+        LaunchFileError: when there is no such package or file, or several of that name.
     """
     from ament_index_python.packages import PackageNotFoundError, get_package_share_directory
 

@@ -86,7 +86,7 @@ def _transitions(node: Any, name: str, everything: bool = False) -> list[Any]:
 
 
 def list_transitions(args: Any) -> int:
-    """Print the transitions that are possible now, or all."""
+    """Print the transitions that are currently possible, or all."""
     with ask.command_node() as node:
         for one in _transitions(node, _checked(args), args.all):
             print(

@@ -43,7 +43,7 @@ def list_nodes(args: Any) -> int:
 
 
 def show_info(args: Any) -> int:
-    """Print what a node publishes, subscribes to, serves and calls."""
+    """Print the publishers, subscriptions, servers and clients of a node."""
     name = ask.full_name(args.node_name)
     count = ask.node_names(args.include_hidden).count(name)
     if not count:

@@ -56,7 +56,7 @@ def _complete_names(parsed_args: Any, **_: Any) -> list[str]:
 
 
 class _Asking:
-    """A node's parameter services, asked and waited for."""
+    """Calls a node's parameter services and waits for the responses."""
 
     def __init__(self, node: Any, name: str) -> None:
         from rclpy.parameter_client import AsyncParameterClient
@@ -69,7 +69,7 @@ class _Asking:
             raise ask.Unhappy("Wait for service timed out waiting for parameter services for node " + self.name)
 
     def __call__(self, method: str, *arguments: Any, **options: Any) -> Any:
-        """The response of one of the client's methods."""
+        """Return the response of one of the client's methods."""
         import rclpy
 
         future = getattr(self._client, method)(*arguments, **options)
@@ -79,11 +79,11 @@ class _Asking:
         return future.result()
 
     def names(self, prefixes: list[str] | None = None) -> list[str]:
-        """The names of its parameters, sorted."""
+        """Return the names of the node's parameters, sorted."""
         return sorted(self("list_parameters", prefixes or [], 0).result.names)
 
     def values(self, names: list[str]) -> list[Any]:
-        """The ParameterValues of these parameters."""
+        """Return the ParameterValues of these parameters."""
         return list(self("get_parameters", names).values)
 
 
@@ -95,7 +95,7 @@ def _nodes(args: Any) -> list[str]:
 
 
 def list_parameters(args: Any) -> int:
-    """Print the names of a node's parameters, or of all nodes'."""
+    """Print the parameter names of one node, or of all nodes."""
     import re
 
     with ask.command_node() as node:
@@ -123,7 +123,7 @@ def get_parameter(args: Any) -> int:
 
 
 def set_parameter(args: Any) -> int:
-    """Set a parameter; the value's type is told from its text, as in YAML."""
+    """Set a parameter; the value's type is inferred from its text, as in YAML."""
     from rcl_interfaces.msg import Parameter
     from rclpy.parameter import get_parameter_value
 
@@ -148,7 +148,7 @@ def describe_parameters(args: Any) -> int:
 
 
 def dump_parameters(args: Any) -> int:
-    """Print, or save, a file from which the node could be started as it is now."""
+    """Print, or save, a file that reproduces the node's current parameters."""
     if args.output_dir is not None and not Path(args.output_dir).is_dir():
         raise ask.Unhappy(f"'{args.output_dir}' is not a valid directory.")
     if args.print:
@@ -167,7 +167,7 @@ def dump_parameters(args: Any) -> int:
 
 
 def load_parameters(args: Any) -> int:
-    """Set what a file says for the node."""
+    """Set the node's parameters from a file."""
     from rclpy.parameter import parameter_dict_from_yaml_file
 
     with ask.command_node() as node:
@@ -190,7 +190,7 @@ def load_parameters(args: Any) -> int:
 
 
 def _check_named(path: str, node: str, use_wildcard: bool) -> None:
-    """Raise RuntimeError unless a file has the node's full name, from its first slash on, or may stand for every node."""
+    """Raise RuntimeError unless a file has the node's full name with its leading slash, or a permitted wildcard."""
     tree = yaml.safe_load(Path(path).read_text(encoding="utf-8"))
     names = list(tree) if isinstance(tree, dict) else []
     if node not in names and not (use_wildcard and "/**" in names):
@@ -198,7 +198,7 @@ def _check_named(path: str, node: str, use_wildcard: bool) -> None:
 
 
 def delete_parameter(args: Any) -> int:
-    """Take a parameter's value away."""
+    """Delete a parameter's value."""
     with ask.command_node() as node:
         result = _Asking(node, args.node_name)("delete_parameters", [args.parameter_name]).results[0]
     reason = f": {result.reason}" if result.reason else ""

@@ -49,7 +49,7 @@ def _executable_names(parsed_args: Any, **_: Any) -> list[str]:
 
 
 def main(args: Any) -> int:
-    """Run it and wait for its end; its output and Ctrl-C pass through."""
+    """Run the executable and wait for its end, passing through its output and Ctrl-C."""
     path = _by_itself(args)
     if path is not None:
         return int(_wait(current().start_executable(path, args.argv, name=args.executable_name, on_output=_pass_on())))
@@ -70,13 +70,13 @@ def main(args: Any) -> int:
 
 
 def _by_itself(args: Any) -> Path | None:
-    """The compiled program that was started without us and called us: it names its folder where a package would stand."""
+    """Return the compiled program that called this command itself: it passes its folder in place of a package."""
     path = Path(args.package_name, args.executable_name)
     return path if os.path.isabs(args.package_name) and path.is_file() and is_compiled_here(path) else None
 
 
 def _pass_on() -> Any:
-    """Write what the child writes to our own streams."""
+    """Return a function that writes the child's output to this process's streams."""
     own = current_process()
 
     def write(stream: str, text: str) -> None:
@@ -87,7 +87,7 @@ def _pass_on() -> Any:
 
 
 def _wait(process: Any) -> int:
-    """Wait for its end; a Ctrl-C goes on to it, and `kill` ends it too."""
+    """Wait for the process's end. Ctrl-C is forwarded to it, and `kill` ends it as well."""
     own = current_process()
 
     def react(signum: int) -> bool:

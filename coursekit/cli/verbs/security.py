@@ -1,4 +1,4 @@
-"""`ros2 security`: says why there is nothing to encrypt here, and where the command works."""
+"""`ros2 security`: prints why there is nothing to encrypt here, and where the command works."""
 
 from __future__ import annotations
 
@@ -35,5 +35,5 @@ def register(subparsers: Any) -> None:
 
 
 def main(args: Any) -> int:
-    """Say why not."""
+    """Print why the command is not available."""
     raise ask.Unhappy(WHY)

@@ -39,7 +39,7 @@ def register(subparsers: Any) -> None:
 
 
 def list_services(args: Any) -> int:
-    """Print the services that somebody serves."""
+    """Print the services that have a server."""
     found = _served(args.hidden or args.hidden_too)
     if args.count_services:
         print(len(found))
@@ -99,7 +99,7 @@ def _service_type(name: str) -> Any:
 
 
 def _wait(client: Any, name: str, kind: str) -> None:
-    """Wait, as on a robot without an end; after a while say what for."""
+    """Wait without a limit, as on a robot; after a while print the reason."""
     if client.wait_for_service(ask.WAIT_SECONDS):
         return
     offered = dict(names_and_types([server for node in ask.graph().nodes for server in node.servers]))
@@ -136,7 +136,7 @@ def _call_once(node: Any, client: Any, request: Any) -> None:
 
 
 def _silence(client: Any) -> str:
-    """Why a server may not answer."""
+    """Return the probable reason for a missing response."""
     if client.service_is_ready():
         return "A node offers the service, but does not answer: is it busy, or does nothing spin it?"
     return "Nobody offers the service any more: the server's program has ended, and its terminal says why."

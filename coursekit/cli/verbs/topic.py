@@ -73,7 +73,7 @@ def _list_verbose(found: list[tuple[str, list[str]]]) -> None:
 
 
 def show_info(args: Any) -> int:
-    """Print a topic's type and ends."""
+    """Print a topic's type and endpoints."""
     name = ask.full_name(args.topic_name)
     types = dict(ask.topics(hidden=True)).get(name)
     if types is None:

@@ -1,1 +1,1 @@
-"""Exercises: what is asked, the checks that judge it, the student's copy, progress."""
+"""Exercises: tasks, the checks that judge them, the student's copy, and progress."""

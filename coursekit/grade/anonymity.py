@@ -1,4 +1,4 @@
-"""Marking without names: codes stand for people on pages and in tables; who is who lies in a file of its own."""
+"""Anonymous marking: codes replace names on pages and in tables; a separate file maps codes to names."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _ASKED = re.compile(r"whose '(.+?)' is")
 
 
 class Anonymity:
-    """Gives the same code to the same person in every run of this account."""
+    """Gives a person the same code in every run of this account."""
 
     def __init__(self, names: Path, form: Form = COMMA) -> None:
         self.names = names
@@ -35,16 +35,16 @@ class Anonymity:
         self._key = own_key("codes.key")
 
     def code(self, person: Person) -> str:
-        """The name of a person."""
+        """Return the code of a person."""
         made = hmac.new(self._key, person.identity.encode("utf-8", "surrogatepass"), hashlib.sha256).hexdigest()
         return f"P-{made[:8].upper()}"
 
     def key(self, record: Record) -> str:
-        """The name of a person's files while names are hidden."""
+        """Return the name of a person's files while names are hidden."""
         return self._hidden(record).key
 
     def of(self, records: Sequence[Record]) -> list[Record]:
-        """The records with codes in the place of names, in the order of the codes; who is who is written beside."""
+        """Return the records with codes in place of names, sorted by code; the mapping is written to a file beside them."""
         others = self._everybody(records)
         hidden = [self._hidden(one, others) for one in records]
         made = io.StringIO()
@@ -57,7 +57,7 @@ class Anonymity:
         return sorted(hidden, key=lambda one: one.label)
 
     def _everybody(self, records: Sequence[Record]) -> dict[str, str]:
-        """The words in place of others' names, and of the names of their files."""
+        """Return the replacements for others' names, and for the names of their files."""
         entries = [entry.name for one in records for entry in one.handed.entries]
         entries += [name for one in records for name in _ASKED.findall(" ".join(one.handed.open))]
         labels = {one.label: self.code(one.handed.person) for one in records}
@@ -78,14 +78,14 @@ class Anonymity:
 
 
 def _without(text: str, names: Mapping[str, str]) -> str:
-    """A text without what others are called; the longest names first, which may hold shorter ones."""
+    """Replace names in a text; the longest first, because they may contain shorter ones."""
     for name in sorted(names, key=len, reverse=True):
         text = text.replace(name, names[name])
     return text
 
 
 class _Hiding:
-    """Takes a person's names out of texts."""
+    """Removes a person's names from texts."""
 
     def __init__(self, record: Record, code: str) -> None:
         person, handed = record.handed.person, record.handed

@@ -1,4 +1,4 @@
-"""Zips that students made, opened with care: nothing is read that is too large, nothing is written by its own name."""
+"""Safe reading of students' zips: nothing too large is read, and members' names are never used as paths."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ class Bounds:
 
     members: int = 2000
     directory: int = 2 << 20
-    """Bytes of its list of members, which is read as a whole."""
+    """The size of the list of members, which is read as a whole [bytes]."""
     file: int = 64 << 20
-    """Bytes of one member, unpacked."""
+    """The size of one member, unpacked [bytes]."""
     total: int = 256 << 20
-    """Bytes of all that is read of it."""
+    """The total size of the data read from the zip [bytes]."""
 
 
 OF_A_STUDENT = Bounds()
@@ -33,7 +33,7 @@ OF_A_CLASS = Bounds(members=50_000, directory=32 << 20, file=128 << 20, total=16
 
 
 class BadArchive(ValueError):
-    """A zip, or a member of one, that is not opened; says why."""
+    """A zip, or a member of one, is refused; the message gives the reason."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Member:
 
     parts: tuple[str, ...]
     when: float
-    """When it was last changed, in seconds since 1970; 0 if the zip does not say."""
+    """The time of its last change in seconds since 1970; 0 if the zip has none."""
     size: int
     info: zipfile.ZipInfo
 
@@ -61,7 +61,7 @@ class Archive:
             raise BadArchive(f"it holds more than {bounds.members} files")
 
     def _refuse_long(self, file: BinaryIO) -> None:
-        """Before zipfile reads all of the list of members."""
+        """Check the size of the list of members before zipfile reads it."""
         end = zipfile._EndRecData(file)  # type: ignore[attr-defined]  # what zipfile itself goes by
         if end is None:
             raise BadArchive("it is no zip, or only a part of one")
@@ -69,7 +69,7 @@ class Archive:
             raise BadArchive(f"it holds more than {self._bounds.members} files")
 
     def members(self) -> Iterator[Member]:
-        """Its files, in the order of the zip; folders and links are left out. BadArchive: one has no name."""
+        """Yield the files, in the order of the zip, without folders and links. BadArchive: one has no name."""
         for info in self._opened.infolist():
             if not info.filename:
                 raise BadArchive("a file in it has no name: zip it again")
@@ -78,10 +78,10 @@ class Archive:
                 yield Member(parts_of(_name_of(info)), _when(info), info.file_size, info)
 
     def read(self, member: Member, most: int = 0) -> bytes:
-        """The bytes of a file, at most `most`.
+        """Return the bytes of a file, at most `most`.
 
         Raises:
-            BadArchive: when it is too large, encrypted, of another kind of compression, or broken.
+            BadArchive: when it is too large, encrypted, compressed by an unknown method, or broken.
         """
         most = min(most or self._bounds.file, self._bounds.file)
         info = member.info
@@ -105,7 +105,7 @@ class Archive:
         return bytes(made)
 
     def close(self) -> None:
-        """Close it, and the file that it is."""
+        """Close the archive and its file."""
         self._opened.close()
         self._file.close()
 
@@ -118,19 +118,19 @@ class Archive:
 
 @contextlib.contextmanager
 def _said() -> Iterator[None]:
-    """Whatever a made-up zip makes zipfile raise is told as one thing."""
+    """Convert all exceptions that a manipulated zip may raise in zipfile to BadArchive."""
     try:
         yield
     except BadArchive:
         raise
     except UnicodeDecodeError:
         raise BadArchive("a file name in it is not UTF-8: zip it again") from None
-    except Exception:  # zipfile, zlib and struct have a dozen kinds
+    except Exception:  # zipfile, zlib and struct raise a dozen types
         raise BadArchive("it is broken, or only a part of a zip: upload it again") from None
 
 
 def _name_of(info: zipfile.ZipInfo) -> str:
-    """A member's name. Programs that write UTF-8 without saying so are many: what is UTF-8 is read as that.
+    """Return a member's name. Many programs write UTF-8 without the flag for it: valid UTF-8 is read as such.
 
     >>> _name_of(zipfile.ZipInfo("Müller".encode().decode("cp437")))
     'Müller'
@@ -144,7 +144,7 @@ def _name_of(info: zipfile.ZipInfo) -> str:
 
 
 def parts_of(name: str) -> tuple[str, ...]:
-    r"""The names of a path in a zip, without what leads out of a folder.
+    r"""Return the parts of a path in a zip, without those that lead out of a folder.
 
     >>> parts_of("C:\\temp\\..\\a.ipynb"), parts_of("/etc/../x")
     (('temp', 'a.ipynb'), ('etc', 'x'))
@@ -156,7 +156,7 @@ def parts_of(name: str) -> tuple[str, ...]:
 
 
 def _when(info: zipfile.ZipInfo) -> float:
-    """The zip's own time, in UTC where it says that, too; else as of a clock in this time zone."""
+    """Return the time of a member; local time is assumed unless the zip has it in UTC."""
     extra = info.extra
     while len(extra) >= 4:
         kind, length = struct.unpack("<HH", extra[:4])

@@ -1,4 +1,4 @@
-"""How far marking is, while it runs."""
+"""The progress of marking."""
 
 from __future__ import annotations
 
@@ -6,22 +6,22 @@ import sys
 import time
 
 EVERY_S = 30.0
-"""How often a line is written where there is no terminal."""
+"""The period of progress lines without a terminal [s]."""
 
 
 class Bar:
-    """A progress bar on a terminal; a line now and then elsewhere."""
+    """A progress bar on a terminal; occasional lines elsewhere."""
 
     def __init__(self) -> None:
         self._started = time.monotonic()
         self._told: float | None = None
 
     def say(self, line: str) -> None:
-        """Say what is done before the first is marked."""
+        """Print a step that precedes the marking."""
         print(line, file=sys.stderr, flush=True)
 
     def __call__(self, done: int, of: int, student: str) -> None:
-        """Show how far it is."""
+        """Show the progress."""
         now = time.monotonic()
         left = (now - self._started) / done * (of - done)
         if sys.stderr.isatty():

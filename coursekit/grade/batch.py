@@ -1,4 +1,4 @@
-"""Grades a class: collects, marks what is not marked yet side by side, and writes table, pages and gradebook."""
+"""Grade a class: collect the work, mark unmarked work in parallel, and write the table, pages and gradebook."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ Tell = Callable[[int, int, str], None]
 
 
 class Class:
-    """A folder or zip of submissions, and where its results are kept."""
+    """A folder or zip of submissions, and the place of its results."""
 
     def __init__(
         self,
@@ -66,7 +66,7 @@ class Class:
         self.policy = policy or Policy()
         self.variants = variants
         self.personal = personal
-        """Whether the copies ask for values of their own."""
+        """Whether the copies have individual values."""
         self.roster = roster or (variants.roster if variants else None)
         self.sources = _sources(notebooks)
         self.chapters = list(chapters)
@@ -84,13 +84,13 @@ class Class:
     def graded(
         self, jobs: int, tell: Tell, again: Sequence[str] | None = None, say: Callable[[str], None] = lambda line: None
     ) -> Iterator[Outcome]:
-        """Grade what is not graded yet, or what is asked for `again` (everybody for an empty list), and write everything.
+        """Grade ungraded work, or that of the students in `again` (everybody for an empty list), and write everything.
 
-        What was handed in lies unpacked until the context ends.
+        The submissions stay unpacked until the context ends.
 
         Raises:
-            GraderBroken: when the reference solutions do not get all points; nobody is marked then.
-            ValueError: when a table of the teacher's cannot be read, or a name is nobody's.
+            GraderBroken: when the reference solutions do not get all points; no student is marked then.
+            ValueError: when a table of the teacher cannot be read, or a name is unknown.
         """
         with tempfile.TemporaryDirectory(prefix="collected-") as scratch:
             by_hand = self.table.notice()
@@ -132,7 +132,7 @@ class Class:
         return found
 
     def _written(self) -> list[Path]:
-        """The files of earlier runs, which may lie beside the submissions."""
+        """Return the files of earlier runs, which may be beside the submissions."""
         beside = self.out.parent.glob(f"{glob.escape(self.out.stem)}.*")
         return [self.kept, self.out, self.out.with_name(QUESTIONS), *beside]
 
@@ -156,7 +156,7 @@ class Class:
         return made
 
     def _mark(self, records: Sequence[Record], jobs: int, tell: Tell) -> None:
-        """Mark what no kept result is valid for; the table is whole after each."""
+        """Mark the work without a valid stored result; the table is complete after each submission."""
         waiting: dict[Future[Marked], tuple[Record, str, dict[str, Any]]] = {}
         pool = ThreadPoolExecutor(max_workers=max(1, jobs))
         try:
@@ -190,7 +190,7 @@ class Class:
     def _take(self, future: Future[Marked], one: Record, chapter: str, depends: Mapping[str, Any]) -> None:
         try:
             marked = future.result()
-        except Exception as error:  # mark() promises not to; the others' marks do not depend on it
+        except Exception as error:  # mark() promises not to raise; other students' marks do not depend on it
             marked = Marked(one.label, "", status="error", notes=[f"it could not be marked: {error}"])
             marked.verdicts = list(one.wanted[chapter])
         one.marks[chapter] = marked
@@ -198,7 +198,7 @@ class Class:
             self.results.write(one.key, chapter, depends, marked)
 
     def write(self, outcome: Outcome) -> None:
-        """Everything that is made of the marks."""
+        """Write all results."""
         records = outcome.records
         note_copies({one.label: (one.handed.concerns, one.handed.bundles()) for one in records})
         for one in records:
@@ -215,7 +215,7 @@ class Class:
         write_gradebook(self.kept / "gradebook.csv", shown, records, self.results, self.form)
 
     def shown(self, records: Sequence[Record]) -> list[Record]:
-        """As they are shown: with codes for names where marking is anonymous."""
+        """Return the records for display: with codes in place of names if marking is anonymous."""
         return list(records) if self.anonymity is None else self.anonymity.of(records)
 
 
@@ -224,7 +224,7 @@ def _unmarked(exercises: Mapping[str, Exercise]) -> list[Verdict]:
 
 
 def _told_others(others: Mapping[str, Sequence[str]]) -> list[str]:
-    """Chapters that few handed in are no columns of everybody's."""
+    """Report chapters that only a few students handed in; they get no column."""
     return [
         f"{name} was handed in only by {', '.join(people[:5])}{' and others' if len(people) > 5 else ''}: it is not marked. "
         f"To mark it: --chapters {name.partition('_')[0]}"
@@ -233,7 +233,7 @@ def _told_others(others: Mapping[str, Sequence[str]]) -> list[str]:
 
 
 def _told_bonus(records: Sequence[Record]) -> list[str]:
-    """Points by hand that are more than an exercise has: a bonus, or a slip."""
+    """Report points by hand above an exercise's maximum: a bonus, or a typo."""
     return [
         f"{one.label}: {verdict.name} is {verdict.points:g} by hand, and has {verdict.of:g} points. A bonus?"
         for one in records
@@ -243,7 +243,7 @@ def _told_bonus(records: Sequence[Record]) -> list[str]:
 
 
 def _told_faults(records: Sequence[Record]) -> list[str]:
-    """Checks that stopped by a fault of their own, and who has no mark for it."""
+    """Report checks that failed by themselves, and the students left without a mark."""
     found: dict[tuple[str, str], list[str]] = {}
     for one in records:
         for verdict in one.marked().verdicts:
@@ -257,7 +257,7 @@ def _told_faults(records: Sequence[Record]) -> list[str]:
 
 
 def _asked(records: Sequence[Record], again: Sequence[str]) -> list[str]:
-    """The keys of those who are to be marked again."""
+    """Return the keys of the students to mark again."""
     if not again:
         return [one.key for one in records]
     found = []
@@ -271,7 +271,7 @@ def _asked(records: Sequence[Record], again: Sequence[str]) -> list[str]:
 
 
 def _announced(mark: Callable[..., Marked], chapter: str, say: Callable[[str], None]) -> Callable[..., Marked]:
-    """Marking that says first that it marks the course's own solutions, which nobody waits for otherwise."""
+    """Wrap marking to announce that the course's own solutions are marked first, since this takes unexpected time."""
 
     def first(*facts: Any) -> Marked:
         say(f"Marking the course's own solutions first: {PurePosixPath(chapter).stem}.")
@@ -281,7 +281,7 @@ def _announced(mark: Callable[..., Marked], chapter: str, say: Callable[[str], N
 
 
 def _form_of(out: Path, roster: Roster | None) -> Form:
-    """The form of tables that the teacher's spreadsheet opens: that of the marks as they lie there, else of the list."""
+    """Return the CSV format for the teacher's spreadsheet: that of the existing marks, else that of the roster."""
     if out.is_file() and out.stat().st_size:
         return read_table(out).form
     return roster.form if roster is not None else COMMA

@@ -1,9 +1,9 @@
 """The submission bundle, one file: the notebook, pictures, the log, and a manifest with the mark of a clean run.
 
-What its seal proves: the bundle is as the student's `hand_in()` wrote it, unless someone made the seal again. What it does
-not prove: who that was, and when (the clock is the student's). Everything needed for a seal is on the student's computer. So
-the mark that counts comes from running the notebook again, and the bundles of a class are compared: a log or a picture that
-two people hand in is reported, whatever its seal.
+The seal proves that the bundle is as the student's `hand_in()` wrote it, unless someone made the seal again. It does
+not prove who that was, or when (the clock is the student's): everything needed for a seal is on the student's
+computer. So the mark that counts comes from running the notebook again, and the bundles of a class are compared: a
+log or a picture handed in by two people is reported, regardless of its seal.
 """
 
 from __future__ import annotations
@@ -25,13 +25,13 @@ from .roster import plain, student_word
 
 MANIFEST, EVENTS = "manifest.json", "events.jsonl"
 LARGEST = 100 << 20
-"""Bytes of a bundle."""
+"""The maximum size of a bundle [bytes]."""
 _MOST_PARTS = 600_000
 _DATE = (1980, 1, 1, 0, 0, 0)
 
 
 def pack_bundle(files: Mapping[str, bytes], facts: Mapping[str, Any]) -> bytes:
-    """A bundle with these files; the same contents give the same bytes."""
+    """Make a bundle of these files; the same contents give the same bytes."""
     listed = {name: digest_of(data) for name, data in sorted(files.items())}
     manifest: dict[str, Any] = {**facts, "files": listed}
     manifest["seal"] = events.digest(manifest)
@@ -39,12 +39,12 @@ def pack_bundle(files: Mapping[str, bytes], facts: Mapping[str, Any]) -> bytes:
 
 
 def cell_digests(notebook: Mapping[str, Any]) -> list[str]:
-    """A digest of the text of each cell."""
+    """Return a digest of the text of each cell."""
     return [hashlib.sha256(text_of(cell).encode("utf-8", "replace")).hexdigest() for cell in notebook.get("cells", [])]
 
 
 def read_bundle(data: bytes) -> tuple[dict[str, Any], dict[str, bytes]]:
-    """The manifest and the files; ValueError when it is not a bundle."""
+    """Return the manifest and the files; ValueError when the data is not a bundle."""
     if len(data) > LARGEST:
         raise ValueError(f"it is larger than {LARGEST >> 20} MB")
     try:
@@ -61,13 +61,13 @@ def read_bundle(data: bytes) -> tuple[dict[str, Any], dict[str, bytes]]:
 
 
 def _expect_plain(name: str, text: bytes, most: int) -> None:
-    """Before JSON is read: it is no longer than those of a student, and has no more parts, each of which costs memory."""
+    """Before JSON is parsed, check its length and its number of elements, each of which costs memory."""
     if len(text) > most or sum(text.count(one) for one in (b"[", b"{", b",")) > _MOST_PARTS:
         raise ValueError(f"{name} is longer than hand_in() makes it")
 
 
 def bundle_faults(data: bytes) -> list[str]:
-    """Every sign that it was changed after it was made."""
+    """Return all signs that a bundle was changed after it was made."""
     try:
         return [shown(one) for one in _faults(data)]
     except ValueError as error:
@@ -98,7 +98,7 @@ def _lines(files: Mapping[str, bytes]) -> list[str]:
 
 
 def _untold(files: Mapping[str, bytes]) -> list[str]:
-    """Pictures and notebooks that are not as the log says they were made."""
+    """Return the pictures and notebooks that differ from their entries in the log."""
     lines = [json.loads(line) for line in _lines(files)]
     made = {str(one.get("picture") or one.get("notebook")): one["sha256"] for one in lines if "sha256" in one}
     found = {name: (digest_of(data), made.get(PurePosixPath(name).name)) for name, data in files.items() if name != EVENTS}
@@ -110,7 +110,7 @@ def _untold(files: Mapping[str, bytes]) -> list[str]:
 
 
 def other_hands(data: bytes, name: str) -> list[str]:
-    """Signs that it is somebody else's, when it was handed in as `name`; ValueError when it is not a bundle."""
+    """Return signs that a bundle handed in as `name` belongs to another student; ValueError when it is not a bundle."""
     manifest, files = read_bundle(data)
     student = str(manifest.get("student"))
     found = []
@@ -122,7 +122,7 @@ def other_hands(data: bytes, name: str) -> list[str]:
 
 
 def other_results(manifest: Mapping[str, Any], earned: Mapping[str, float]) -> list[str]:
-    """Where the marks that were recorded are not those of another run."""
+    """Return the differences between the recorded points and those of another run."""
     said = recorded(manifest)
     found = [
         f"{name}: {_points(said.get(name))} points are recorded, a clean run earns {points:g}"
@@ -136,19 +136,19 @@ def other_results(manifest: Mapping[str, Any], earned: Mapping[str, float]) -> l
 
 
 def _points(said: Any) -> str:
-    """The points of a manifest as text; 'no' where there are none."""
+    """Format the points of a manifest; 'no' where there are none."""
     return f"{said:g}" if isinstance(said, (int, float)) and abs(said) < 1e6 else shown(str(said), 20) if said else "no"
 
 
 def recorded(manifest: Mapping[str, Any]) -> dict[str, Any]:
-    """The points that a manifest says, by exercise."""
+    """Return the points in a manifest, by exercise."""
     said = manifest.get("verdicts")
     listed = said if isinstance(said, list) else []
     return {str(one.get("name")): one.get("points") for one in listed if isinstance(one, dict)}
 
 
 def traces(data: bytes) -> dict[str, str]:
-    """The parts that no two students have alike: digests of pictures and of the lines of the log, with their names."""
+    """Return the parts unique to a student: digests of pictures and log lines, with their names."""
     _, files = read_bundle(data)
     found = {digest_of(content): name for name, content in files.items() if name.startswith("evidence/")}
     for number, line in enumerate(_lines(files), 1):
@@ -157,7 +157,7 @@ def traces(data: bytes) -> dict[str, str]:
 
 
 def _happened(line: str) -> bytes:
-    """The content of a line of the log, without its place in the chain: that is made anew in a moment."""
+    """Return the content of a log line without its place in the chain, which is easily made again."""
     try:
         facts = json.loads(line)
         return json.dumps({k: v for k, v in facts.items() if k not in ("before", "digest")}, sort_keys=True).encode()
@@ -166,7 +166,7 @@ def _happened(line: str) -> bytes:
 
 
 def note_copies(owners: Mapping[str, tuple[list[str], Sequence[Path]]]) -> None:
-    """Tell each person's concerns who else handed in the same pictures or log, in bundles sealed by whomever."""
+    """Add to each person's concerns who else handed in the same pictures or log, regardless of the seals."""
     found: dict[str, dict[str, str]] = {}
     for who, (_, files) in owners.items():
         for file in files:
@@ -186,7 +186,7 @@ def note_copies(owners: Mapping[str, tuple[list[str], Sequence[Path]]]) -> None:
 
 
 def digest_of(data: bytes) -> str:
-    """The digest of a file."""
+    """Return the digest of a file."""
     return hashlib.sha256(data).hexdigest()
 
 
@@ -195,7 +195,7 @@ def _text(manifest: Mapping[str, Any]) -> bytes:
 
 
 def _zipped(files: Mapping[str, bytes]) -> bytes:
-    """Stored, in this order, without dates: nothing in it depends on the machine."""
+    """Return an uncompressed zip in this order, without dates: it does not depend on the machine."""
     made = io.BytesIO()
     with zipfile.ZipFile(made, "w", zipfile.ZIP_STORED) as packed:
         for name, data in files.items():

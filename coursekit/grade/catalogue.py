@@ -1,7 +1,7 @@
-"""Catalogues of translations: for each chapter a gettext file with its text cells, `notebooks/es/02_topics.po`.
+"""Translation catalogues: for each chapter a gettext file with its text cells, `notebooks/es/02_topics.po`.
 
-A cell is known by its whole English text. So a cell that changes in English is untranslated until somebody looks at it, and
-students read it in English, with a line that says so.
+A cell is identified by its whole English text. A cell that changes in English is therefore untranslated until it is
+reviewed; students read it in English, with a line that says so.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from typing import Any
 import polib
 
 UNTRANSLATED = "X-Untranslated"
-"""The header of a catalogue that holds the line above a cell that is not translated, in its language."""
+"""The catalogue header with the line above untranslated cells, in the catalogue's language."""
 
 
 def translated(notebook: dict[str, Any], catalogue: Path) -> dict[str, Any]:
-    """The notebook with its text cells in the catalogue's language. Raises ValueError when that is no catalogue."""
+    """Return the notebook with its text cells in the catalogue's language. ValueError for an invalid catalogue."""
     read = _read(catalogue)
     words = {one.msgid: one.msgstr for one in read.translated_entries()}
     warning = read.metadata.get(UNTRANSLATED, "")
@@ -30,14 +30,14 @@ def translated(notebook: dict[str, Any], catalogue: Path) -> dict[str, Any]:
 
 
 def text_cells(notebook: dict[str, Any]) -> list[dict[str, Any]]:
-    """The cells that are translated: texts that are not empty."""
+    """Return the cells to translate: texts that are not empty."""
     return [one for one in notebook["cells"] if one["cell_type"] == "markdown" and "".join(one["source"]).strip()]
 
 
 def brought_up_to_date(notebook: dict[str, Any], catalogue: Path) -> polib.POFile:
-    """The catalogue with the notebook's cells in their order: new ones without a translation, changed ones marked fuzzy.
+    """Update the catalogue to the notebook's cells in their order: new ones untranslated, changed ones marked fuzzy.
 
-    A changed cell is found by its cell's name. What no cell has any more is dropped.
+    A changed cell is found by its name. Entries without a cell are dropped.
     """
     old = _read(catalogue) if catalogue.exists() else polib.POFile(wrapwidth=0)
     by_text, by_name = {one.msgid: one for one in old}, {one.comment: one for one in old}

@@ -1,4 +1,4 @@
-"""`check("ch02.q1")`: judge an exercise here and now, show the verdict, remember the points."""
+"""`check("ch02.q1")`: judge an exercise immediately, show the verdict, store the points."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ from .verdict import NO_HINT, CheckFailed, Skipped, Verdict, Wrong
 from .work import Work
 
 ENDLESS = "That is unusually long. If there may be a loop in your code that never ends, stop it with ■ in the toolbar above."
-"""Said while a check lasts; long ones of the course take half a minute."""
+"""Shown during a check; the course's long ones take half a minute."""
 
 
 def workspace() -> Path:
-    """The student's workspace."""
+    """Return the student's workspace."""
     return Path(os.environ.get("COURSEKIT_WORKSPACE", "ros2_ws")).resolve()
 
 
@@ -42,9 +42,9 @@ def judge(
     variants: Mapping[str, Any] | None = None,
     illustration: Illustration | None = None,
 ) -> Verdict:
-    """The verdict on the work as it is now. From the second failure on a hint is given.
+    """Judge the current work. From the second failure on, the verdict includes a hint.
 
-    `illustration` keeps what is to be drawn beside the verdict.
+    `illustration` stores the picture to draw beside the verdict.
     """
     work = Work(variables, folder)
     work.variants, work.illustration = variants or {}, illustration
@@ -52,7 +52,7 @@ def judge(
 
 
 def judge_work(exercise: Exercise, work: Any, tries: int = 1) -> Verdict:
-    """The verdict on work wherever it is: all points only when its judge came to an end without an objection."""
+    """Judge any work: full points require that the judge ends without an objection."""
     noted = NotedWork(work)
     illustration = getattr(work, "illustration", None) or Illustration()
     try:
@@ -73,17 +73,17 @@ def judge_work(exercise: Exercise, work: Any, tries: int = 1) -> Verdict:
 
 
 def _stopped(exercise: Exercise, error: Exception, noted: NotedWork) -> Verdict:
-    """The verdict where an exception ended the check: the work's own costs the points, the check's own is told as such."""
+    """Return the verdict after an exception: the student's own costs the points, the check's own is reported as such."""
     empty = Verdict(exercise.name, exercise.title, 0, exercise.points)
     if error is noted.raised or of_student(error):
         return replace(empty, expected="code that runs", got=error_of(error), timed_out=noted.timed_out())
-    if isinstance(error, AssertionError):  # the way in which many checks elsewhere say that something is wrong
+    if isinstance(error, AssertionError):  # many other checks report failures in this way
         return replace(empty, expected=str(error)[:300] or "what the check asserts", cause=fault_of(error))
     return replace(empty, fault=fault_of(error))
 
 
 def _refused(exercise: Exercise, wrong: Wrong, noted: NotedWork, tries: int) -> Verdict:
-    """The verdict that says what is wrong; what a program died of comes first, and no guess of the check's beside it."""
+    """Return a negative verdict; a program's fatal exception comes first, without the check's own guess."""
     died, got, cause, hint = noted.death(), wrong.got, wrong.cause, _hint(exercise.hints, wrong, tries)
     if died:
         got, cause, hint = _with_death(got, died), cause_of(died), ""
@@ -102,7 +102,7 @@ def _refused(exercise: Exercise, wrong: Wrong, noted: NotedWork, tries: int) -> 
 
 
 def _with_death(got: str, died: str) -> str:
-    """The observation, with the exception of the program; the end of its traceback says nothing more."""
+    """Combine the observation with the program's exception; the end of its traceback adds nothing."""
     if died in got:
         return got
     again = not got or died.partition(" (line ")[0] in got
@@ -110,9 +110,9 @@ def _with_death(got: str, died: str) -> str:
 
 
 def _hint(hints: tuple[str, ...], wrong: Wrong, tries: int) -> str:
-    """From the second try on the hint that fits the fault; where the judge cannot tell, with each try the next one.
+    """Return the hint for the fault from the second try on; if the judge names none, the next one with each try.
 
-    A likely cause that names no hint is what there is to say: a hint beside it could only be about something else.
+    A likely cause without a hint stands alone: a hint beside it could only be about something else.
     """
     if not hints or tries < 2 or wrong.hint == NO_HINT or (wrong.cause and wrong.hint is None):
         return ""
@@ -120,9 +120,9 @@ def _hint(hints: tuple[str, ...], wrong: Wrong, tries: int) -> str:
 
 
 def check(name: str, **variants: Any) -> None:
-    """Judge exercise `name` with what is in this notebook and workspace; CheckFailed if it is not solved.
+    """Judge exercise `name` with this notebook's variables and workspace; CheckFailed if it is not solved.
 
-    `variants` are the values of a copy that asks for values of its own. The mark is found with those that the teacher knows.
+    `variants` are the values of an individual copy. The final mark uses the values known to the teacher.
     """
     progress = Progress.of_course()
     read_checks(progress.file.parent.parent / OWN)
@@ -143,7 +143,7 @@ def check(name: str, **variants: Any) -> None:
 
 
 def hint(name: str) -> str:
-    """The first hint of an exercise, the next one with every call."""
+    """Return the first hint of an exercise, then the next one with every call."""
     exercise = find(name)
     if not exercise.hints:
         return gettext(f"{name} has no hints.")
@@ -153,7 +153,7 @@ def hint(name: str) -> str:
 
 
 def _with_cell_before(verdict: Verdict, fault: str) -> Verdict:
-    """Where the cell before the check stopped with an error, an older answer was judged: that is told first."""
+    """Report first that the cell before the check stopped with an error, so an older answer was judged."""
     if verdict.passed or verdict.fault or not fault:
         return verdict
     cause = f"The cell before this check stopped with {fault}. What was judged is older: mend that cell and run it."
@@ -161,7 +161,7 @@ def _with_cell_before(verdict: Verdict, fault: str) -> Verdict:
 
 
 def _fault_before() -> str:
-    """The error of the cell that was run before this one, empty where it ran to its end or was a check."""
+    """Return the error of the cell run before this one; empty if it succeeded or was a check."""
     before = getattr(running_shell(), "last_execution_result", None)
     error = before and (before.error_before_exec or before.error_in_exec)
     if not isinstance(error, Exception) or isinstance(error, CheckFailed):
@@ -177,7 +177,7 @@ def _variables() -> Mapping[str, Any]:
 
 
 class _Shown:
-    """Displays a verdict in both forms."""
+    """Displays a verdict as HTML and as text."""
 
     def __init__(self, verdict: Verdict, illustration: Illustration) -> None:
         self._verdict, self._illustration = verdict, illustration

@@ -1,7 +1,8 @@
-"""Which of several files of one person counts for a chapter, and why. What cannot be told apart is asked, never guessed.
+"""Choose the file that counts for a chapter among a person's files, and give the reason. Ambiguities become questions.
 
-In this order: what can be read; what is no checkpoint; work on exercises before other work before an untouched copy; with
-`in-time` what came before the deadline; then the newest. Of the same age, or within one hand-in, more work counts.
+The criteria, in this order: readable files; no checkpoints; work on exercises before other work before an untouched
+copy; with `in-time`, files from before the deadline; then the newest. At the same age, or within one hand-in, more
+work counts.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from .questions import Question, numbered
 
 NEWEST, IN_TIME = "newest", "in-time"
 SAME_S = 2.0
-"""Seconds within which two times are one: zips count in twos, and who unpacks a download makes its files at once."""
+"""The tolerance within which times are equal [s]: zips have a resolution of 2 s, and unpacking sets all times at once."""
 
 
 @dataclass(frozen=True)
@@ -25,14 +26,14 @@ class Choice:
 
     piece: Piece | None = None
     why: str = ""
-    """Said when there was something to choose."""
+    """The reason, if there was a choice."""
     question: Question | None = None
 
 
 def choose(
     pieces: Sequence[Piece], who: str, count: str, deadline: float | None, answers: Mapping[str, str]
 ) -> Choice:
-    """The file that counts of those that one person handed in for one chapter."""
+    """Return the file that counts, of those that one person handed in for one chapter."""
     left = _fitting(sorted(pieces, key=_order))
     if count == IN_TIME and deadline is not None:
         left = [one for one in left if one.when <= deadline] or left
@@ -63,7 +64,7 @@ def _fitting(pieces: Sequence[Piece]) -> list[Piece]:
 
 
 def _different(pieces: Sequence[Piece]) -> list[Piece]:
-    """Of files with the same work the oldest: it was there first. Its name is the chapter's where that is as old."""
+    """Return the oldest of files with the same work, preferring one named after the chapter."""
     found: dict[str, Piece] = {}
     for one in pieces:
         work = one.known.work if not one.fault else one.digest or one.where
@@ -78,7 +79,7 @@ def _named(piece: Piece) -> bool:
 
 
 def _newest(pieces: Sequence[Piece]) -> list[Piece]:
-    """One, unless several are as new and none of them holds the work of all others."""
+    """Return the newest file, or several if they are equally new and none contains the work of all others."""
     newest = max(one.when for one in pieces)
     left = [one for one in pieces if newest - one.when <= SAME_S]
     latest = max(one.inner for one in left)
@@ -100,7 +101,7 @@ def _question(chapter: str, left: Sequence[Piece], who: str) -> Question:
 
 
 def _places(pieces: Sequence[Piece]) -> list[str]:
-    """Where each lay; with the hand-in that it lay in where two would be called the same."""
+    """Return the location of each file; with its hand-in where two would have the same name."""
     wheres = [one.where for one in pieces]
     told = [one.where if wheres.count(one.where) == 1 else f"{shown(one.entry)}/{one.where}" for one in pieces]
     return [one if told.count(one) == 1 else f"{one} (number {told[: at + 1].count(one)})" for at, one in enumerate(told)]
@@ -118,7 +119,7 @@ def _why(best: Piece, pieces: Sequence[Piece], how: str) -> str:
 
 
 def _against(other: Piece, best: Piece) -> str:
-    """Why a file does not count."""
+    """Return why a file does not count."""
     if other.fault:
         return "cannot be read"
     if other.checkpoint and not best.checkpoint:

@@ -1,6 +1,6 @@
-"""Finds for each person what they handed in and which file counts for each chapter; what it cannot tell it asks.
+"""Find each person's submission and the file that counts for each chapter; ambiguities become questions.
 
-Everything goes one way: entries of a folder or zip, the people whose they are, the file that counts for each chapter.
+The data flow is: entries of a folder or zip, their owners, the file that counts for each chapter.
 """
 
 from __future__ import annotations
@@ -30,16 +30,16 @@ from .roster import Person, Roster, plain, student_word
 
 @dataclass
 class Collection:
-    """A class's work."""
+    """The work of a class."""
 
     handed: list[Handed]
     questions: list[Question]
-    """All that was asked, answered or not."""
+    """All questions, answered or not."""
     told: list[str]
-    """The entries that do not belong to one person."""
+    """Messages about entries that do not belong to one person."""
     unanswered: list[Question] = field(default_factory=list)
     whose: list[tuple[str, Question]] = field(default_factory=list)
-    """Entries that are nobody's yet."""
+    """Entries without an owner so far."""
 
 
 class Collector:
@@ -66,7 +66,7 @@ class Collector:
         self._made = Collection([], [], list(roster.notes) if roster else [])
 
     def collect(self, place: Path, leave: Iterable[Path] = ()) -> Collection:
-        """Everything that was handed in, in a folder or in the zip that a learning platform made."""
+        """Collect all submissions from a folder, or from the zip of a learning platform."""
         for person in self._roster.people if self._roster else []:
             self._of(person)
         for name, loose, files in self._entries(place, leave):
@@ -87,14 +87,14 @@ class Collector:
     def _gathered(self, name: str, files: Iterable[Raw]) -> Entry:
         try:
             return self._gatherer.entry(name, files)
-        except Exception as error:  # one hand-in that nobody thought of never stops the class
+        except Exception as error:  # one unforeseen hand-in must never stop the class
             return Entry(name, faults=[f"it cannot be read ({type(error).__name__}: {shown(str(error), 100)})"])
 
     def _entries(self, place: Path, leave: Iterable[Path]) -> Iterable[tuple[str, bool, Iterable[Raw]]]:
         return entries_of_folder(place, leave) if place.is_dir() else entries_of_zip(place)
 
     def _is_somebody_s(self, name: str) -> bool:
-        """Whether a file that is neither notebook nor zip is what somebody handed in, not a stray table or picture."""
+        """Whether a file that is neither notebook nor zip is a submission, and not a stray table or picture."""
         known = self._identifier is not None and len(self._identifier.by_name(name).people) == 1
         return known or platform_name(name) is not None
 
@@ -103,7 +103,7 @@ class Collector:
         return self._people.setdefault(person.identity, Handed(person, label))
 
     def _put(self, entry: Entry) -> None:
-        """Give an entry to the person whose it is, or ask; where several people's copies lie in it, each on its own."""
+        """Assign an entry to its owner, or ask; an entry with several people's copies is divided."""
         for part in parts_of(entry, self._identifier) if self._identifier is not None else [self._by_itself(entry)]:
             found = part.found
             if len(found.people) != 1:
@@ -138,13 +138,13 @@ class Collector:
         return Identified()
 
     def _by_itself(self, entry: Entry) -> Part:
-        """The whole of an entry, where there is no list of the class."""
+        """Return the whole of an entry, if there is no roster."""
         person = self._without_list(entry)
         found = Identified((person,), "") if person else Identified((), "its name is that of a chapter, not of a person")
         return whole(entry, found)
 
     def _without_list(self, entry: Entry) -> Person | None:
-        """The person that an entry's name or content says."""
+        """Return the person named by an entry's name or content."""
         stem = without_ending(entry.name)
         told = platform_name(entry.name)
         if told is not None and (told.name or told.logins):
@@ -161,21 +161,21 @@ class Collector:
         return Person(shown(stem), id=identity_of(stem) or shown(stem))
 
     def _look_for_other_s_copies(self, handed: Handed) -> None:
-        """Whoever the teacher says that it is of: that it was made for somebody else stays told."""
+        """Note that a copy was made for another student, even if the teacher assigned it."""
         for piece in handed.chosen.values():
             owner = self._identifier.owner(piece.known.copy) if self._identifier is not None else None
             if owner is not None and owner != handed.person and self._roster is not None:
                 handed.concerns.append(f"{shown(piece.where)}: the copy was made for {self._roster.label(owner)}")
 
     def _look_for_marks(self) -> None:
-        """Copies carry marks that nobody can read where the secret of the release is missing: then only names decide."""
+        """Report copies with marks that cannot be read without the release's secret: then only names decide."""
         marked = any(piece.known.copy for handed in self._people.values() for piece in handed.pieces())
         if self._roster is not None and not self._knows_marks and marked:
             missing = "the .secret of the list that they were released with is not beside this list"
             self._made.told.append(f"There are copies with a mark, but {missing}: only names tell whose they are.")
 
     def _choose(self, handed: Handed) -> None:
-        """The file that counts for each chapter."""
+        """Choose the file that counts for each chapter."""
         deadline = self._policy.deadline(handed.person)
         listed = platform_time(handed.person.when)
         by_chapter: dict[str, list[Piece]] = {}
@@ -210,7 +210,7 @@ class Collector:
                     handed.concerns.append(f"{choice.piece.where}: nothing was written in it")
 
     def _take_apart(self, handed: Handed, by_chapter: dict[str, list[Piece]]) -> None:
-        """A notebook that holds exercises of two chapters is both, unless the other one has a notebook of its own."""
+        """Use a notebook with exercises of two chapters for both, unless the other chapter has its own notebook."""
         own = set(by_chapter)
         for entry in handed.entries:
             for piece in list(entry.pieces):
@@ -226,7 +226,7 @@ class Collector:
                     handed.concerns.append(f"{piece.where}: {said}")
 
     def _chapter_of(self, piece: Piece, handed: Handed, others: bool) -> Piece:
-        """A notebook whose content and name say no chapter: asked about where the person handed in nothing else."""
+        """Find the chapter of a notebook that neither content nor name gives; ask if the person handed in nothing else."""
         if piece.fault or others or not piece.known.work:
             why = piece.fault or "it holds no exercise of the chapters"
             (handed.concerns if others else handed.notes).append(f"{piece.where}: {why}")
@@ -246,7 +246,7 @@ class Collector:
         return piece
 
     def _look_alike(self) -> None:
-        """Without a list two spellings of a name may be one person, and one folder a whole class: that is told."""
+        """Report, without a roster, spellings that may be one person, and a folder that may be a whole class."""
         if self._roster is not None:
             return
         if len(self._made.handed) == 1:
@@ -259,7 +259,7 @@ class Collector:
 
 
     def _look_for_a_class(self, only: Handed) -> None:
-        """Whoever gives the folder above that of the class has one student with everybody's work."""
+        """Report a student with everybody's work: the folder above that of the class was given."""
         for name, pieces in itertools.groupby(sorted(only.pieces(), key=lambda one: one.chapter), lambda one: one.chapter):
             folders = unique(str(Path(one.where).parent) for one in pieces)
             if name and len(folders) > 1:
@@ -271,7 +271,7 @@ class Collector:
 
 
 def _listed(piece: Piece, when: float) -> Piece:
-    """With the time that the platform's list tells, where neither a seal nor the download says one."""
+    """Set the time from the platform's list, if neither a seal nor the download has one."""
     if not when or piece.when_from in (SEALED, "the platform's time"):
         return piece
     return replace(piece, when=when, when_from=LISTED)

@@ -1,4 +1,4 @@
-"""Limits by control groups, where the system lends some to its users: they hold for all processes together, at once."""
+"""Limits by control groups, if the system offers them to users: they apply to all processes together, immediately."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from coursekit.systems import rights
 
 _SYSTEMD_RUN = "/usr/bin/systemd-run"
 SERVICE_VARIABLES = ("XDG_RUNTIME_DIR", "DBUS_SESSION_BUS_ADDRESS")
-"""The variables that it needs; the sandbox begins with an empty environment."""
+"""The variables that systemd-run needs; the sandbox starts with an empty environment."""
 
 
 def confined(memory: int, processes: int) -> list[str]:
-    """Words before a command that give it a control group of its own; none where there is no service for that.
+    """Return a command prefix that creates a control group; empty without a service for that.
 
     >>> confined(1 << 30, 100)[:1] in ([], [_SYSTEMD_RUN])
     True

@@ -1,7 +1,7 @@
-"""Marking on Windows and macOS: all of it runs in a Linux container, and each submission in a sandbox there.
+"""Marking on Windows and macOS: it runs in a Linux container, with each submission in a sandbox inside.
 
-What keeps a student's program in is bubblewrap, as on Linux. The container gives it the system that it needs, has no
-network, and sees of this computer only what was handed in, the teacher's lists and the folder of the results.
+As on Linux, bubblewrap confines a student's program. The container provides the required system. It has no network,
+and sees of this computer only the submissions, the teacher's lists and the folder of the results.
 """
 
 from __future__ import annotations
@@ -21,29 +21,29 @@ from .container_image import Image
 from .time_zone import posix_zone
 
 ENGINES = ("podman", "docker")
-"""The programs that run containers, in the order in which they are looked for."""
+"""Container programs, in order of preference."""
 _OPEN_PROC = {"podman": "unmask=ALL", "docker": "systempaths=unconfined"}
-"""bubblewrap shows each sandbox a /proc of its own, which a system allows that hides nothing of the outer one."""
+"""bubblewrap gives each sandbox its own /proc, which is only allowed if the outer one hides nothing."""
 _SECURITY = ("seccomp=unconfined", "apparmor=unconfined", "label=disable")
-"""Likewise the calls with which it makes its walls, and files of this computer whatever their SELinux label."""
+"""Permit the system calls of bubblewrap, and access to this computer's files regardless of SELinux labels."""
 _FILES = ("folder", "notebooks", "roster", "variants", "policy")
-"""Words of `coursekit grade` that name something to be read."""
+"""Arguments of `coursekit grade` that name input files."""
 _FLAGS = ("anonymous",)
 _VALUES = ("jobs", "count", "csv", "platform")
 _LISTS = ("chapters", "again")
 
 
 class NoContainer(Exception):
-    """Why nothing was marked, in words for the teacher."""
+    """Why nothing was marked, as a message for the teacher."""
 
 
 def is_needed() -> bool:
-    """Whether this system has nothing of its own that keeps a program in."""
+    """Whether this system lacks its own means to confine a program."""
     return which.WINDOWS or which.MAC
 
 
 def engine() -> str:
-    """The first program for containers that works; empty when none does."""
+    """Return the first working container program; empty when none works."""
     for name in ENGINES:
         path = shutil.which(name)
         if path and subprocess.run([path, "info"], capture_output=True, stdin=subprocess.DEVNULL).returncode == 0:
@@ -59,16 +59,16 @@ class Marking:
     """podman or docker."""
     args: argparse.Namespace
     mounts: dict[str, Path] = field(default_factory=dict)
-    """The names of this computer's folders inside, and the folders."""
+    """This computer's folders by their names inside the container."""
 
     def run(self, image: Image) -> int:
-        """Mark; the exit code is the grader's own."""
+        """Run the marking. Returns the grader's exit code."""
         self._refuse_what_needs_a_browser()
         image.make(self.program)
         return subprocess.call(self.command(image.tag))
 
     def command(self, tag: str) -> list[str]:
-        """The whole command line."""
+        """Return the whole command line."""
         words = list(self._words())
         return [self.program, "run", "--rm", "--init", *self._walls(), *self._mounted(), tag, "grade", *words]
 
@@ -82,11 +82,11 @@ class Marking:
 
     @cached_property
     def kind(self) -> str:
-        """By what name the program is known, whatever its path and ending."""
+        """Return the program's name without path and suffix."""
         return Path(self.program.replace("\\", "/")).stem.lower()
 
     def _words(self) -> Iterator[str]:
-        """The words of `coursekit grade` with paths as they are inside; it is root there, without any right of one."""
+        """Yield the arguments of `coursekit grade` with inside paths; it is root there, without any capability."""
         for name in _FILES:
             given = getattr(self.args, name)
             if given is not None:
@@ -106,7 +106,7 @@ class Marking:
                 yield from (f"--{name}", *getattr(self.args, name))
 
     def _inside(self, path: Path, name: str) -> str:
-        """The name of a file or folder inside; beside a list of names lies the secret of its copies."""
+        """Return the inside name of a file or folder; a roster is mounted with its folder, which has its copies' secret."""
         if path.is_dir():
             self._mount(path, f"/in/{name}")
             return f"/in/{name}"
@@ -134,7 +134,7 @@ class Marking:
 
 
 def refusal(unsafe: bool) -> str:
-    """Why nothing is marked here without a container, and which ways there are; empty when that may be."""
+    """Return why nothing is marked here without a container, and the alternatives; empty if marking is allowed."""
     if unsafe and not which.WINDOWS:
         return ""
     return (
@@ -144,7 +144,7 @@ def refusal(unsafe: bool) -> str:
 
 
 def mark(args: argparse.Namespace, otherwise: str) -> int:
-    """Mark in a container, where this computer has one; else SystemExit says what is said `otherwise`."""
+    """Mark in a container if this computer can run one; otherwise raise SystemExit with the message `otherwise`."""
     program = engine()
     if not program:
         raise SystemExit(otherwise)

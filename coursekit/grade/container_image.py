@@ -1,4 +1,4 @@
-"""The image in which work is marked: Linux, Python, bubblewrap and this course, made once for each version of it."""
+"""The image for marking: Linux, Python, bubblewrap and this course, built once for each version."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ RUN pip install --no-cache-dir {constraints}/course/*.whl
 ENTRYPOINT ["coursekit"]
 """
 _NOT_OURS = ("INSTALLER", "REQUESTED", "direct_url.json")
-"""The files that an installer wrote beside its input."""
+"""The files that an installer adds to a package."""
 
 
 @dataclass
@@ -30,13 +30,13 @@ class Image:
 
     wheel: bytes
     name: str
-    """Of the wheel's file."""
+    """The name of the wheel's file."""
     lock: bytes = b""
-    """The versions that it is installed with, where they are known."""
+    """The pinned versions of dependencies, if known."""
 
     @classmethod
     def of_this_course(cls) -> Image:
-        """As it is installed here, or as it is in this checkout."""
+        """Make the image of the installed course, or of this checkout."""
         checkout = PACKAGE.parent
         if (checkout / "pyproject.toml").is_file():
             file, content = _built(checkout)
@@ -46,13 +46,13 @@ class Image:
 
     @property
     def tag(self) -> str:
-        """The name of the image; another one as soon as anything in it changes."""
+        """The name of the image, which changes with its contents."""
         with zipfile.ZipFile(io.BytesIO(self.wheel)) as archive:
             facts = sorted((one.filename, one.CRC) for one in archive.infolist() if not one.filename.endswith("RECORD"))
         return "coursekit-grade:" + hashlib.sha256(repr((facts, self.lock, RECIPE)).encode()).hexdigest()[:16]
 
     def make(self, program: str) -> None:
-        """Make it unless it is there; that needs the network once, and some minutes."""
+        """Build the image unless it exists; this needs the network once, and some minutes."""
         known = subprocess.run([program, "image", "inspect", self.tag], capture_output=True, stdin=subprocess.DEVNULL)
         if known.returncode == 0:
             return
@@ -72,7 +72,7 @@ class Image:
 
 
 def _built(checkout: Path) -> tuple[str, bytes]:
-    """A checkout's wheel: its name and what is in it."""
+    """Build a checkout's wheel. Returns its name and content."""
     with tempfile.TemporaryDirectory() as out:
         command = [sys.executable, "-m", "pip", "wheel", "-q", "--no-deps", "--wheel-dir", out, str(checkout)]
         if subprocess.call(command):
@@ -82,7 +82,7 @@ def _built(checkout: Path) -> tuple[str, bytes]:
 
 
 def packed(found: Distribution) -> bytes:
-    """The wheel from which a package was installed, made again of its files."""
+    """Rebuild the wheel of an installed package from its files."""
     file = io.BytesIO()
     with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
         for one in found.files or []:

@@ -1,4 +1,4 @@
-"""The student's copy of the course: without solutions, and never written over once the student has worked on it."""
+"""The student's copy of the course: without solutions, and never overwritten once the student has worked on it."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ from .editions import ENGLISH, IMAGES, chapters, read
 
 STUB = "# YOUR CODE HERE\nraise NotImplementedError()"
 HANDED_OUT = "handed_out"
-"""The key of a notebook's metadata for a release by a teacher."""
+"""The metadata key of a notebook for a release by a teacher."""
 GIVEN = "given"
-"""The key of a notebook's metadata for the digests of its solution cells as they were handed out."""
+"""The metadata key of a notebook for the digests of its solution cells as handed out."""
 FIRST = "00_start_here.ipynb"
-"""The chapter that the course opens with."""
+"""The chapter with which the course opens."""
 DATA_STUB = "# YOUR CODE HERE"
-"""The stub in files of data with comments like Python's: what raises there would only break a build."""
+"""The stub for data files with comments like Python's: a raise statement would only break the build."""
 MARKUP_STUB = "<!-- YOUR CODE HERE -->"
-"""The stub in files of XML: URDF, xacro, launch files"""
+"""The stub for XML files: URDF, xacro, launch files."""
 CPP_STUB = "// YOUR CODE HERE"
-"""The stub in C++, which compiles."""
+"""The stub for C++, which compiles."""
 _SOLUTION = re.compile(r"^([ \t]*)(?:// )?### BEGIN SOLUTION.*?### END SOLUTION[ \t]*$", re.S | re.M)
 _MARKUP = re.compile(r"%%write [^\n]*\.(urdf|xacro|xml|sdf)\s*\n")
 _DATA = re.compile(r"%%write [^\n]*\.(msg|srv|action|ya?ml)\s*\n")
@@ -34,7 +34,7 @@ _HIDDEN = re.compile(r"^[ \t]*### BEGIN HIDDEN TESTS.*?### END HIDDEN TESTS[ \t]
 
 
 def without_solution(source: str) -> str:
-    """A cell's text with a stub where the solution was.
+    """Replace the solution in a cell's text by a stub.
 
     >>> print(without_solution("a = 1\\n### BEGIN SOLUTION\\nb = 2\\n### END SOLUTION"))
     a = 1
@@ -51,7 +51,7 @@ def without_solution(source: str) -> str:
 
 
 def student_notebook(notebook: dict[str, Any]) -> dict[str, Any]:
-    """A notebook for students: stubs for solutions, no outputs, locked check cells."""
+    """Return a notebook for students: stubs for solutions, no outputs, locked check cells."""
     made: dict[str, Any] = json.loads(json.dumps(notebook))
     given = {}
     for cell in made["cells"]:
@@ -73,7 +73,7 @@ def student_notebook(notebook: dict[str, Any]) -> dict[str, Any]:
 
 
 def given_digest(text: str) -> str:
-    """A short digest of a cell's text, by which it is known again.
+    """Return a short digest that identifies a cell's text.
 
     >>> given_digest("a = 1\\n") == given_digest("a = 1  ")
     True
@@ -82,20 +82,20 @@ def given_digest(text: str) -> str:
 
 
 def edition_of(text: str) -> str:
-    """The text that tells editions of a notebook apart: its cells'. A run, which stores outputs, changes nothing."""
+    """Return the digest of a notebook's edition, made of its cells' texts: stored outputs do not change it."""
     cells = json.loads(text)["cells"]
     return hashlib.sha256(json.dumps(["".join(cell["source"]) for cell in cells]).encode()).hexdigest()
 
 
 def facts_of(notebook: Mapping[str, Any]) -> dict[str, Any]:
-    """The course's words in a notebook's metadata: the release, the copy's owner, the cells as they were given."""
+    """Return the course's entries in a notebook's metadata: the release, the copy's owner, the cells as given."""
     metadata = notebook.get("metadata")
     found = metadata.get("coursekit") if isinstance(metadata, dict) else None
     return found if isinstance(found, dict) else {}
 
 
 def _facts(file: Path) -> dict[str, Any]:
-    """The same of a file; nothing of one that is no notebook."""
+    """Return the course's entries in a file's metadata; empty if it is no notebook."""
     try:
         notebook = json.loads(file.read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -104,7 +104,7 @@ def _facts(file: Path) -> dict[str, Any]:
 
 
 def _handed_out(file: Path) -> bool:
-    """Whether a teacher released this copy, perhaps with values of the student's own."""
+    """Whether a teacher released this copy, perhaps with individual values."""
     return HANDED_OUT in _facts(file)
 
 
@@ -117,17 +117,17 @@ class Course:
         self._language = folder / ".coursekit" / "language"
 
     def language(self) -> str:
-        """The code of the language in which this copy is taken; a release says it in its notebooks."""
+        """Return the language code of this copy; that of a release is in its notebooks."""
         if self._language.is_file():
             return self._language.read_text(encoding="utf-8").strip()
         told = (_facts(self.folder / name).get("language") for name in self._from_elsewhere())
         return next((str(one) for one in told if one), ENGLISH)
 
     def update(self, notebooks: Path, language: str = "") -> list[str]:
-        """Bring in new and changed chapters, in a language or in that of the copy; a sentence for each thing that was done.
+        """Add new and changed chapters, in a language or in that of the copy. Returns a sentence for each action.
 
-        A chapter that the student has changed stays as it is; a new edition of it is put beside it as `NAME.new.ipynb`.
-        To a folder whose notebooks came from elsewhere, such as a release or chapters of a teacher's own, nothing is added.
+        A chapter that the student has changed is kept; its new edition is written beside it as `NAME.new.ipynb`.
+        Nothing is added to a folder with notebooks from elsewhere, such as a release or a teacher's own chapters.
         """
         self.folder.mkdir(parents=True, exist_ok=True)
         (self.folder / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
@@ -150,7 +150,7 @@ class Course:
         return said
 
     def take(self, released: Path) -> list[str]:
-        """Bring in what a teacher released in a folder; what a student has changed is never written over."""
+        """Copy a teacher's release from a folder; files that a student has changed are never overwritten."""
         given = self._read_manifest()
         said = []
         for source in sorted(released.glob("*.ipynb")):
@@ -162,11 +162,11 @@ class Course:
         return said
 
     def first(self) -> str:
-        """The notebook to begin with."""
+        """Return the first notebook."""
         return next(iter(self._from_elsewhere()), FIRST)
 
     def _from_elsewhere(self) -> list[str]:
-        """The notebooks of a folder that was never filled with the course."""
+        """Return the notebooks of a folder that was never filled with the course."""
         return [] if self._manifest.exists() else sorted(one.name for one in self.folder.glob("*.ipynb"))
 
     def _bring(self, name: str, text: str, given: dict[str, str], *, released: bool = False) -> str:
@@ -191,7 +191,7 @@ class Course:
         return f"{name}: you have worked on it, so it stays; the new edition is {beside.name}"
 
     def _copy_beside(self, source: Path, *, again: bool = False) -> None:
-        """Copy a folder's files; those that are there already only `again`, where they are no student's."""
+        """Copy a folder's files; existing ones only with `again`, and if no student changed them."""
         target = self.folder / source.name
         target.mkdir(exist_ok=True)
         for file in source.iterdir():

@@ -1,4 +1,4 @@
-"""Advice about the exception that ended a student's program."""
+"""Advice about exceptions that ended a student's program."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import re
 
 DIED = "The program ended with that error: mend the line that it names, build, and run it in a cell."
 NOT_LOADED = "It did not begin. Run the cells that write its file, its main and its line in setup.py, then build."
-"""Where the program that setup.py installed finds no module, no `main`, or no line of its own any more."""
+"""For an installed program whose module, `main` or line in setup.py is missing."""
 NO_RESPONSE = "rclpy ends so where a service's callback gives back no response: is there `return response` in every case?"
 NO_RESULT = "Does the callback that judges parameters give back a SetParametersResult in every case?"
 STUB = "The stub is still there: write your code where that line stands."
@@ -24,15 +24,15 @@ _CAUSES = (
     (r"TypeError: cannot unpack non-iterable|ValueError: (?:not enough|too many) values to unpack", UNPACKED),
     (r".*\.load\(\)\)$", NOT_LOADED),
 )
-"""The beginnings of exceptions, and their causes."""
+"""The beginnings of exception messages, and their causes."""
 _CALL = re.compile(
     r"TypeError: (?:\w+\.)+(?P<name>\w+)\(\) takes \d+ positional arguments? but (?P<given>[12]) (?:was|were) given"
 )
-"""A method that was defined without `self`, or without the message: Python tells it where it was called."""
+"""A method defined without `self`, or without the message: Python reports it at the call."""
 
 
 def cause_of(died: str) -> str:
-    """Advice about an exception, as `exception_in` tells it.
+    """Return advice about an exception in the form of `exception_in`.
 
     >>> cause_of("StopIteration (line 25 of my_exe: return next(matches).load())") == NOT_LOADED
     True

@@ -1,7 +1,7 @@
-"""The course's notebooks, in English and in the languages that somebody has translated them into.
+"""The course's notebooks, in English and in their translations.
 
-A language has a folder with its code. For each translated chapter it holds a catalogue, `es/02_topics.po`, or a notebook
-with the English name.
+A language has a folder named by its code. For each translated chapter it holds a catalogue, `es/02_topics.po`, or a
+notebook with the English name.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ from typing import Any
 from coursekit.words.gettext import ENGLISH
 
 IMAGES = "images"
-"""The folder beside the chapters with the pictures that their texts show, in every language."""
+"""The folder beside the chapters with the pictures of their texts, for all languages."""
 _SHOWN = re.compile(rf"!\[[^\]]*\]\({IMAGES}/([\w.-]+)\)")
 
 
 def notebooks_folder() -> Path:
-    """Where the chapters are: beside the package in a checkout, inside it in an installed wheel."""
+    """Return the folder of the chapters: beside the package in a checkout, inside it in an installed wheel."""
     package = Path(__file__).resolve().parents[1]
     for candidate in (package.parent / "notebooks", package / "notebooks"):
         if candidate.is_dir():
@@ -29,7 +29,7 @@ def notebooks_folder() -> Path:
 
 
 def languages(notebooks: Path) -> list[str]:
-    """The languages that there is at least one chapter in."""
+    """Return the languages with at least one chapter."""
     return [ENGLISH, *sorted(path.name for path in notebooks.iterdir() if _is_language(path) and any(_chapters_in(path)))]
 
 
@@ -38,15 +38,15 @@ def _chapters_in(folder: Path) -> list[Path]:
 
 
 def _is_language(folder: Path) -> bool:
-    """`es` or `pt_BR` is one; `teacher` holds what students do not get."""
+    """Whether a folder is a language such as `es` or `pt_BR`; `teacher` holds files that students do not get."""
     return len(folder.name.partition("_")[0]) in (2, 3)
 
 
 def chapters(notebooks: Path, language: str = ENGLISH) -> list[Path]:
-    """The file of every chapter: a notebook of that language where there is one, else the English one (see `read`).
+    """Return every chapter's file: the notebook in that language, else the English one (see `read`).
 
     Raises:
-        ValueError: when there is no chapter in that language; it names those that there are.
+        ValueError: when there is no chapter in that language; the message lists the available languages.
     """
     known = languages(notebooks)
     if language not in known:
@@ -58,18 +58,18 @@ def chapters(notebooks: Path, language: str = ENGLISH) -> list[Path]:
 
 
 def read(chapter: Path, language: str = ENGLISH) -> dict[str, Any]:
-    """A chapter's notebook, in a language where it has a catalogue. Raises ValueError for broken files."""
+    """Return a chapter's notebook, translated if it has a catalogue in that language. ValueError for broken files."""
     notebook: dict[str, Any] = json.loads(chapter.read_text(encoding="utf-8"))
     catalogue = catalogue_of(chapter, language)
     if not catalogue.exists():
         return notebook
-    from .catalogue import translated  # not above: where wheels are built there is the standard library alone
+    from .catalogue import translated  # not at the top: wheels are built with the standard library alone
 
     return translated(notebook, catalogue)
 
 
 def pictures_of(notebook: Mapping[str, Any], folder: Path) -> list[Path]:
-    """The files of the pictures that a notebook's texts show, which are beside it or, for a translation, one folder up."""
+    """Return the picture files in a notebook's texts, beside it or, for a translation, one folder up."""
     texts = ("".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "markdown")
     names = sorted({name for text in texts for name in _SHOWN.findall(text)})
     return [file for name in names if (file := _first_file(folder / IMAGES / name, folder.parent / IMAGES / name))]
@@ -80,7 +80,7 @@ def _first_file(*files: Path) -> Path | None:
 
 
 def catalogue_of(chapter: Path, language: str) -> Path:
-    """Where the catalogue of an English chapter is, or would be.
+    """Return the path of an English chapter's catalogue, which may not exist.
 
     >>> catalogue_of(Path("notebooks/02_topics.ipynb"), "es").as_posix()
     'notebooks/es/02_topics.po'

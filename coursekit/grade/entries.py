@@ -1,4 +1,4 @@
-"""The submissions of a class, entry by entry: of a folder, or of the zip that a learning platform makes."""
+"""The entries of a class's submissions: of a folder, or of a learning platform's zip."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from .walking import Walked, walk
 
 
 def entries_of_folder(folder: Path, leave: Iterable[Path] = ()) -> Iterator[tuple[str, bool, Iterator[Raw]]]:
-    """The entries of a class's folder: name, whether it is neither folder, notebook nor zip, and the content.
+    """Yield a class folder's entries: name, whether it is neither folder, notebook nor zip, and content.
 
-    Hidden ones and `leave` are none.
+    Hidden entries and those in `leave` are skipped.
     """
     left = {one.resolve() for one in leave}
     for place in sorted(folder.iterdir()):
@@ -32,12 +32,12 @@ def _of_walked(found: Walked) -> Raw:
 
 
 def is_loose(name: str) -> bool:
-    """Whether a file is no notebook or zip by its name."""
+    """Whether a file is neither notebook nor zip by its name."""
     return not name.casefold().endswith((".ipynb", ".zip"))
 
 
 def entries_of_zip(file: Path) -> Iterator[tuple[str, bool, Iterator[Raw]]]:
-    """The same for the zip that a learning platform makes of what a class handed in.
+    """Yield the entries of a learning platform's zip of a class's submissions, as `entries_of_folder` does.
 
     Raises:
         BadArchive: when it cannot be opened.

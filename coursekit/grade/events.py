@@ -1,4 +1,4 @@
-"""The events of a course folder, line by line, each line holding the digest of the one before."""
+"""The event log of a course folder; each line contains the digest of the line before."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ BEGINNING = "0" * 64
 
 
 def note(file: Path, event: str, **facts: Any) -> None:
-    """Add a line; one that cannot be written is no reason to stop a student's work."""
+    """Add a line; a failure to write must not stop a student's work."""
     try:
         file.parent.mkdir(parents=True, exist_ok=True)
         lines = file.read_text(encoding="utf-8").splitlines() if file.exists() else []
@@ -26,7 +26,7 @@ def note(file: Path, event: str, **facts: Any) -> None:
 
 
 def digest(line: dict[str, Any]) -> str:
-    """The digest of a line without its own digest.
+    """Return the digest of a line without its digest field.
 
     >>> digest({"event": "check"})[:8]
     'a13023b2'
@@ -35,7 +35,7 @@ def digest(line: dict[str, Any]) -> str:
 
 
 def faults(lines: Iterable[str]) -> list[str]:
-    """Where the chain is broken."""
+    """Return the breaks in the chain."""
     before = BEGINNING
     for number, text in enumerate(lines, 1):
         try:

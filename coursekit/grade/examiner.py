@@ -1,6 +1,6 @@
-"""Examines one chapter of one submission in a process of its own: what it reads is hostile, so it can be ended at any time.
+"""Examine one chapter of one submission in its own process: the input is hostile, so it can be ended at any time.
 
-`python -I -m coursekit.grade.examiner`: a task comes as JSON on stdin, what was found goes to stdout.
+`python -I -m coursekit.grade.examiner` reads a task as JSON on stdin, and writes the findings to stdout.
 """
 
 from __future__ import annotations
@@ -30,13 +30,13 @@ from .verdict import Verdict
 from .work import NOTHING
 
 FIRST_HINT = 2
-"""The try from which on the first hint is given: a report gives it too."""
+"""The try from which the first hint is given, so that a report includes it."""
 MOST = 16 << 20
-"""Bytes that an examination may tell."""
+"""The maximum size of an examination's output [bytes]."""
 MEMORY = 8 << 30
-"""Bytes of address space of an examiner."""
+"""The address space of an examiner [bytes]."""
 LONGEST = 2000
-"""Characters of a sentence that quotes a student's work."""
+"""The maximum length of a sentence that quotes a student's work [characters]."""
 
 
 @dataclass
@@ -50,9 +50,9 @@ class Task:
     variants: dict[str, dict[str, Any]]
     limits: dict[str, Any]
     secret: str = ""
-    """Hexadecimal."""
+    """In hexadecimal."""
     checks: list[str] = field(default_factory=list)
-    """Folders of checks that are not the course's own."""
+    """Folders of additional checks beside the course's own."""
 
 
 @dataclass
@@ -63,13 +63,13 @@ class Examined:
     notes: list[str] = field(default_factory=list)
     answers: list[str] = field(default_factory=list)
     failed: str = ""
-    """Why there is nothing, or not all."""
+    """Why there are no findings, or not all."""
     unreadable: bool = False
     """Whether that is the notebook's fault."""
 
 
 def examine(task: Task, limits: sandbox.Limits) -> Examined:
-    """Have a chapter examined; whatever happens to the examiner, there is an answer, and soon."""
+    """Have a chapter examined; there is always an answer in bounded time, whatever happens to the examiner."""
     child = subprocess.Popen(
         [sys.executable, "-I", "-m", "coursekit.grade.examiner"],
         stdin=subprocess.PIPE,
@@ -96,13 +96,13 @@ def examine(task: Task, limits: sandbox.Limits) -> Examined:
 
 
 def unjudged(exercise: Exercise, why: str) -> Verdict:
-    """No points, for a reason outside of the exercise."""
+    """Return a verdict without points, for a reason outside of the exercise."""
     hint = next(iter(exercise.hints), "")
     return Verdict(exercise.name, exercise.title, 0, exercise.points, "your work", why, hint=hint)
 
 
 def main() -> int:
-    """Carry out one task."""
+    """Run one task."""
     end_with_parent()
     _limit_memory()
     task = checked(Task, sys.stdin.buffer.read())
@@ -122,7 +122,7 @@ def main() -> int:
 def _limit_memory() -> None:
     try:
         import resource
-    except ImportError:  # Windows: a container is all there is
+    except ImportError:  # Windows: the container is the only limit
         return
     _, hard = resource.getrlimit(resource.RLIMIT_AS)
     most = MEMORY if hard == resource.RLIM_INFINITY else min(MEMORY, hard)
@@ -147,7 +147,7 @@ def _examined(task: Task) -> Examined:
 
 
 def environment(workspace: Path) -> dict[str, str]:
-    """The knowledge of programs in a sandbox: of the course and of a workspace."""
+    """Return the environment of programs in a sandbox, with the course and a workspace."""
     from coursekit.packages.environment import source_underlay
 
     env = {name: value for name, value in os.environ.items() if not name.startswith("COURSEKIT_")}
@@ -158,7 +158,7 @@ def environment(workspace: Path) -> dict[str, str]:
 def _run_and_judge(
     repaired: Repaired, work: RemoteWork, exercises: Mapping[str, Exercise], limits: sandbox.Limits
 ) -> list[Verdict]:
-    """Values are judged at their check; files and programs at the end, after one build."""
+    """Judge values at their check; files and programs at the end, after one build."""
     verdicts: list[Verdict] = []
     later: list[str] = []
     stopped, over = "", False
@@ -190,7 +190,7 @@ def _run_and_judge(
 
 
 def _built_or_late(verdict: Verdict, work: RemoteWork) -> Verdict:
-    """A verdict after a build that was not done tells nothing of the student: a busy computer causes that, too."""
+    """Mark a verdict after an unfinished build: it does not blame the student, since a busy computer may cause that."""
     if verdict.passed or not work.build_timed_out:
         return verdict
     why = "The build took longer than it may. Does a setup.py never end? If the computer was busy, mark this student again."
@@ -198,7 +198,7 @@ def _built_or_late(verdict: Verdict, work: RemoteWork) -> Verdict:
 
 
 def _explained(verdict: Verdict, stopped: str, over: bool) -> Verdict:
-    """A missing colon leaves nothing behind: then the cell's own error is the cause."""
+    """Use the cell's own error as the cause: a syntax error leaves no values behind."""
     if not stopped or verdict.passed:
         return verdict
     verdict = replace(verdict, timed_out=verdict.timed_out or over)
@@ -222,7 +222,7 @@ def _judged(exercise: Exercise, work: RemoteWork) -> Verdict:
 
 
 def _plain(text: str) -> str:
-    """A sentence that quotes a student's work, of bounded length and without what has no place in text."""
+    """Return a quote of a student's work with bounded length and only valid characters."""
     return text[:LONGEST].encode("utf-8", "replace").decode()
 
 

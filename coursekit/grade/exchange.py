@@ -1,9 +1,10 @@
-"""A folder through which a teacher and students of one server give each other files: laid out as nbgrader's exchange.
+"""A folder through which a teacher and students of one server exchange files, laid out like nbgrader's exchange.
 
-    outbound/WEEK2/...                         what the teacher hands out; everybody can read it
-    inbound/BEN+WEEK2+TIME+RANDOM/...          what students hand in; nobody but the teacher can list it
+    outbound/WEEK2/...                         the teacher's releases; readable by everybody
+    inbound/BEN+WEEK2+TIME+RANDOM/...          the students' submissions; only the teacher can list them
 
-So `nbgrader list`, `fetch`, `submit` and `collect` work with the same folder. COURSEKIT_EXCHANGE names it on the server.
+Therefore `nbgrader list`, `fetch`, `submit` and `collect` work with the same folder. The server sets
+COURSEKIT_EXCHANGE.
 """
 
 from __future__ import annotations
@@ -23,11 +24,11 @@ from .platform_names import platform_name
 VARIABLE = "COURSEKIT_EXCHANGE"
 OUTBOUND, INBOUND = "outbound", "inbound"
 _READABLE, _ONLY_TO_PUT = 0o2755, 0o2733
-"""Students can look; students can put something there, and see nothing of what others put."""
+"""Students can read; students can add files without seeing those of others."""
 
 
 def hand_out(exchange: Path, name: str, files: Sequence[Path], beside: Path) -> Path:
-    """Put files that lie `beside` into the exchange as a release of that name; where they are, or OSError."""
+    """Put files from below `beside` into the exchange as a release of that name. Returns its folder; OSError on failure."""
     target = _made(exchange / OUTBOUND, _READABLE) / name
     for file in files:
         copy = target / file.relative_to(beside)
@@ -40,17 +41,17 @@ def hand_out(exchange: Path, name: str, files: Sequence[Path], beside: Path) -> 
 
 
 def releases(exchange: Path) -> list[Path]:
-    """The folders that were handed out, by name; none where there is no exchange."""
+    """Return the released folders, by name; empty without an exchange."""
     with contextlib.suppress(OSError):
         return sorted(one for one in (exchange / OUTBOUND).iterdir() if one.is_dir())
     return []
 
 
 def hand_in(exchange: Path, user: str, name: str, files: Sequence[Path]) -> Path:
-    """Put copies of a student's files into the exchange, as a folder that appears whole; OSError where it cannot be."""
+    """Put copies of a student's files into the exchange, as a folder that appears at once; OSError on failure."""
     now = datetime.datetime.now(datetime.timezone.utc)
     when = now.strftime("%Y-%m-%d %H:%M:%S.%f UTC")
-    # Who knew the name could read it, so nobody can guess it: as in nbgrader.
+    # The name must be unguessable, because anyone who knows it could read it: as in nbgrader.
     place = exchange / INBOUND / f"{user}+{name}+{when}+{secrets.token_urlsafe(32)}"
     making = place.with_name(f".{secrets.token_urlsafe(32)}")
     making.mkdir(mode=0o755)
@@ -67,10 +68,10 @@ def hand_in(exchange: Path, user: str, name: str, files: Sequence[Path]) -> Path
 
 
 def false_owner(folder: Path) -> str:
-    """The fault of a handed-in folder's owner: it says one user of this computer, and another one put it there."""
+    """Return the fault of a submitted folder whose owner is another user of this computer than its name states."""
     told = platform_name(folder.name)
     if told is None or told.platform != "nbgrader" or os.path.expanduser(f"~{told.name}").startswith("~"):
-        return ""  # or no user of this computer: a container's students are all one user
+        return ""  # or no user of this computer: a container's students share one user
     try:
         owner = folder.owner()
     except (KeyError, OSError, NotImplementedError):

@@ -16,9 +16,9 @@ from .variants import checks_in
 
 @dataclass(frozen=True)
 class Exercise:
-    """An exercise under one name; `judge(work)` raises `Wrong` when the work does not do it.
+    """An exercise; `judge(work)` raises `Wrong` when the work does not solve it.
 
-    One without points is voluntary: it is checked in the notebook, and no part of a mark.
+    An exercise without points is voluntary: it is checked in the notebook, and is no part of a mark.
     """
 
     name: str
@@ -29,10 +29,10 @@ class Exercise:
 
 
 class UnknownExercise(LookupError):
-    """There is no exercise of that name; the text says which there are."""
+    """There is no exercise of that name; the message lists existing ones."""
 
     def _render_traceback_(self) -> list[str]:
-        """IPython shows this instead of a traceback."""
+        """Return the text that IPython shows instead of a traceback."""
         return [str(self)]
 
 
@@ -52,25 +52,25 @@ def exercise(
 
 
 def all_exercises() -> dict[str, Exercise]:
-    """Every exercise, by name, in the order of the course."""
+    """Return every exercise by name, in the order of the course."""
     for module in pkgutil.iter_modules(chapters.__path__):
         importlib.import_module(f"{chapters.__name__}.{module.name}")
     return dict(sorted(_known.items()))
 
 
 def checked_in(*notebooks: Mapping[str, Any]) -> dict[str, Exercise]:
-    """The exercises that the notebooks check."""
+    """Return the exercises that the notebooks check."""
     checked = {name for notebook in notebooks for name in checks_in(notebook)}
     return {name: one for name, one in all_exercises().items() if name in checked}
 
 
 def exercises_in(*notebooks: Mapping[str, Any]) -> dict[str, Exercise]:
-    """Those of them that have points, of which a mark is made."""
+    """Return the checked exercises that have points and form the mark."""
     return {name: one for name, one in checked_in(*notebooks).items() if one.points}
 
 
 def find(name: str) -> Exercise:
-    """The exercise of that name; UnknownExercise lists those of its chapter, or close names."""
+    """Return the exercise of that name; UnknownExercise lists those of its chapter, or similar names."""
     known = all_exercises()
     if type(name) is str and name in known:
         return known[name]

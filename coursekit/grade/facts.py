@@ -1,4 +1,4 @@
-"""Facts from a sandbox as JSON, checked against dataclasses: exact types, known names, nothing more."""
+"""Facts from a sandbox as JSON, validated against dataclasses: exact types and known names only."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from coursekit.urdf.model import Joint, Link, Mesh, Robot
 
 T = TypeVar("T")
 CORNERS = 100_000
-"""Corners and triangles that the meshes of a robot may have together."""
+"""The maximum number of corners and triangles of all meshes of a robot."""
 
 
 def checked(kind: type[T], data: bytes | str) -> T:
-    """JSON as that type; ValueError when it is not exactly that.
+    """Parse JSON as a type; ValueError when it does not match exactly.
 
     >>> checked(dict[str, int], '{"a": 1}')
     {'a': 1}
@@ -33,7 +33,7 @@ def checked(kind: type[T], data: bytes | str) -> T:
 
 
 def as_json(value: Any) -> str:
-    """The JSON of a dataclass, or of plain values, that `checked` takes."""
+    """Return a dataclass or plain values as JSON for `checked`."""
     return json.dumps(value, default=asdict)
 
 
@@ -47,7 +47,7 @@ class MeshFacts:
 
 @dataclass
 class RobotFacts:
-    """A robot's description, expanded and read; meshes by the names under which the description knows them."""
+    """A robot's description, expanded and parsed; meshes by their names in the description."""
 
     name: str
     root: str
@@ -58,7 +58,7 @@ class RobotFacts:
 
 @dataclass
 class BuildFacts:
-    """Whether a package is in install/, and what is wrong with its build, if anything."""
+    """Whether a package is in install/, and the fault of its build, if any."""
 
     there: bool
     fault: str = ""
@@ -66,7 +66,7 @@ class BuildFacts:
 
 
 def facts_of(robot: Robot) -> RobotFacts:
-    """A robot as facts; MeshError when a mesh cannot be read, ValueError when there is too much of them."""
+    """Convert a robot to facts; MeshError when a mesh cannot be read, ValueError when the meshes are too large."""
     from coursekit.urdf.shapes import mesh_of
 
     meshes: dict[str, MeshFacts] = {}
@@ -84,10 +84,10 @@ def facts_of(robot: Robot) -> RobotFacts:
 
 
 def robot_of(facts: RobotFacts, folder: Path) -> Robot:
-    """The robot; its meshes are written into `folder`, by us, from the numbers.
+    """Make the robot; its meshes are written to `folder` from the validated numbers.
 
     Raises:
-        ValueError: when the facts make no robot.
+        ValueError: when the facts are not a robot.
     """
     files = {name: _written(mesh, folder / f"{number}.stl") for number, (name, mesh) in enumerate(facts.meshes.items())}
     links = {name: _with_meshes(one, files) for name, one in facts.links.items()}

@@ -1,6 +1,6 @@
-"""Folders that somebody else filled: measured and removed by descriptors, whatever is in them.
+"""Safe handling of untrusted folders: measured and removed by descriptors, whatever they contain.
 
-Paths are of no use there: they may be deeper than the system's longest path, and a folder may become a link while one looks.
+Paths are unsuitable: they may exceed the system's maximum length, and a folder may be replaced by a link in between.
 """
 
 from __future__ import annotations
@@ -14,17 +14,17 @@ from pathlib import Path
 
 DEEPEST = 100
 MOST = 50_000
-"""Files and folders."""
+"""The maximum number of files and folders."""
 _FOLDER = os.O_RDONLY | getattr(os, "O_DIRECTORY", 0) | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_CLOEXEC", 0)
 BY_DESCRIPTOR = os.open in os.supports_dir_fd and os.scandir in os.supports_fd
 
 
 class Excess(Exception):
-    """There is more in a folder than there may be; the text says of what."""
+    """A folder exceeds a limit; the message names it."""
 
 
 def excess(folder: Path, most: int) -> str:
-    """Why a folder holds too much, in words; empty when all its files have at most `most` bytes together."""
+    """Return why a folder exceeds a limit; empty when its files have at most `most` bytes together."""
     total = count = 0
     try:
         for _, found in entries(folder):
@@ -40,7 +40,7 @@ def excess(folder: Path, most: int) -> str:
 
 
 def entries(folder: Path) -> Iterator[tuple[str, os.stat_result]]:
-    """(path below `folder`, status) of all that is in it; links are not followed. Raises Excess when it is too deep."""
+    """Yield (path below `folder`, status) of all entries; links are not followed. Raises Excess when it is too deep."""
     if not BY_DESCRIPTOR:
         for place, folders, files in os.walk(folder):
             for name in (*folders, *files):
@@ -58,7 +58,7 @@ def _below(descriptor: int, above: str, depth: int) -> Iterator[tuple[str, os.st
         with os.scandir(descriptor) as found:
             names = [entry.name for entry in found]
         for name in names:
-            with contextlib.suppress(FileNotFoundError):  # it was removed while we look
+            with contextlib.suppress(FileNotFoundError):  # removed in the meantime
                 status = os.stat(name, dir_fd=descriptor, follow_symlinks=False)
                 yield f"{above}{name}", status
                 if stat.S_ISDIR(status.st_mode):
@@ -68,7 +68,7 @@ def _below(descriptor: int, above: str, depth: int) -> Iterator[tuple[str, os.st
 
 
 def remove_pipes(folder: Path) -> None:
-    """Remove what is neither a file, a folder nor a link: whoever opens a pipe waits for ever.
+    """Remove entries other than files, folders and links: opening a pipe would block forever.
 
     >>> import tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -90,7 +90,7 @@ def _is_plain(mode: int) -> bool:
 
 
 def remove(folder: Path) -> None:
-    """Remove a folder with all that is in it, however deep and whatever its rights; what cannot go stays."""
+    """Remove a folder and its content, regardless of depth and permissions; undeletable entries remain."""
     if not BY_DESCRIPTOR:
         shutil.rmtree(folder, ignore_errors=True)
         return
@@ -104,7 +104,7 @@ def remove(folder: Path) -> None:
 
 
 def _empty(top: int) -> None:
-    """Folders come up into the top one before they go, so that no path grows long and few descriptors are open."""
+    """Move subfolders to the top before removing them, to keep paths short and few descriptors open."""
     number = 0
     while names := [entry.name for entry in _listed(top)]:
         for name in names:

@@ -1,4 +1,4 @@
-"""The gradebook over the chapters: a row for each person, a column for each chapter that was ever marked."""
+"""The gradebook of all chapters: a row for each person, a column for each chapter ever marked."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from .tables import COMMA, Form, write_table
 def write_gradebook(
     file: Path, shown: Sequence[Record], records: Sequence[Record], results: Results, form: Form = COMMA
 ) -> None:
-    """Write it: the chapters of this run, and those of earlier ones as they are kept.
+    """Write the gradebook: the chapters of this run, and the stored results of earlier ones.
 
-    Somebody without a mark in this run has no total either.
+    A person without a mark in this run has no total either.
     """
     by_name = {one.label: one for one in records}
     earlier = {one.key: _earlier(one, results) for one in records}
@@ -38,7 +38,7 @@ def write_gradebook(
 
 
 def _of_run(one: Record) -> dict[str, float]:
-    """The points of this run's chapters; a total that was written by hand is the chapter's where there is one."""
+    """Return the points of this run's chapters; a total written by hand is used if there is only one chapter."""
     total = one.total()
     if total is None:
         return {}
@@ -49,7 +49,7 @@ def _of_run(one: Record) -> dict[str, float]:
 
 
 def _earlier(one: Record, results: Results) -> dict[str, float]:
-    """The points of the chapters that are not of this run."""
+    """Return the points of the chapters outside this run."""
     found = {}
     for name, kept in results.chapters(one.key).items():
         if name not in one.wanted:

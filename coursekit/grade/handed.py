@@ -22,32 +22,32 @@ class Handed:
     chosen: dict[str, Piece] = field(default_factory=dict)
     """The file that counts, by chapter."""
     notes: list[str] = field(default_factory=list)
-    """The student sees these."""
+    """Messages for the student."""
     concerns: list[str] = field(default_factory=list)
-    """For the teacher's eye only."""
+    """Messages for the teacher only."""
     open: list[str] = field(default_factory=list)
-    """Questions that have to be answered before there is a mark."""
+    """Questions to answer before there is a mark."""
 
     @property
     def key(self) -> str:
-        """The name of their files."""
+        """The name of the person's files."""
         return name_of_files(self.person.identity, self.label)
 
     def pieces(self) -> list[Piece]:
-        """Every notebook that they handed in, the oldest first."""
+        """Return every submitted notebook, the oldest first."""
         found = [piece for entry in self.entries for piece in entry.pieces]
         return sorted(found, key=lambda one: (one.when, one.inner, one.where))
 
     def bundles(self) -> list[Path]:
-        """Everything of theirs that `hand_in()` made."""
+        """Return all submitted files made by `hand_in()`."""
         return [file for entry in self.entries for file in entry.bundles]
 
     def attempts(self) -> list[str]:
-        """Every notebook that they handed in, and when."""
+        """Return every submitted notebook with its time."""
         return [f"{one.where}, {told_time(one.when)}" for one in self.pieces()]
 
     def submission(self, chapter: str) -> Submission:
-        """The file that is marked for a chapter."""
+        """Return the submission to mark for a chapter."""
         piece = self.chosen[chapter]
         assert piece.file is not None
         bundles = [piece.bundle] if piece.bundle else []
@@ -55,7 +55,7 @@ class Handed:
 
 
 def wanted_chapters(handed: Sequence[Handed]) -> tuple[list[str], dict[str, list[str]]]:
-    """The chapters that most people handed in, and who handed in which others; all where none is most people's."""
+    """Return the chapters that most people handed in (else all), and the people with each of the others."""
     chapters: dict[str, list[str]] = {}
     for one in handed:
         for chapter in {piece.chapter for piece in one.pieces() if piece.chapter}:

@@ -1,4 +1,4 @@
-"""Marks and pages for the learning platform: a table in its own columns, and the pages as the zip that Moodle takes."""
+"""Marks and pages for the learning platform: a table with its columns, and the pages as a zip for Moodle."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ from .tables import COMMA, Form, Table, write_table
 def hand_back(
     platform: str, records: Sequence[Record], roster: Roster | None, out: Path, form: Form = COMMA
 ) -> list[Path]:
-    """Write the platform's table, and the zip of pages where it is Moodle and its numbers are known; what was written.
+    """Write the platform's table, and for Moodle the zip of pages if its numbers are known. Returns the files.
 
-    A list of the platform's comes back in its own form. Of tables that have to be made, Moodle takes every form.
+    A platform's own list keeps its CSV format. For new tables, Moodle accepts every format.
     """
     table = out.with_name(f"{out.stem}.{platform}.csv")
     title = _title(records)
@@ -46,13 +46,13 @@ def _title(records: Sequence[Record]) -> str:
 
 
 def _mark(one: Record, form: Form) -> str:
-    """Nothing is written for whom there is no mark yet: the platform keeps what it has."""
+    """Return the mark; empty without a mark, so that the platform keeps its value."""
     total = one.total()
     return "" if total is None else form.number(total)
 
 
 def _said(one: Record) -> str:
-    """A sentence for the student; it begins with why nothing could be marked, where that is so."""
+    """Return a sentence for the student, which begins with the reason if nothing could be marked."""
     marked = one.marked()
     late = marked.minutes_late
     with speaking(one.language()):
@@ -63,7 +63,7 @@ def _said(one: Record) -> str:
 
 
 def _in_list(platform: str, records: Sequence[Record], roster: Roster, title: str) -> tuple[list[str], list[list[str]]]:
-    """The platform's own list with the marks put in: rows and columns stay."""
+    """Insert the marks into the platform's own list: rows and columns stay."""
     assert roster.table is not None
     form, headings = roster.table.form, list(roster.table.headings)
     column, comment = _columns(platform, roster.table, headings, title)
@@ -83,7 +83,7 @@ def _in_list(platform: str, records: Sequence[Record], roster: Roster, title: st
 
 
 def _kept(text: str) -> str:
-    """A cell of the platform's own: numbers as they are, texts harmless."""
+    """Return a cell of the platform's own list: numbers unchanged, texts made harmless."""
     return text if text.strip() == "-" or _as_number(text) is not None else cell(text)
 
 
@@ -95,7 +95,7 @@ def _as_number(text: str) -> float | None:
 
 
 def unlike_the_platform_s(records: Sequence[Record], roster: Roster | None) -> str:
-    """A warning before marks are uploaded into an assignment with another maximum; empty where that is not known."""
+    """Return a warning if the platform's assignment has another maximum; empty if that is unknown."""
     table = roster.table if roster is not None else None
     place = maximum_column(table) if table is not None else None
     if table is None or place is None or not records:
@@ -104,7 +104,7 @@ def unlike_the_platform_s(records: Sequence[Record], roster: Roster | None) -> s
 
 
 def beside_the_platform_s(of: float, maxima: Sequence[str]) -> str:
-    """The same for the platform's column of maxima.
+    """Return that warning for a platform's column of maxima.
 
     >>> beside_the_platform_s(14.0, ["14.00"])
     ''
@@ -119,7 +119,7 @@ def beside_the_platform_s(of: float, maxima: Sequence[str]) -> str:
 
 
 def _columns(platform: str, table: Table, headings: list[str], title: str) -> tuple[int, int | None]:
-    """The columns of the mark and the comment; a list without a column for marks gets its own at the end."""
+    """Return the columns of the mark and the comment; a list without a column for marks gets one at the end."""
     mark = mark_column(table) if platform == "moodle" else None
     if mark is not None:
         return mark, comment_column(table)
@@ -133,7 +133,7 @@ def _columns(platform: str, table: Table, headings: list[str], title: str) -> tu
 def _of_own(
     platform: str, records: Sequence[Record], title: str, form: Form
 ) -> tuple[list[str], list[list[str]]]:
-    """The columns by which the platform knows people, where its own list was not given."""
+    """Return the columns that identify people on the platform, if its own list was not given."""
     known: dict[str, tuple[list[str], Callable[[Person], list[str]]]] = {
         "moodle": (["ID number", "Email address", "First name", "Last name"], lambda p: [p.id, p.email, p.given, p.family]),
         "canvas": (["Student", "ID", "SIS User ID", "SIS Login ID", "Section"],
@@ -154,7 +154,7 @@ def _family_first(person: Person) -> str:
 
 
 def _feedback(records: Sequence[Record], roster: Roster | None, file: Path) -> list[Path]:
-    """The pages of those who handed in or were told something, in folders under which Moodle knows them."""
+    """Write the pages of those with a submission or a message, in folders named as Moodle expects."""
     folders = {folder: one for folder, one in _with_a_page(records, roster) if folder}
     if not folders:
         return []
@@ -167,13 +167,13 @@ def _feedback(records: Sequence[Record], roster: Roster | None, file: Path) -> l
 
 
 def _with_a_page(records: Sequence[Record], roster: Roster | None) -> list[tuple[str, Record]]:
-    """Those who handed in or were told something, and the folder under which Moodle knows each; '' where it is not known."""
+    """Return those with a submission or a message, and each one's folder for Moodle; '' if unknown."""
     identifier = Identifier(roster) if roster is not None else None
     return [(_folder(one, identifier), one) for one in records if one.counts() or one.handed.entries or one.comments()]
 
 
 def left_out(records: Sequence[Record], roster: Roster | None) -> str:
-    """The students without a page in the zip, and what Moodle needs for them; empty if there is none."""
+    """Return the students without a page in the zip, and what Moodle needs for them; empty if there are none."""
     names = [one.label for folder, one in _with_a_page(records, roster) if not folder]
     if not names:
         return ""
@@ -185,7 +185,7 @@ def left_out(records: Sequence[Record], roster: Roster | None) -> str:
 
 
 def _folder(record: Record, identifier: Identifier | None) -> str:
-    """A person's folder for Moodle: by the number in the list, else by a folder of the download that has their name."""
+    """Return a person's folder for Moodle: by the number in the list, else from a folder of the download with the name."""
     person = record.handed.person
     if person.number:
         return moodle_folder(person.name, person.number)

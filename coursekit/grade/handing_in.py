@@ -1,4 +1,4 @@
-"""`hand_in()` and `coursekit verify`: a clean run of the saved notebook, one file to hand in, and whether it was changed."""
+"""`hand_in()` and `coursekit verify`: a clean run of the saved notebook, the file to hand in, and its verification."""
 
 from __future__ import annotations
 
@@ -43,12 +43,12 @@ EVIDENCE = re.compile(r"\w+_evidence_s\w+\.(png|pdf)")
 
 
 def who_and_where() -> dict[str, str]:
-    """User, host and time, as on evidence."""
+    """Return user, host and time, as on evidence."""
     return {"user": getpass.getuser(), "host": platform.node(), "time": time.strftime("%Y-%m-%d %H:%M:%S %z")}
 
 
 def clean_run(notebook: Path, source: Mapping[str, Any] | None = None) -> Marked:
-    """The mark of a notebook that is run from top to bottom in a sandbox; `source` is the course's own, if it is at hand."""
+    """Mark a notebook by running it from top to bottom in a sandbox; `source` is the course's own, if available."""
     found = read_notebook(notebook)
     exercises = exercises_in(found if source is None else source)
     with tempfile.TemporaryDirectory() as scratch:
@@ -61,7 +61,7 @@ def clean_run(notebook: Path, source: Mapping[str, Any] | None = None) -> Marked
 def make_bundle(
     notebook: Path, course: Path, student: str, out: Path, notebooks: Path | None = None
 ) -> tuple[Path, Marked]:
-    """Run the notebook afresh and write the bundle; where it is, and the mark, with notes on what is missing.
+    """Run the notebook from scratch and write the bundle. Returns its path, and the mark with notes on missing parts.
 
     Raises:
         ValueError: when nothing in the notebook could be marked.
@@ -83,7 +83,7 @@ def make_bundle(
 
 
 def missing_checks(name: str, notebook: Mapping[str, Any], known: Recogniser) -> list[str]:
-    """The checks that a notebook has lost of its chapter's."""
+    """Return notes on the chapter's checks that a notebook lacks."""
     chapter = known.chapters.get(known.recognise(notebook).chapter or known.by_name(name))
     lost = sorted(set(checks_in(chapter.source)) - set(checks_in(notebook))) if chapter else []
     if not lost:
@@ -92,14 +92,14 @@ def missing_checks(name: str, notebook: Mapping[str, Any], known: Recogniser) ->
 
 
 def _chapters(notebooks: Path | None) -> dict[str, Any]:
-    """The chapters of the course, by file name."""
+    """Return the chapters of the course, by file name."""
     if notebooks is None:
         notebooks = notebooks_folder()
     return {file.name: json.loads(file.read_text(encoding="utf-8")) for file in sorted(notebooks.glob("*.ipynb"))}
 
 
 def bundle_of(notebook: Path, course: Path, student: str, marked: Marked) -> bytes:
-    """The bundle with a notebook, the course's pictures and log, and the mark of a clean run."""
+    """Return the bundle of a notebook, the course's pictures and log, and the mark of a clean run."""
     files = {notebook.name: notebook.read_bytes()}
     for picture in sorted((course / "evidence").glob("*")):
         if EVIDENCE.fullmatch(picture.name):
@@ -124,9 +124,9 @@ def bundle_of(notebook: Path, course: Path, student: str, marked: Marked) -> byt
 def verify(
     file: Path, notebooks: Path | None = None, *, run: bool = True, variants: Variants | None = None
 ) -> tuple[list[str], Marked | None]:
-    """The faults of a bundle, and the mark that it really earns (None when it was not run).
+    """Return the faults of a bundle, and the mark that it really earns (None when it was not run).
 
-    What is run is the course's own notebook with the student's answers in it; a name that is none of its names is refused.
+    The run uses the course's own notebook with the student's answers; an unknown file name is refused.
     """
     data = file.read_bytes()
     found = bundle_faults(data)
@@ -166,7 +166,7 @@ def _no_chapter(name: str, chapter: str, known: Recogniser) -> str:
 
 
 def same_in(bundles: Mapping[str, Path]) -> list[str]:
-    """The common parts of several bundles that no two students have alike."""
+    """Return the parts shared by several bundles that should be unique to a student."""
     concerns: dict[str, list[str]] = {name: [] for name in bundles}
     note_copies({name: (concerns[name], [file]) for name, file in bundles.items()})
     return [f"{name}: {said}" for name, listed in concerns.items() for said in listed]

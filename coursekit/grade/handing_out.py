@@ -1,4 +1,4 @@
-"""How each student's own copy reaches them: a list of the copies for a mail merge, and a zip that Moodle deals out."""
+"""Delivery of individual copies: a list for a mail merge, and a zip that Moodle distributes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ LIST, FOR_MOODLE = "copies.csv", "moodle.zip"
 
 
 def write_list(out: Path, archives: Mapping[Person, Path], form: Form = COMMA) -> Path:
-    """copies.csv: whose is which zip, with the columns that a mail merge needs."""
+    """Write copies.csv, the owners of the zips, with the columns for a mail merge."""
     rows = [
         [cell(one.name), cell(one.given or one.name), cell(one.email), cell(one.id), archive.name]
         for one, archive in archives.items()
@@ -25,7 +25,7 @@ def write_list(out: Path, archives: Mapping[Person, Path], form: Form = COMMA) -
 
 
 def write_for_moodle(out: Path, archives: Mapping[Person, Path]) -> Path:
-    """moodle.zip: each copy as a feedback file of an assignment."""
+    """Write moodle.zip, with each copy as a feedback file of an assignment."""
     with zipfile.ZipFile(out / FOR_MOODLE, "w", zipfile.ZIP_STORED) as packed:
         for person, archive in archives.items():
             packed.write(archive, f"{shown(moodle_folder(person.name, person.number), 250)}/{archive.name}")
@@ -33,10 +33,10 @@ def write_for_moodle(out: Path, archives: Mapping[Person, Path]) -> Path:
 
 
 def expect_numbers(roster: Roster) -> None:
-    """Moodle knows its participants by the numbers in the grading worksheet of an assignment.
+    """Require the numbers by which Moodle identifies participants, from an assignment's grading worksheet.
 
     Raises:
-        ValueError: when somebody has none.
+        ValueError: when a participant has none.
     """
     without = [one.name for one in roster.people if not one.number]
     if without:

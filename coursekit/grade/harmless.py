@@ -1,4 +1,4 @@
-"""Texts that students chose, made harmless: for a terminal, for a page, for a cell of a table, for the name of a file."""
+"""Texts from students made harmless: for a terminal, a page, a table cell or a file name."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ import unicodedata
 from collections.abc import Iterable
 
 LONGEST = 200
-"""Letters of a text from outside that are shown."""
+"""The maximum length of a displayed text from outside [characters]."""
 _JOINERS = "\u200c\u200d"
-"""Format characters that names need: Persian and Indian scripts are written with them."""
+"""Format characters required in names, by Persian and Indian scripts."""
 _FORMULA = re.compile(r"""(^|[;,"|\n])([ \u00a0']*)([=+\-@\uff1d\uff0b\uff0d\uff20])""")
 
 
 def shown(text: str, most: int = LONGEST) -> str:
-    r"""A text that changes nothing but its own place: no control characters, no marks that turn the direction of writing.
+    r"""Make a text safe to display: no control characters, no marks that change the writing direction.
 
     >>> shown("Ann\x1b[2J\u202eeeL\n")
     'Ann [2JeeL'
@@ -35,9 +35,10 @@ def _letter(one: str) -> str:
 
 
 def cell(text: str, most: int = 2000) -> str:
-    """A text for a cell of a CSV table: no spreadsheet takes it, or a part of it, for a formula.
+    """Make a text safe for a CSV cell: no spreadsheet reads it, or a part of it, as a formula.
 
-    A quotation mark or a semicolon may end a cell where the table is opened with other separators: what follows counts too.
+    A quotation mark or a semicolon may end a cell when other separators are used, so the text after it is escaped
+    too.
 
     >>> cell("=1+1"), cell("Ann;=cmd()"), cell('x"\\t@SUM(1)'), cell("a-b, c")
     ("'=1+1", "Ann;'=cmd()", 'x" \\'@SUM(1)', 'a-b, c')
@@ -46,13 +47,13 @@ def cell(text: str, most: int = 2000) -> str:
 
 
 def lines(text: str, most: int = 400) -> str:
-    """A text of several lines, as it is but for invisible signs."""
+    """Return a text of several lines without invisible characters."""
     kept = text.expandtabs(4).splitlines()[:most]
     return "\n".join("".join(_letter(letter) for letter in line[:400]) for line in kept)
 
 
 def number(value: float) -> str:
-    """Points as written in tables.
+    """Format points for tables.
 
     >>> number(2.0), number(1.25)
     ('2', '1.25')
@@ -61,7 +62,7 @@ def number(value: float) -> str:
 
 
 def identity_of(text: str) -> str:
-    """The part of a name that tells it from others: letters, not their form, their case, or signs between them.
+    """Normalise a name for comparison: it ignores the form and case of letters, and separators.
 
     >>> identity_of("Ann_Lee") == identity_of("ann  lee"), identity_of("José") == identity_of("Jose")
     (True, False)
@@ -70,7 +71,7 @@ def identity_of(text: str) -> str:
 
 
 def name_of_files(identity: str, name: str = "") -> str:
-    """The name of a person's files: letters to read and a digest; no two people's collide, on no file system.
+    """Return the name of a person's files: a readable part and a digest, unique on every file system.
 
     >>> name_of_files("class")
     'class-0889113e'
@@ -81,5 +82,5 @@ def name_of_files(identity: str, name: str = "") -> str:
 
 
 def unique(texts: Iterable[str]) -> list[str]:
-    """Each text once, in the order in which they came."""
+    """Return each text once, in the order of first occurrence."""
     return list(dict.fromkeys(texts))

@@ -1,7 +1,7 @@
 """The student of a submission, by the copy's mark, the exact name, the platform's pattern, or a name within the name.
 
-Each way may find one person, several, or none. The first that finds one decides, unless another one that is as sure finds
-somebody else: then nobody is guessed, and the teacher is asked.
+Each method may find one person, several, or none. The first that finds one decides, unless an equally reliable one
+finds another person. Then the teacher is asked.
 """
 
 from __future__ import annotations
@@ -18,21 +18,21 @@ from .roster import Person, Roster, plain
 
 COPY_AND_NAME = "the mark of the copy and a name"
 SURE = ("the exact name", "the platform's name for it", "the name that hand_in gives its files", COPY_AND_NAME)
-"""Ways that are not told each time."""
+"""Methods that are not reported each time."""
 _ENDINGS = (".ipynb", ".zip", ".txt", ".html", ".pdf", ".py", ".docx", ".json")
 
 
 @dataclass(frozen=True)
 class Identified:
-    """The student that was found, and by which means."""
+    """The student found, and the method."""
 
     people: tuple[Person, ...] = ()
-    """One: found. None or several: to be asked."""
+    """One person is a result; none or several become a question."""
     how: str = ""
 
 
 def named_in(name: str, roster: Roster) -> str:
-    """The student whom the name of a folder or file names; '' if none does, or more than one could be meant.
+    """Return the student named by a folder or file; '' if there is none, or it is ambiguous.
 
     >>> named_in("annleeds_1234_AnnLeeds_03_services", Roster(["Ann Lee", "Ann Leeds"]))
     'Ann Leeds'
@@ -54,11 +54,11 @@ class Identifier:
         self._copies = copies or {}
 
     def owner(self, copy: str) -> Person | None:
-        """For whom a copy with this mark was made."""
+        """Return the student for whom a copy with this mark was made."""
         return self._copies.get(copy)
 
     def identify(self, name: str, copies: Iterable[str] = ()) -> Identified:
-        """The student of a folder or file of that name, in which copies with these marks were found."""
+        """Identify the student of a folder or file by its name, and by the marks of the copies in it."""
         marked = {self._copies[one] for one in copies if one in self._copies}
         named = self.by_name(name)
         if len(marked) > 1:
@@ -74,7 +74,7 @@ class Identifier:
         return Identified(others, f"the copy was made for {self.roster.label(owner)}, the name is another student's")
 
     def by_name(self, name: str) -> Identified:
-        """The student by the name alone."""
+        """Identify the student by the name alone."""
         given = platform_name(name)
         stem = without_ending(name)
         for how, found in (
@@ -93,7 +93,7 @@ class Identifier:
                           else "no student in the list has that name")  # fmt: skip
 
     def maybe(self, name: str) -> tuple[Person, ...]:
-        """Those who have a word of it in their names: whom a question offers, not an answer.
+        """Return people whose names share a word with it: choices for a question, not an answer.
 
         >>> [one.name for one in Identifier(Roster(["Ana García", "Luz García", "Ben Ito"])).maybe("garcia.ipynb")]
         ['Ana García', 'Luz García']
@@ -118,7 +118,7 @@ class Identifier:
         return numbered & named or numbered or named
 
     def _inside(self, text: str) -> set[Person]:
-        """Those whose name or id is in a name as words of it; a longer name counts before one within it."""
+        """Return people whose name or id is in the text as whole words; the longest names take precedence."""
         words = [plain(one) for one in re.split(r"[\W_]+", text) if plain(one)]
         found: list[tuple[int, int, Person]] = []
         for begin in range(len(words)):
@@ -134,7 +134,7 @@ class Identifier:
 
     @cached_property
     def _spelled(self) -> dict[str, set[Person]]:
-        """By name with its accents, and by key."""
+        """The people by name with accents, and by key."""
         return _table((_letters(one), person) for person in self.roster.people for one in (*person.names(), *person.keys()))
 
     @cached_property
@@ -166,13 +166,13 @@ def _letters(text: str) -> str:
 
 
 def _words(name: str) -> str:
-    """Two words or more of a name in the order of the alphabet; nothing of one."""
+    """Return two or more words of a name in alphabetical order; empty for fewer."""
     found = sorted(plain(one) for one in re.split(r"[\W_]+", name) if plain(one))
     return " ".join(found) if len(found) > 1 else ""
 
 
 def without_ending(name: str) -> str:
-    """A name without what tells its kind of file.
+    """Remove the file suffixes from a name.
 
     >>> without_ending("Ann Lee.ipynb.txt"), without_ending("Dr. Lee")
     ('Ann Lee', 'Dr. Lee')

@@ -1,4 +1,4 @@
-"""The picture beside a verdict: a judge hands out facts and who draws them; drawn is it only where somebody looks."""
+"""The picture beside a verdict: a judge provides facts and a drawing function, which is called only if it is displayed."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ if TYPE_CHECKING:
     from .work import Work
 
 LONGEST = 400_000
-"""Letters of a picture; a longer one would make the notebook slow."""
+"""The maximum size of a picture [characters]; a larger one would slow down the notebook."""
 
 
 class Illustration:
-    """The thing that a judge handed out last, and the place of the fault in it.
+    """The picture last provided by a judge, and the position of its fault.
 
-    It is drawn when the verdict is given, so it takes nothing of it: what cannot be drawn is left out.
+    It is drawn after the verdict, and cannot affect it: a picture that cannot be drawn is omitted.
     """
 
     def __init__(self) -> None:
@@ -25,12 +25,12 @@ class Illustration:
         self._facts: tuple[Any, ...] = ()
         self._work: Work | None = None
         self.at: Sequence[Sequence[float]] = ()
-        """Where in the last panel something is wrong."""
+        """The positions of faults in the last panel."""
 
     def keep(self, work: Work, make: Callable[..., Figure], *facts: Any) -> None:
-        """Have `make(*facts)` drawn: plain values that the judge has checked; lists may still grow until the verdict.
+        """Schedule `make(*facts)`, with plain values validated by the judge; lists may still grow until the verdict.
 
-        The work is kept with them: a robot's meshes are files that last as long as it.
+        The work is also kept, because a robot's mesh files exist as long as it does.
         """
         self._make, self._facts, self._work = make, facts, work
 
@@ -39,7 +39,7 @@ class Illustration:
         self._make = None
 
     def html(self) -> str:
-        """The picture as HTML; empty where nothing was handed out, and where it cannot be drawn."""
+        """Return the picture as HTML; empty if none was provided, or it cannot be drawn."""
         try:
             from coursekit.view.figure_html import html
 
@@ -50,7 +50,7 @@ class Illustration:
         return made if len(made) <= LONGEST else ""
 
     def figure(self) -> Figure | None:
-        """The picture of it, with rings where the fault is; it raises whatever drawing raises."""
+        """Return the figure, with rings at the faults; exceptions of the drawing function propagate."""
         if self._make is None:
             return None
         figure = self._make(*self._facts)

@@ -1,6 +1,6 @@
-"""Inside the sandbox: runs a student's cells, then answers the judge's questions about what they left.
+"""Inside the sandbox: run a student's cells, then answer the judge's questions about the results.
 
-Started as `python -m coursekit.grade.inside`; lines of JSON come on stdin, one line of JSON answers each.
+Started as `python -m coursekit.grade.inside`; each JSON line on stdin is answered by one JSON line.
 """
 
 from __future__ import annotations
@@ -22,23 +22,24 @@ from .plain import error_of
 from .wire import pack, refresh, unpack_of_judge
 
 WAIT_SECONDS = 600.0
-"""Virtual seconds that a cell may take."""
+"""The maximum virtual duration of a cell [s]."""
 SLOWNESS = 2.0
-"""How much more real time than computing time may pass."""
+"""The maximum ratio of real time to computing time."""
 
 
 CANNOT_BE_TOLD = "it raised something that cannot be told"
 
 
 class TookTooLong(KeyboardInterrupt):
-    """Ends a cell that goes on for ever."""
+    """Ends a cell that would run forever."""
 
 
 @contextlib.contextmanager
 def _alarm(seconds: float) -> Iterator[list[TookTooLong]]:
-    """End what computes for longer, or waits for much longer: a busy machine is nobody's fault.
+    """Interrupt code that computes for longer, or waits for much longer, so that a busy machine does no harm.
 
-    Gives a list that holds the end, if it came: what it ended may have taken it for the user's Ctrl-C.
+    Yields a list with the interruption, if there was one: the interrupted code may have handled it as the user's
+    Ctrl-C.
     """
     rung: list[TookTooLong] = []
 
@@ -53,7 +54,7 @@ def _alarm(seconds: float) -> Iterator[list[TookTooLong]]:
     timers = ((signal.ITIMER_PROF, signal.SIGPROF, seconds), (signal.ITIMER_REAL, signal.SIGALRM, SLOWNESS * seconds))
     for timer, number, limit in timers:
         signal.signal(number, ring)
-        signal.setitimer(timer, limit, limit)  # again: the first may fall into something that swallows it
+        signal.setitimer(timer, limit, limit)  # repeated: code may swallow the first one
     try:
         yield rung
     finally:
@@ -63,14 +64,14 @@ def _alarm(seconds: float) -> Iterator[list[TookTooLong]]:
 
 @contextlib.contextmanager
 def _alarm_of_a_thread(seconds: float, ring: Callable[[int, Any], None]) -> Iterator[None]:
-    """Have `ring` called in the main thread after so many real seconds: Windows' Ctrl-Break is free for that."""
+    """Call `ring` in the main thread after a real time [s], by Windows' otherwise unused Ctrl-Break."""
     number = signal.SIGBREAK  # type: ignore[attr-defined]
     signal.signal(number, ring)
-    over = _thread.allocate_lock()  # past the session's clock
+    over = _thread.allocate_lock()  # independent of the session's clock
     over.acquire()
 
     def watch() -> None:
-        while not over.acquire(timeout=seconds):  # again where the first one fell into what goes on after an interrupt
+        while not over.acquire(timeout=seconds):  # repeated, in case the code continues after an interrupt
             signal.raise_signal(number)
 
     _thread.start_new_thread(watch, ())
@@ -88,7 +89,7 @@ def _silence() -> Iterator[None]:
 
 @contextlib.contextmanager
 def _virtual_alarm(seconds: float) -> Iterator[None]:
-    """End what waits on the session's clock for something that never comes; no real time is lost."""
+    """Interrupt code that waits forever on the session's clock; no real time is lost."""
     from coursekit.processes.session import current
 
     clock = current().clock
@@ -112,14 +113,14 @@ class Runner:
 
         shell: Any = InteractiveShell.instance()
         self.shell = shell
-        shell.kernel = SimpleNamespace(get_parent=lambda: {"a": "cell"})  # the lab's magics want one
+        shell.kernel = SimpleNamespace(get_parent=lambda: {"a": "cell"})  # required by the lab's magics
         self.shell.colors = "NoColor"
         with _silence():
             load_lab(shell)
         self.build: list[str] = []
 
     def run(self, source: str, seconds: float) -> dict[str, Any]:
-        """Run a cell; what went wrong is told, what it prints is not."""
+        """Run a cell. Returns its error; the output is discarded."""
         source = self._without_builds(source)
         try:
             with _alarm(seconds), _virtual_alarm(WAIT_SECONDS), _silence():
@@ -130,14 +131,14 @@ class Runner:
         return _told(error) if error is not None else {"error": ""}
 
     def _without_builds(self, source: str) -> str:
-        """Builds are kept for the end: one serves them all."""
+        """Postpone builds to the end, where one serves them all."""
         lines = source.splitlines()
         kept = [line for line in lines if not line.startswith("%colcon build")]
         self.build += [line for line in lines if line.startswith("%colcon build")]
         return "\n".join(kept)
 
     def ask(self, question: dict[str, Any]) -> dict[str, Any]:
-        """One question of the judge."""
+        """Answer one question of the judge."""
         kind = question.get("ask")
         if kind == "run":
             return self.run(str(question["source"]), float(question["seconds"]))
@@ -175,19 +176,19 @@ class Runner:
         return {"error": ""} if not everything and not chosen & there else self.run_build(select, seconds)
 
     def run_build(self, select: str, seconds: float) -> dict[str, Any]:
-        """Build now; the judge is told when that took too long."""
+        """Build now; a timeout is reported to the judge."""
         with contextlib.suppress(TookTooLong), _alarm(seconds) as rung, contextlib.redirect_stdout(io.StringIO()):
             self.shell.run_line_magic("colcon", f"build{select}")
         return _told(rung[-1]) if rung else {"error": ""}
 
 
 def _told(error: BaseException) -> dict[str, Any]:
-    """An exception of the student's code, for the judge."""
+    """Return an exception of the student's code for the judge."""
     return {"error": f"{type(error).__name__}: {error}"[:500], "timed_out": isinstance(error, TookTooLong)}
 
 
 def _called(function: Any, question: dict[str, Any], names: dict[str, Any]) -> dict[str, Any]:
-    """Call it with the judge's arguments and variables, and tell what it returned and changed."""
+    """Call a function with the judge's arguments and variables. Returns its result and its changes."""
     given = dict(question.get("variables") or {})
     for name, packed in given.items():
         if pack(names.get(name)) != packed:
@@ -203,22 +204,22 @@ def _called(function: Any, question: dict[str, Any], names: dict[str, Any]) -> d
 
 
 def main() -> int:
-    """Answer until the judge hangs up."""
+    """Answer until the judge closes the connection."""
     questions = os.fdopen(os.dup(0), encoding="utf-8")
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     nothing = os.open(os.devnull, os.O_RDWR)
     for number in (0, 1, 2):
         os.dup2(nothing, number)
-    getpid, own = os.getpid, os.getpid()  # past what a cell does to `os`
+    getpid, own = os.getpid, os.getpid()  # saved from a cell's changes to `os`
     runner = Runner()
     for line in questions:
         try:
             answer = json.dumps(runner.ask(json.loads(line)))
-        except BaseException as error:  # also of exceptions whose own text raises one
+        except BaseException as error:  # also exceptions whose own str() raises
             late = isinstance(error, TookTooLong)
             answer = json.dumps({"error": f"RuntimeError: {CANNOT_BE_TOLD}", "timed_out": late})
         if getpid() != own:
-            break  # a cell forked, and this is the child: one answers
+            break  # a cell forked and this is the child: only one may answer
         answers.write(answer + "\n")
         answers.flush()
     os._exit(0)

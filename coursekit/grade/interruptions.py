@@ -1,8 +1,8 @@
-"""Exceptions that interrupt the judging of work that is in a sandbox."""
+"""Exceptions that interrupt the judging of work in a sandbox."""
 
 
 class Gone(Exception):
-    """The sandbox ended; the text says why."""
+    """The sandbox ended; the message gives the reason."""
 
     def __init__(self, why: str, *, timed_out: bool = False) -> None:
         super().__init__(why)
@@ -10,8 +10,8 @@ class Gone(Exception):
 
 
 class TimeOver(Exception):
-    """A call of a student's function took longer than it may."""
+    """A call of a student's function exceeded its time."""
 
 
 class NeedsWorkspace(Exception):
-    """The judge looks at files: those are looked at when all cells have run and all is built."""
+    """The judge needs files, which are available after all cells have run and everything is built."""

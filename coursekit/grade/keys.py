@@ -1,4 +1,4 @@
-"""Secrets of the teacher's own account: made once, readable by nobody else."""
+"""Secrets of the teacher's account: created once, readable by nobody else."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from typing import Any
 
 
 def config_folder() -> Path:
-    """Where the settings of this account lie."""
+    """Return the settings folder of this account."""
     if sys.platform == "win32":
         base = os.environ.get("APPDATA") or str(Path.home() / "AppData" / "Roaming")
     else:
@@ -24,10 +24,10 @@ def config_folder() -> Path:
 
 
 def own_key(name: str = "marks.key") -> bytes:
-    """The secret of that name, made here if there is none yet.
+    """Return the secret of that name, created if it does not exist.
 
     Raises:
-        OSError: when it can be neither read nor written, or is readable by others and cannot be closed to them.
+        OSError: when it can be neither read nor written, or its permissions cannot be restricted.
     """
     file = config_folder() / name
     file.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
@@ -44,7 +44,7 @@ def own_key(name: str = "marks.key") -> bytes:
 
 
 def mac(key: bytes, payload: Mapping[str, Any]) -> str:
-    """HMAC-SHA256 over plain values.
+    """Return the HMAC-SHA256 of plain values.
 
     >>> mac(b"k", {"a": 1, "b": 2}) == mac(b"k", {"b": 2, "a": 1})
     True

@@ -1,16 +1,16 @@
-"""When it was due, for whom, and what being late costs: a small file that the teacher writes.
+"""Deadlines, extensions and penalties for late work, from a small file written by the teacher.
 
 ```toml
-due = 2026-11-30T23:59:00     # --due on the command line goes before it, and the run says so
+due = 2026-11-30T23:59:00     # --due on the command line takes precedence, with a message
 grace_minutes = 10
-percent_per_day = 10          # of the points; each day that has begun
-floor_percent = 50            # what is left of the points however late it is
-[extensions]                  # by id, e-mail or name: another deadline, or days more
+percent_per_day = 10          # of the points, for each day begun
+floor_percent = 50            # the minimum left, however late it is
+[extensions]                  # by id, e-mail or name: another deadline, or additional days
 "a01234" = 2026-12-02T23:59:00
 "ben@uni.example" = 3
 ```
 
-A `.csv` with the columns `student` and `due` (a time, or days more) has only extensions.
+A `.csv` with the columns `student` and `due` (a time, or additional days) contains only extensions.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from .tables import decoded, read_table
 DAY_S = 86400.0
 _KNOWN = ("due", "grace_minutes", "percent_per_day", "floor_percent", "extensions", "count")
 _MINUTES = re.compile(r"(=[ \t]*\d{4}-\d\d-\d\d[T ]\d\d:\d\d)(?=[ \t]*(?:#.*)?$)", re.M)
-"""A time without seconds, which TOML takes from its version 1.1 on."""
+"""A time without seconds, allowed only since TOML 1.1."""
 _FORMS = (
     "%A, %d %B %Y, %I:%M %p", "%A, %d %B %Y, %H:%M", "%d %B %Y, %I:%M %p", "%d/%m/%Y %H:%M", "%Y-%m-%d %H:%M:%S %z",
     "%Y-%m-%d %H:%M:%S UTC", "%b %d, %Y, %I:%M %p", "%B %d, %Y %I:%M %p",
@@ -43,7 +43,7 @@ _FORMS = (
 
 @dataclass(frozen=True)
 class Policy:
-    """The rules for being late."""
+    """The rules for late work."""
 
     due: float | None = None
     """In seconds since 1970; None when there is no deadline."""
@@ -51,14 +51,14 @@ class Policy:
     percent_per_day: float = 0.0
     floor_percent: float = 0.0
     extensions: Mapping[str, float] = field(default_factory=dict)
-    """Deadlines of their own, by identity, in seconds since 1970."""
+    """Individual deadlines by identity, in seconds since 1970."""
     days_more: Mapping[str, float] = field(default_factory=dict)
     count: str = "newest"
     told: tuple[str, ...] = ()
-    """The command line's rules in the place of the file's."""
+    """Messages about rules of the file overridden by the command line."""
 
     def instead(self, due: float | None, count: str | None, file: Path | None) -> Policy:
-        """With what the command line says; what the file said otherwise is told."""
+        """Apply the command line's rules; overridden rules of the file are reported."""
         made, told = self, []
         if due is not None and due != self.due:
             if self.due is not None:
@@ -72,7 +72,7 @@ class Policy:
         return replace(made, told=tuple(told))
 
     def own_due(self, person: Person) -> float | None:
-        """When it was due for a person, without grace."""
+        """Return a person's due time, without grace."""
         if person.identity in self.extensions:
             return self.extensions[person.identity]
         if self.due is None:
@@ -80,19 +80,19 @@ class Policy:
         return self.due + DAY_S * self.days_more.get(person.identity, 0.0)
 
     def deadline(self, person: Person) -> float | None:
-        """Until when it is not late."""
+        """Return the time until which work is not late."""
         due = self.own_due(person)
         return None if due is None else due + 60 * self.grace_minutes
 
     def minutes_late(self, person: Person, when: float) -> float:
-        """Minutes after the deadline; 0 within the grace."""
+        """Return the minutes after the deadline; 0 within the grace period."""
         due, deadline = self.own_due(person), self.deadline(person)
         if due is None or deadline is None or when <= deadline:
             return 0.0
         return round((when - due) / 60, 1)
 
     def percent_off(self, minutes: float) -> float:
-        """The points that are taken for being late.
+        """Return the percentage deducted for lateness.
 
         >>> Policy(percent_per_day=10, floor_percent=75).percent_off(2000), Policy(percent_per_day=10).percent_off(0)
         (20.0, 0.0)
@@ -102,10 +102,10 @@ class Policy:
 
 
 def read_policy(file: Path, roster: Roster | None) -> Policy:
-    """The policy in a file.
+    """Read the policy from a file.
 
     Raises:
-        ValueError: when a word, a time or a student in it is not known.
+        ValueError: when it contains an unknown word, time or student.
     """
     if file.suffix.casefold() == ".csv":
         found = {row.get("student", ""): row.get("due", "") for row in read_table(file).dicts()}
@@ -162,10 +162,10 @@ def _seconds(value: Any, file: Path) -> float:
 
 
 def due_time(text: str) -> datetime.datetime:
-    """When something is due; of a day without a time the end counts.
+    """Parse a due time; a day without a time means its end.
 
     Raises:
-        ValueError: when that is no time.
+        ValueError: when it is not a time.
 
     >>> due_time("2026-11-30").isoformat(), due_time("2026-11-30T12:00").isoformat()
     ('2026-11-30T23:59:59', '2026-11-30T12:00:00')
@@ -179,7 +179,7 @@ def due_time(text: str) -> datetime.datetime:
 
 
 def platform_time(text: str) -> float:
-    """The time that a platform's list tells, in seconds since 1970; 0 when it tells none.
+    """Parse the time in a platform's list, in seconds since 1970; 0 when there is none.
 
     >>> platform_time("Monday, 23 November 2026, 11:59 PM") > 0, platform_time("-")
     (True, 0.0)
@@ -202,7 +202,7 @@ def _told(when: float) -> str:
 
 
 def late_by(minutes: float) -> str:
-    """How late something is, as people say it.
+    """Format a lateness for people.
 
     >>> late_by(1411), late_by(3 * 1440 + 61)
     ('23 h 31 min', '3 days 1 h')

@@ -1,15 +1,15 @@
-"""`python limited.py MEMORY PROCESSES FILE SECONDS -- COMMAND`: sets the limits, then becomes the command."""
+"""`python limited.py MEMORY PROCESSES FILE SECONDS -- COMMAND`: sets the limits, then executes the command."""
 
 import os
 import sys
 
 
 def main(argv: list[str]) -> None:
-    """Limit this process and become the command."""
+    """Limit this process and execute the command."""
     memory, processes, file, seconds = (int(word) for word in argv[:4])
     try:
         import resource
-    except ImportError:  # Windows: the watcher outside is all there is
+    except ImportError:  # Windows: only the watcher outside sets limits
         pass
     else:
         wanted = {
@@ -30,7 +30,7 @@ def main(argv: list[str]) -> None:
 
 
 def end_with_parent() -> None:
-    """End when the process that started this one does, where the system offers that."""
+    """End together with the parent process, if the system supports that."""
     if sys.platform.startswith("linux"):
         import ctypes
 

@@ -1,4 +1,4 @@
-"""Marks one submission: each chapter is examined by a process of its own, which is ended when it takes too much."""
+"""Mark one submission: each chapter is examined by its own process, which is ended when it exceeds a limit."""
 
 from __future__ import annotations
 
@@ -29,27 +29,27 @@ class Marked:
     status: str = "graded"
     tier: str = ""
     notes: list[str] = field(default_factory=list)
-    """The repairs; the student sees them."""
+    """The repairs, shown to the student."""
     concerns: list[str] = field(default_factory=list)
-    """Signs of changes, and of work that is somebody else's: for the teacher's eye only."""
+    """Signs of changes and of other people's work, for the teacher only."""
     minutes_late: float = 0.0
     answers: list[str] = field(default_factory=list)
     variants: Values = field(default_factory=dict)
     """The variants of this student's exercises."""
     traces: dict[str, str] = field(default_factory=dict)
-    """The digests that no two students have alike, of a file made by `hand_in()`, and of which parts."""
+    """The digests unique to a student's `hand_in()` file, with the names of the parts."""
 
     def total(self) -> float:
-        """All points."""
+        """Return the sum of the points."""
         return round(sum(verdict.points for verdict in self.verdicts), 2)
 
     def as_json(self) -> dict[str, Any]:
-        """As plain values; `of_json` reads them again."""
+        """Return plain values, which `of_json` reads."""
         return asdict(self)
 
     @classmethod
     def of_json(cls, found: dict[str, Any]) -> Marked:
-        """A mark from the dictionary that `as_json` gave."""
+        """Make a mark from the dictionary of `as_json`."""
         return cls(**{**found, "verdicts": [Verdict(**one) for one in found["verdicts"]]})
 
 
@@ -60,11 +60,11 @@ def mark(
     limits: sandbox.Limits,
     secret: bytes = b"",
 ) -> Marked:
-    """Grade a submission; whatever is wrong with it ends up in the result, never as an exception.
+    """Grade a submission; every fault ends up in the result, never as an exception.
 
-    `secret` makes the judges' chance: who does not know it cannot tell what will be asked.
+    `secret` seeds the judges' random choices, which are unpredictable without it.
     """
-    limits = replace(limits, tier=sandbox.tier())  # the one that the result names, in other processes too
+    limits = replace(limits, tier=sandbox.tier())  # the tier named in the result, also in other processes
     made = Marked(submission.student, submission.digest(), tier=limits.tier, variants=values_of(sources.values()))
     bundles: list[bytes] = []
     scratch = Path(tempfile.mkdtemp(prefix="grade-"))
@@ -80,7 +80,7 @@ def mark(
             _add(made, name, examine(task, limits))
     except ValueError as error:
         made.status, made.notes = "unreadable", [*made.notes, str(error)]
-    except Exception as error:  # one bad submission never stops the class
+    except Exception as error:  # one bad submission must never stop the class
         made.status, made.notes = "error", [*made.notes, f"{type(error).__name__}: {error}"]
     finally:
         folders.remove(scratch)
@@ -96,7 +96,7 @@ def mark(
 
 
 def _add(made: Marked, name: str, examined: Examined) -> None:
-    """Take in what was found in one chapter."""
+    """Add the findings of one chapter."""
     made.verdicts += examined.verdicts
     made.notes += examined.notes
     made.answers += examined.answers
@@ -106,7 +106,7 @@ def _add(made: Marked, name: str, examined: Examined) -> None:
 
 
 def _faults(bundle: bytes, name: str) -> list[str]:
-    """Signs that a file made by `hand_in()` was changed, or is somebody else's."""
+    """Return signs that a file made by `hand_in()` was changed, or belongs to another student."""
     found = bundle_faults(bundle)
     with contextlib.suppress(ValueError):
         found += other_hands(bundle, name)
@@ -114,7 +114,7 @@ def _faults(bundle: bytes, name: str) -> list[str]:
 
 
 def _compare(bundle: bytes, made: Marked) -> None:
-    """Say where the marks that are recorded in a bundle are not those of this run, and keep what tells copies."""
+    """Report differences between the recorded marks of a bundle and this run, and store its traces."""
     with contextlib.suppress(ValueError):
         manifest, _ = read_bundle(bundle)
         said = recorded(manifest)
@@ -124,7 +124,7 @@ def _compare(bundle: bytes, made: Marked) -> None:
 
 
 def _chosen(files: list[Path], sources: Mapping[str, Any], notes: list[str]) -> dict[str, Path]:
-    """Which file is which notebook of the course: by name, of several the newest."""
+    """Assign files to the course's notebooks by name, preferring the newest."""
     found: dict[str, Path] = {}
     for file in sorted(files, key=lambda one: one.stat().st_mtime):
         names = [name for name in sources if file.name == name or file.stem.startswith(Path(name).stem)]

@@ -1,4 +1,4 @@
-"""grades.csv: a row for each person, whole at every moment; what the teacher wrote into it by hand is kept."""
+"""grades.csv: a row for each person, complete at every moment; the teacher's changes by hand are kept."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .record import COMMENT, Record
 from .tables import COMMA, Form, read_table, write_table
 
 _BEFORE = ("key", "student", "id", "email")
-"""The key comes first: a mark of the encoding, which spreadsheets need before a table, sticks to the first heading only."""
+"""The key is first: the byte order mark that spreadsheets need then affects only the first heading."""
 _AFTER = (
     "points", "percent_off", "total", "of", "status", "tier", "minutes_late", "time_from", "attempts", "notes", COMMENT,
 )  # fmt: skip
@@ -26,19 +26,19 @@ class ByHand:
     """The teacher's changes in the table."""
 
     points: dict[str, dict[str, float]] = field(default_factory=dict)
-    """By key and exercise, and by `total_of` the chapters whose sum it is."""
+    """By key and exercise, and by `total_of` for the sum of these chapters."""
     extra: dict[str, dict[str, str]] = field(default_factory=dict)
     """By key and column."""
     told: list[str] = field(default_factory=list)
 
     def points_of(self, key: str, chapters: Sequence[str]) -> dict[str, float]:
-        """A person's points by hand, by exercise; `total` where the sum of just these chapters was written."""
+        """Return a person's points by hand, by exercise; `total` if the sum of exactly these chapters was written."""
         found = self.points.get(key, {})
         own = total_of(chapters)
         return {("total" if name == own else name): one for name, one in found.items() if name == own or not _is_total(name)}
 
     def move(self, before: str, now: str) -> None:
-        """Changes under one key hold under another: of work without a name, when the name is shown again."""
+        """Move changes from one key to another, for work whose name was hidden before."""
         if points := self.points.pop(before, {}):
             self.points[now] = {**points, **self.points.get(now, {})}
         if extra := self.extra.pop(before, {}):
@@ -46,7 +46,7 @@ class ByHand:
 
 
 def total_of(chapters: Iterable[str]) -> str:
-    """The name of the sum of these chapters among the points by hand: another run's is another sum."""
+    """Return the name of the sum of these chapters among the points by hand: another run has another sum."""
     return " ".join(["total of", *sorted(chapters)])
 
 
@@ -55,7 +55,7 @@ def _is_total(name: str) -> bool:
 
 
 class MarksTable:
-    """The table, and beside the results what it was when it was written last."""
+    """The table, and a snapshot of its last version beside the results."""
 
     def __init__(self, file: Path, folder: Path, form: Form = COMMA) -> None:
         self.file = file
@@ -65,7 +65,7 @@ class MarksTable:
         self.by_hand = ByHand()
 
     def notice(self) -> ByHand:
-        """The changes by hand since the table was written, together with those before.
+        """Return the changes by hand since the table was written, together with earlier ones.
 
         Raises:
             ValueError: when the table cannot be read.
@@ -113,7 +113,7 @@ class MarksTable:
             self.by_hand.told.append(f"{who}: {column} is {number(points)} by hand (was {was or 'empty'})")
 
     def write(self, records: Sequence[Record]) -> None:
-        """Write the table, complete."""
+        """Write the complete table."""
         exercises = [one.name for verdicts in (records[0].wanted.values() if records else ()) for one in verdicts]
         extra = list(dict.fromkeys(name for one in records for name in one.extra if name not in (*_AFTER, *_BEFORE)))
         headings = [*_BEFORE, *exercises, *_AFTER, *extra]
@@ -159,18 +159,18 @@ def _row(one: Record, form: Form) -> dict[str, str]:
 
 
 def _same(text: str, was: str) -> bool:
-    """Whether a cell says what was written into it, however a spreadsheet saved that: `1,5` for 1.5, `?` for a letter."""
+    """Whether a cell still has its written content, however a spreadsheet saved it: `1,5` for 1.5, `?` for a letter."""
     points = _points(text)
     return _plain(text) == _plain(was) or (points is not None and points == _points(was))
 
 
 def _plain(text: str) -> str:
-    """The part of a text that every encoding of a spreadsheet keeps: Windows and macOS save other letters differently."""
+    """Return the part of a text preserved by every encoding: Windows and macOS save other letters differently."""
     return "".join(one for one in text.strip("' ") if one.isascii() and one != "?")
 
 
 def _points(text: str) -> float | None:
-    """A number as people write it: `1,5` too."""
+    """Parse a number, also with a decimal comma: `1,5`."""
     try:
         found = float(text.strip("' ").replace(",", "."))
     except ValueError:

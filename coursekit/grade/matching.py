@@ -1,4 +1,4 @@
-"""Scans whose true pose is known, and a guess that is off: what a scan matcher is tried with."""
+"""Scans with known true poses and inaccurate guesses, for testing a scan matcher."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from coursekit.slam.wall_field import WallField
 
 Pose = tuple[float, float, float]
 CLEAR = 0.35
-"""A robot stands at least so far from walls [m]."""
+"""The minimum distance of a robot from walls [m]."""
 HEIGHT = 0.2
-"""Of the LiDAR above the floor [m]."""
+"""The height of the LiDAR above the floor [m]."""
 
 
 @functools.lru_cache(maxsize=8)
 def _building(text: str, file: str) -> tuple[Pose2D, Cut, np.ndarray, WallField]:
-    """Of a world by its file's text: the start, the walls, points along them, their distances; made once for all puzzles."""
+    """Return a world's start, walls, wall points and distance field, from its file's text; cached for all puzzles."""
     world = read_world(text, file)
     cut = world.cut(HEIGHT)
     outline = outline_points(cut.edges, cut.circles)
@@ -31,9 +31,9 @@ def _building(text: str, file: str) -> tuple[Pose2D, Cut, np.ndarray, WallField]
 
 
 class Puzzle:
-    """One scan: `points` (n, 2) [m] as the robot sees them, `gap` of the true walls, `guess`, and `truth` [m, m, rad].
+    """One scan: `points` (n, 2) [m] in the robot's frame, `gap` to the true walls, `guess`, and `truth` [m, m, rad].
 
-    The same `number` makes the same puzzle; those of the judge are drawn and nobody knows them.
+    The same `number` makes the same puzzle; the judge's numbers are random and secret.
     """
 
     def __init__(self, world: Path, number: int = 0, off: float = 0.3, turned: float = 0.15) -> None:
@@ -55,10 +55,10 @@ class Puzzle:
         self.guess: Pose = (round(float(guess[0]), 2), round(float(guess[1]), 2), round(float(guess[2]), 2))
 
     def _good(self, place: Pose2D, ranges: np.ndarray) -> bool:
-        """A place in a room with room, where most beams meet something and not all the same wall."""
+        """Whether a place is inside a room with enough clearance, where most beams hit different walls."""
         seen = np.isfinite(ranges)
         return bool(seen.mean() > 0.9 and ranges.min() > CLEAR)
 
     def misfit(self, pose: Pose) -> float:
-        """Mean gap between the scan's points and the nearest walls, were the robot at a pose [m]."""
+        """Return the mean distance between the scan's points at a pose and the nearest walls [m]."""
         return float(self.gap(Pose2D(*pose).transform(self.points)).mean())

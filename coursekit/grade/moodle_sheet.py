@@ -1,4 +1,4 @@
-"""Moodle's grading worksheet, whose headings are in the site's language: its columns are also known by what is in them."""
+"""Moodle's grading worksheet: its headings are in the site's language, so its columns are also recognised by content."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _COMMENTS_BEGIN = ("comentarios de retro", "comentários de feedback", "commenta
 
 
 def participants(table: Table) -> int | None:
-    """The column with Moodle's numbers of people, whatever its heading; None when there is none.
+    """Return the column of Moodle's participant numbers, regardless of its heading; None if there is none.
 
     >>> participants(Table(["Identificador", "Nombre completo"], [["Participante501", "Ann"], ["Participante502", "Ben"]]))
     0
@@ -30,18 +30,18 @@ def participants(table: Table) -> int | None:
 
 
 def maximum_column(table: Table) -> int | None:
-    """The column of the assignment's maximum."""
+    """Return the column of the assignment's maximum."""
     return _named(table, _MAXIMUM)
 
 
 def mark_column(table: Table) -> int | None:
-    """The column that Moodle takes marks from: called so, else the one before the maximum."""
+    """Return the column from which Moodle reads marks: by its heading, else the one before the maximum."""
     found, maximum = _named(table, _MARK), maximum_column(table)
     return maximum - 1 if found is None and maximum else found
 
 
 def comment_column(table: Table) -> int | None:
-    """The column that Moodle takes comments from."""
+    """Return the column from which Moodle reads comments."""
     known = _known(table)
     found = _named(table, _COMMENTS)
     return found if found is not None else next((known.index(one) for one in known if one.startswith(_COMMENTS_BEGIN)), None)

@@ -1,4 +1,4 @@
-"""Work as a judge asks about it, with a note of what it raised and what its programs said last."""
+"""A judge's view of the work, which records exceptions and the last output of programs."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from .outputs import exception_in
 
 
 class NotedWork:
-    """Work as a judge asks about it; what its programs said last is remembered, and what its functions raised."""
+    """A judge's view of the work; it records the last output of its programs, and exceptions of its functions."""
 
     def __init__(self, work: Any) -> None:
         self._work = work
         self._seen: Any = None
         self.raised: Exception | None = None
-        """The last exception of a function of the student's."""
+        """The last exception of a student's function."""
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._work, name)
 
     def function(self, name: str) -> Any:
-        """A function of the student's; what it raises is theirs."""
+        """Return a student's function; its exceptions are attributed to the student."""
         function = self._work.function(name)
 
         def called(*args: Any, **named: Any) -> Any:
@@ -34,16 +34,16 @@ class NotedWork:
         return called
 
     def timed_out(self) -> bool:
-        """Whether the last function that failed did so because its time was over."""
+        """Whether the last failed function exceeded its time."""
         return isinstance(self.raised, TimeOver)
 
     def try_out(self, *commands: str, **plan: Any) -> Any:
-        """Try out, and keep what was seen."""
+        """Run a trial, and record the observations."""
         self._seen = None
         self._seen = self._work.try_out(*commands, **plan)
         return self._seen
 
     def death(self) -> str:
-        """The exception that ended one of the programs that were tried out last; empty when none did."""
+        """Return the exception that ended a program of the last trial; empty when none did."""
         outputs = getattr(self._seen, "outputs", [])
         return next((told for one in outputs if isinstance(one, str) and (told := exception_in(one))), "")

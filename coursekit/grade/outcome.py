@@ -1,4 +1,4 @@
-"""The outcome of a run: everybody's records, the questions, the messages."""
+"""The outcome of a run: all records, the questions, the messages."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ class Outcome:
     interrupted: bool = False
 
     def statuses(self) -> dict[str, int]:
-        """How many students there are of each status: every student counts once."""
+        """Return the number of students with each status; every student counts once."""
         return by_status(one.status() for one in self.records)
 
     def line(self) -> str:
-        """The state of the class, in one line: the same wherever it is told."""
+        """Return the state of the class in one line, the same wherever it is printed."""
         nobody_s = len(self.collection.whose)
         asked = f"; {counted(nobody_s, 'hand-in is', 'hand-ins are')} nobody's yet" if nobody_s else ""
         return f"{counted(len(self.records), 'student')}: {told(self.statuses()) or 'nothing was handed in'}{asked}"
 
     def exit_status(self) -> int:
-        """Not 0 when a teacher has to do something."""
+        """Return the exit status, which is not 0 when a teacher must act."""
         if self.interrupted:
             return 130
         open_ = self.collection.unanswered or any(one.status() == "not marked" for one in self.records)

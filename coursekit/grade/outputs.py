@@ -1,4 +1,4 @@
-"""The end of a student's programs in a trial: the exception that ended one, its last words, its nodes."""
+"""The end of a student's programs in a trial: a fatal exception, the last output, the nodes."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ _FRAME = re.compile(r'^ +File "(?P<file>[^"]+)", line (?P<line>\d+)')
 _OURS = str(Path(__file__).resolve().parents[1])
 _UNKNOWN = "Does the executable start, and are the node's name and namespace right? Was it built after the last change?"
 _NO_FAULT = ("KeyboardInterrupt", "rclpy.executors.ExternalShutdownException", "ExternalShutdownException")
-"""The exit codes of a program when Ctrl-C is pressed at the end of a trial."""
+"""The exceptions of a program when Ctrl-C is pressed at the end of a trial."""
 
 
 def exception_in(output: str) -> str:
-    """The last exception that a program's output tells of, with the student's own line; empty when there is none.
+    """Return the last exception in a program's output, with the student's own line; empty when there is none.
 
     >>> trace = 'Traceback (most recent call last):\\n  File "/ws/my_node.py", line 9, in main\\n    spin()\\n'
     >>> exception_in(trace + 'NameError: no spin')
@@ -36,7 +36,7 @@ def exception_in(output: str) -> str:
 
 
 def _short(line: str) -> str:
-    """A line of an output, with paths from the workspace on and not from the root."""
+    """Shorten the paths in a line of output to start at the workspace."""
     return re.sub(r"/[^\s'\"]*?/(?=(install|src)/)", "", line)[:300]
 
 
@@ -53,12 +53,12 @@ def _told(lines: list[str]) -> str:
 
 
 def _is_own(file: str) -> bool:
-    """Whether a student wrote it; `<...>` is text that was compiled, such as that of a message's class."""
+    """Whether a file is the student's; `<...>` is compiled text, such as a message class."""
     return not file.startswith((_OURS, "<")) and not re.search(r"/lib/python3[.\d]*/(?!site-packages/s?\w+_)", file)
 
 
 def last_words(output: str) -> str:
-    """The exception that ended a program, or else its last line.
+    """Return the exception that ended a program, or else its last line.
 
     >>> last_words("one\\ntwo\\n"), last_words("")
     ('two', 'nothing')
@@ -68,7 +68,7 @@ def last_words(output: str) -> str:
 
 
 def wrote(seen: Any, nothing: str = "nothing was printed", program: int = 0) -> str:
-    """The last lines that a program wrote, at most 300 letters; where Ctrl-C ended it, that stands for the traceback.
+    """Return a program's last lines, at most 300 characters; an end by Ctrl-C is noted instead of its traceback.
 
     >>> from types import SimpleNamespace
     >>> wrote(SimpleNamespace(outputs=["waiting\\nTraceback (most recent call last):\\n  ...\\nKeyboardInterrupt\\n"]))
@@ -85,7 +85,7 @@ def wrote(seen: Any, nothing: str = "nothing was printed", program: int = 0) -> 
 
 
 def expect_node(seen: Any, name: str, program: int = 0) -> None:
-    """Wrong unless a node of that name runs; what its program said last is told."""
+    """Raise Wrong unless a node of that name runs; the message includes its program's last output."""
     if name not in seen.nodes:
         output = said(seen, program)
         cause = cause_of(died) if (died := exception_in(output)) else _UNKNOWN
@@ -94,7 +94,7 @@ def expect_node(seen: Any, name: str, program: int = 0) -> None:
 
 
 def expect_subscription(seen: Any, topic: str, kind: str, hint: int | None = None) -> None:
-    """Wrong unless something subscribes to that topic with that type: ends of different types are never joined."""
+    """Raise Wrong unless a node subscribes to that topic with that type: different types are never connected."""
     ends = seen.subscriptions.get(topic)
     if not ends:
         others = ", ".join(name for name, found in seen.subscriptions.items() if found) or "none"
@@ -106,25 +106,25 @@ def expect_subscription(seen: Any, topic: str, kind: str, hint: int | None = Non
 
 
 def said(seen: Any, program: int = 0) -> str:
-    """The output of a program of a trial."""
+    """Return the output of a program of a trial."""
     outputs = seen.outputs
     return outputs[program] if program < len(outputs) and type(outputs[program]) is str else ""
 
 
 def exit_code(seen: Any, program: int = 0) -> int | None:
-    """The exit status of a program of a trial; None when it did not end."""
+    """Return the exit status of a program of a trial; None when it did not end."""
     codes = seen.exit_codes
     found = codes[program] if program < len(codes) else None
     return found if type(found) is int else None
 
 
 def course_said(seen: Any, topic: str) -> list[tuple[float, Any]]:
-    """The messages of the course's own programs on a topic, and their times."""
+    """Return the messages of the course's own programs on a topic, with their times."""
     return [(when, message) for when, message in seen.of_course(topic) if is_number(when)]
 
 
 def way_of(seen: Any, topic: str) -> list[tuple[float, ...]]:
-    """Where turtlesim says that a turtle was, as x, y and theta, in order; Wrong when it says nothing."""
+    """Return a turtle's positions as published by turtlesim, as x, y and theta in order; Wrong when there are none."""
     found = [fields(pose, ("x", "y", "theta"), topic) for _, pose in course_said(seen, topic)]
     if not found:
         raise Wrong(f"poses on {topic}", "there are none", hint=NO_HINT)
@@ -132,5 +132,5 @@ def way_of(seen: Any, topic: str) -> list[tuple[float, ...]]:
 
 
 def heard(seen: Any, topic: str) -> list[tuple[float, Any]]:
-    """The messages of a topic with the seconds at which they came, the first ones first."""
+    """Return the messages of a topic with their arrival times [s], in order."""
     return [(when, message) for when, message in seen.messages.get(topic, []) if is_number(when)]

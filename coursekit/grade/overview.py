@@ -1,4 +1,4 @@
-"""The class on one page: who needs a look, the hardest exercises and their frequent wrong answers, everybody's points."""
+"""The class on one page: students who need attention, the hardest exercises with frequent wrong answers, all points."""
 
 from __future__ import annotations
 
@@ -41,11 +41,11 @@ th{{color:var(--soft);position:sticky;top:0;background:var(--paper)}} td:first-c
 {rows}</table>{alike}</body></html>
 """
 _MOST = 200
-"""Pairs that are shown; similar.csv has them all."""
+"""The maximum number of pairs shown; similar.csv has them all."""
 
 
 def overview(records: Sequence[Record], outcome: Outcome | None = None) -> str:
-    """The page."""
+    """Return the page."""
     questions = sorted({verdict.name for one in records for verdicts in one.wanted.values() for verdict in verdicts})
     outcome = outcome or Outcome(list(records), Collection([], [], []))
     tiers = sorted({one.marked().tier for one in records} - {""})
@@ -64,7 +64,7 @@ def overview(records: Sequence[Record], outcome: Outcome | None = None) -> str:
 
 
 def _look(records: Sequence[Record], outcome: Outcome) -> str:
-    """The students who need the teacher's attention, and why; the most pressing first."""
+    """Return the students who need the teacher's attention, with the reason; the most urgent first."""
     rows = []
     for one in sorted(records, key=lambda each: LOOK.index(each.status()) if each.status() in LOOK else len(LOOK)):
         concerns = one.marked().concerns
@@ -84,7 +84,7 @@ def _look(records: Sequence[Record], outcome: Outcome) -> str:
 
 
 def _hardest(records: Sequence[Record]) -> str:
-    """The exercises by what they cost, with the wrong answers that most gave."""
+    """Return the exercises by lost points, with the most frequent wrong answers."""
     verdicts: dict[str, list[Verdict]] = {}
     for one in records:
         for verdict in one.marked().verdicts if one.counts() else ():
@@ -107,7 +107,7 @@ def _hardest(records: Sequence[Record]) -> str:
 
 
 def as_typed(answer: str) -> str:
-    """A value as its student typed it: texts without the signs that Python puts around them, lists as their parts.
+    """Format a value as the student typed it: texts without Python's quotes, lists as their parts.
 
     >>> as_typed("['topic list', 'node info /talker']"), as_typed("'/scan'"), as_typed("(1, 2.5)"), as_typed("a list: [3]")
     ('topic list | node info /talker', '/scan', '(1, 2.5)', 'a list: 3')
@@ -157,7 +157,7 @@ def _link(record: Record) -> str:
 
 
 def _alike(records: Sequence[Record]) -> str:
-    """Pairs whose work is nearly one: where to look, not a verdict."""
+    """Return pairs with nearly the same work: hints for the teacher, not a verdict."""
     by_name = {one.label: one for one in records}
     pairs = similar([one.marked() for one in records if one.marks])
     rows = "".join(
@@ -169,5 +169,5 @@ def _alike(records: Sequence[Record]) -> str:
 
 
 def write_overview(folder: Path, records: Sequence[Record], outcome: Outcome | None = None) -> None:
-    """class.html."""
+    """Write class.html."""
     write_whole(folder / "class.html", overview(records, outcome).encode("utf-8", "replace"), parents=True)

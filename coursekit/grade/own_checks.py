@@ -15,19 +15,19 @@ from .exercise import Exercise
 OWN = "checks"
 """The folder's name."""
 _read: dict[Path, int] = {}
-"""The files that were read, and when each had been changed then."""
+"""The files read, with their modification times."""
 
 
 class BadChecks(Exception):
-    """A file of checks cannot be read; the text says where and why."""
+    """A file of checks cannot be read; the message gives position and reason."""
 
     def _render_traceback_(self) -> list[str]:
-        """IPython shows this instead of a traceback."""
+        """Return the text that IPython shows instead of a traceback."""
         return [str(self)]
 
 
 def read_checks(folder: Path) -> None:
-    """Know the exercises of the files in a folder, if it is there; a file that was changed is read again.
+    """Load the exercises of the files in a folder, if it exists; a changed file is loaded again.
 
     Raises:
         BadChecks: when one of them cannot be run.
@@ -40,14 +40,14 @@ def read_checks(folder: Path) -> None:
 
 
 def fault_of(error: BaseException) -> str:
-    """An exception of a check: what it is, and the line of the check where it stopped."""
+    """Describe an exception of a check, with the line of the check where it stopped."""
     frames = [one for one in traceback.extract_tb(error.__traceback__) if _is_check(one.filename)]
     where = f" ({Path(frames[-1].filename).name}, line {frames[-1].lineno})" if frames else ""
     return f"{type(error).__name__}: {error}"[:300] + where
 
 
 def is_own(filename: str) -> bool:
-    """Whether a file is one of checks that were read."""
+    """Whether a file is one of the loaded check files."""
     return Path(filename) in _read
 
 
@@ -56,13 +56,13 @@ def _is_check(filename: str) -> bool:
 
 
 def own_files(exercises: Iterable[Exercise]) -> list[Path]:
-    """The files of checks that hold these exercises; none for the course's own."""
+    """Return the check files of these exercises; empty for the course's own."""
     written = {Path(one.judge.__code__.co_filename) for one in exercises if hasattr(one.judge, "__code__")}
     return sorted(file for file in _read if file in written)
 
 
 def digest_of_checks(exercises: Iterable[Exercise]) -> str:
-    """Changes when a file of checks with one of these exercises does; empty where there is none."""
+    """Return a digest that changes with the check files of these exercises; empty if there are none."""
     found, files = hashlib.sha256(), own_files(exercises)
     for file in files:
         found.update(file.name.encode() + b"\0" + file.read_bytes())
@@ -72,7 +72,7 @@ def digest_of_checks(exercises: Iterable[Exercise]) -> str:
 def _run(file: Path) -> None:
     module = types.ModuleType(f"coursekit_checks_{file.stem}")
     module.__file__ = str(file)
-    sys.modules[module.__name__] = module  # dataclasses in it look for their module
+    sys.modules[module.__name__] = module  # required by dataclasses in the module
     try:
         exec(compile(file.read_text(encoding="utf-8"), str(file), "exec"), module.__dict__)
     except Exception as error:

@@ -1,4 +1,4 @@
-"""The students of one folder or zip: usually one; copies of several people are told apart, or asked about."""
+"""The students of one folder or zip: usually one; copies of several people are separated, or become questions."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ class Part:
     entry: Entry
     found: Identified
     where: str
-    """Their name in a question."""
+    """The entry's name in a question."""
     about: tuple[str, ...]
-    """The part that makes the question another one."""
+    """The data that make the question different from others."""
 
 
 def parts_of(entry: Entry, identifier: Identifier) -> list[Part]:
-    """An entry as it was handed in, or parted by whose copies lie in it."""
+    """Return an entry as it was handed in, or divided by the owners of its copies."""
     named = identifier.by_name(entry.name)
     whose = [_whose(piece, named, identifier) for piece in entry.pieces]
     known = list(dict.fromkeys(one for one in whose if one is not None))
@@ -45,7 +45,7 @@ def parts_of(entry: Entry, identifier: Identifier) -> list[Part]:
 
 
 def whole(entry: Entry, found: Identified) -> Part:
-    """All of an entry. An answer about it holds for just this work: another week's file may have the same name."""
+    """Return all of an entry. An answer about it holds only for this work: another week's file may have the same name."""
     return Part(entry, found, shown(entry.name), (entry.name, *sorted(one.digest for one in entry.pieces)))
 
 
@@ -60,7 +60,7 @@ def _whole(entry: Entry, known: Sequence[Identified], identifier: Identifier) ->
 
 
 def _whose(piece: Piece, named: Identified, identifier: Identifier) -> Identified | None:
-    """The student of one notebook, by its mark; where the entry's name is not one person's, by its content, too."""
+    """Identify the student of one notebook by its mark; if the entry's name is ambiguous, also by its content."""
     owner = identifier.owner(piece.known.copy)
     if owner is not None:
         return Identified((owner,), "the mark of the copy")
@@ -75,7 +75,7 @@ def _whose(piece: Piece, named: Identified, identifier: Identifier) -> Identifie
 
 
 def _settled(entry: Entry, pieces: Iterable[Piece], found: Identified, identifier: Identifier) -> Identified:
-    """The student by a copy's mark and the entry's name together."""
+    """Identify the student by a copy's mark and the entry's name together."""
     marks = unique(piece.known.copy for piece in pieces if identifier.owner(piece.known.copy) is not None)
     return identifier.identify(entry.name, marks) if marks else found
 

@@ -1,4 +1,4 @@
-"""Whether a teacher's own notebooks and checks fit together: each check has its exercise, each exercise its check."""
+"""Check that a teacher's own notebooks and checks match: each check has its exercise, each exercise its check."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ from .variants import checks_in
 
 
 def expect_partners(folder: Path) -> list[str]:
-    """A note for each exercise in `folder/checks` that no notebook of the folder checks; none without such a folder.
+    """Return a note for each exercise in `folder/checks` without a check in the folder's notebooks.
 
     Raises:
-        BadChecks: when a notebook checks an exercise that there is not, or two of its cells have one name.
+        BadChecks: when a notebook checks an unknown exercise, or two of its cells have the same name.
     """
     if not (folder / OWN).is_dir():
         return []

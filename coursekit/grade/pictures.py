@@ -1,4 +1,4 @@
-"""The pictures of evidence that came with a student's work, for their page."""
+"""The pictures of evidence in a student's work, for the student's page."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from .bundle import read_bundle
 from .harmless import shown
 
 LARGEST, MOST = 2 << 20, 12
-"""Bytes of a picture, and pictures of a person, that are shown."""
+"""The maximum size of a picture [bytes], and the maximum number of pictures of a person."""
 _PNG = b"\x89PNG\r\n\x1a\n"
 
 
 def pictures_in(bundles: Sequence[Path]) -> Iterator[tuple[str, bytes]]:
-    """(name, bytes) of the PNG pictures in these files of `hand_in()`; those that are none, or too large, are left out."""
+    """Yield (name, bytes) of the PNG pictures in these files of `hand_in()`, without invalid or too large ones."""
     found = {}
     for file in bundles:
         try:
@@ -32,7 +32,7 @@ def pictures_in(bundles: Sequence[Path]) -> Iterator[tuple[str, bytes]]:
 
 
 def as_html(bundles: Sequence[Path]) -> str:
-    """The pictures as part of a page, which needs no other file."""
+    """Return the pictures as a self-contained part of a page."""
     shapes = []
     for name, data in pictures_in(bundles):
         source, label = base64.b64encode(data).decode(), html.escape(shown(name, 80), quote=True)

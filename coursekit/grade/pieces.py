@@ -1,4 +1,4 @@
-"""The pieces of a folder or zip that was handed in: each notebook read once, recognised, and kept as a plain copy."""
+"""The pieces of a submitted folder or zip: each notebook is read once, recognised, and stored as a plain copy."""
 
 from __future__ import annotations
 
@@ -26,18 +26,18 @@ SEALED, PLATFORM, LISTED, ZIPPED, FILE = (
     "the file's time in the zip",
     "the file's time",
 )
-"""The sources of a time; the first that exists counts."""
+"""The sources of a time; the first available one counts."""
 SYSTEM = ("__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini", ".coursekit", ".git")
-"""Files that computers add, and that are no notebook's."""
+"""Files added by computers, which belong to no notebook."""
 WORKSPACE = "ros2_ws"
-"""A folder of which only notebooks are looked at."""
+"""A folder in which only notebooks are considered."""
 _MAYBE = (".json", ".txt", ".ipynb~")
-"""The forms of a notebook's ending that browsers and editors make."""
+"""The variants of a notebook's suffix made by browsers and editors."""
 
 
 @dataclass(frozen=True)
 class Raw:
-    """A file as it lies there; or why it cannot be read."""
+    """A file as found, or the reason why it cannot be read."""
 
     parts: tuple[str, ...]
     when: float = 0.0
@@ -52,49 +52,49 @@ class Piece:
     """A notebook that was handed in."""
 
     where: str
-    """Where it lay, to be shown."""
+    """Its location, for display."""
     chapter: str = ""
     known: Known = field(default_factory=lambda: Known(""))
     also: tuple[Known, ...] = ()
-    """The other chapters whose exercises were done in it, too."""
+    """The other chapters whose exercises were also done in it."""
     file: Path | None = None
-    """A plain copy of it."""
+    """A plain copy of the notebook."""
     digest: str = ""
     when: float = 0.0
     when_from: str = FILE
     inner: float = 0.0
-    """When the file itself was changed: the order within one hand-in."""
+    """The modification time of the file itself: the order within one hand-in."""
     entry: str = ""
-    """The folder or file of the class in which it lay."""
+    """The class's folder or file in which it was found."""
     bundle: Path | None = None
-    """A plain copy of the file that `hand_in()` made, if it lay in one."""
+    """A plain copy of the `hand_in()` file that contained it, if any."""
     student: str = ""
-    """The students that the file names."""
+    """The student named in the file."""
     checkpoint: bool = False
     late_said: bool = False
-    """Whether the platform says that it was late."""
+    """Whether the platform marked it as late."""
     fault: str = ""
 
 
 @dataclass
 class Entry:
-    """One folder or file of a class's folder, and what was found in it."""
+    """One folder or file of a class's folder, and its content."""
 
     name: str
-    """As it is called there."""
+    """Its name there."""
     pieces: list[Piece] = field(default_factory=list)
     faults: list[str] = field(default_factory=list)
     others: list[str] = field(default_factory=list)
-    """Files that are no notebooks."""
+    """Files that are not notebooks."""
     students: list[str] = field(default_factory=list)
-    """The students that files made by `hand_in()` name."""
+    """The students named in files made by `hand_in()`."""
     bundles: list[Path] = field(default_factory=list)
-    """Plain copies of all of these."""
+    """Plain copies of these files."""
     concerns: list[str] = field(default_factory=list)
 
 
 class Gatherer:
-    """Reads entries; keeps plain copies in a folder of its own."""
+    """Reads entries, and stores plain copies in its own folder."""
 
     def __init__(self, recogniser: Recogniser, scratch: Path) -> None:
         self._recogniser = recogniser
@@ -102,7 +102,7 @@ class Gatherer:
         self._number = itertools.count()
 
     def entry(self, name: str, files: Iterable[Raw]) -> Entry:
-        """Read all that lies in an entry; what is wrong with a file is told and stops nothing."""
+        """Read all files of an entry; a faulty file is reported and does not stop the others."""
         made = Entry(name)
         for raw in files:
             if _is_left_out(raw.parts):
@@ -175,7 +175,7 @@ class Gatherer:
                     made.faults.append(f"{inside}: {shown(str(error)) or 'cannot be read'}")
 
     def _bundle(self, made: Entry, raw: Raw, manifest: bytes) -> _Bundle | None:
-        """A file made by `hand_in()`: it says who made it and when."""
+        """Read a file made by `hand_in()`, with its author and time."""
         try:
             said = json.loads(manifest)
         except (ValueError, RecursionError):
@@ -202,7 +202,7 @@ class _Bundle:
 
 
 def sealed_time(manifest: dict[str, Any]) -> float:
-    """When a file was made by `hand_in()`, in seconds since 1970; 0 when it does not say."""
+    """Return when a file was made by `hand_in()`, in seconds since 1970; 0 if it has no time."""
     try:
         from datetime import datetime
 
@@ -212,13 +212,13 @@ def sealed_time(manifest: dict[str, Any]) -> float:
 
 
 def _is_left_out(parts: tuple[str, ...]) -> bool:
-    """Whether a file is none that a student meant to hand in."""
+    """Whether a file was certainly not meant as a submission."""
     workspace = WORKSPACE in parts and not parts[-1].casefold().endswith(".ipynb")
     return workspace or parts[-1].startswith("._") or any(one in SYSTEM for one in parts)
 
 
 def _beginning(raw: Raw) -> bytes:
-    """The first bytes of a file, by which it is known whatever its name; none where that is not looked at."""
+    """Return the first bytes of a file, which identify its type; empty if it is not considered."""
     if raw.open is None or raw.size > LARGEST:
         return b""
     with raw.open() as data:
@@ -238,7 +238,7 @@ def _of_member(opened: Archive, member: Member, outer: Raw) -> Raw:
 
 
 def _read(raw: Raw, most: int) -> bytes:
-    """All of a file that may have so many bytes; one that grows meanwhile is read no further."""
+    """Read a whole file up to `most` bytes, also if it grows meanwhile."""
     if raw.size > most or raw.open is None:
         raise ValueError(f"it is larger than {most >> 20} MB")
     made = bytearray()
@@ -251,7 +251,7 @@ def _read(raw: Raw, most: int) -> bytes:
 
 
 def told_time(when: float) -> str:
-    """A time as it is told.
+    """Format a time for display.
 
     >>> told_time(0)
     'no time'

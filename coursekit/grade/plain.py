@@ -1,7 +1,7 @@
-"""A student's values as exactly plain ones: numbers that are finite, texts, lists and tuples; all else is Wrong.
+"""Validation of a student's values as exactly plain: finite numbers, texts, lists and tuples; anything else is Wrong.
 
-Judges compare only what these functions gave them. NaN, infinities, bool for int and objects that lie about what they
-equal never get as far as a comparison, so a check passes only when something was positively found right.
+Judges compare only results of these functions. NaN, infinities, bool in place of int and objects with a false __eq__
+never reach a comparison, so a check passes only when something was positively found correct.
 """
 
 from __future__ import annotations
@@ -22,14 +22,14 @@ from .wire import Described
 T = TypeVar("T")
 _OURS = str(Path(__file__).resolve().parents[1])
 _MADE = "<coursekit "
-"""How the sources of messages' classes are called."""
+"""The prefix of the file names of generated message classes."""
 _UNFINISHED = ("coroutine", "generator", "async_generator")
 MOST = 100
-"""Letters of a value that a verdict shows."""
+"""The maximum length of a value in a verdict [characters]."""
 
 
 def shown(value: Any, most: int = MOST) -> str:
-    """A value for a verdict: its repr, cut; also of objects whose repr fails.
+    """Format a value for a verdict by its truncated repr, even if the repr fails.
 
     >>> shown([1, 2]), shown("long" * 9, 8), shown(10**9999)
     ('[1, 2]', "'longlo…", 'an int that cannot be shown')
@@ -42,7 +42,7 @@ def shown(value: Any, most: int = MOST) -> str:
 
 
 def is_number(value: Any) -> bool:
-    """Whether it is exactly an int, a float or numpy's scalar of these, and finite; a bool is none.
+    """Whether a value is exactly an int, a float or a numpy scalar of these, and finite; not a bool.
 
     >>> [is_number(one) for one in (1, 2.5, True, math.nan, math.inf, "1", 10**400)]
     [True, True, False, False, False, False, False]
@@ -58,7 +58,7 @@ def is_number(value: Any) -> bool:
 
 
 def is_infinite(value: Any) -> bool:
-    """Whether it is exactly a float's, or a numpy scalar's, positive infinity.
+    """Whether a value is exactly positive infinity, as a float or a numpy scalar.
 
     >>> [is_infinite(one) for one in (math.inf, -math.inf, math.nan, 1.0, "inf")]
     [True, False, False, False, False]
@@ -73,7 +73,7 @@ def _scalars(numpy: Any) -> tuple[Any, ...]:
 
 
 def near(got: Any, need: float, tolerance: float) -> bool:
-    """Whether `got` is a plain finite number no more than `tolerance` from `need`.
+    """Whether `got` is a plain finite number within `tolerance` of `need`.
 
     >>> near(1.0, 1, 1e-6), near(math.nan, 1, 1e-6), near(True, 1, 1)
     (True, False, False)
@@ -82,7 +82,7 @@ def near(got: Any, need: float, tolerance: float) -> bool:
 
 
 def close(got: Sequence[Any], need: Sequence[float], tolerance: float) -> bool:
-    """Whether as many plain finite numbers make a place no further than `tolerance` from `need`.
+    """Whether `got` has the same number of plain finite numbers, at a distance within `tolerance` of `need`.
 
     >>> close((0.0, 1.0), (0, 1), 0.1), close((0.0, math.nan), (0, 1), 0.1), close((0.0,), (0, 1), 2)
     (True, False, False)
@@ -93,10 +93,10 @@ def close(got: Sequence[Any], need: Sequence[float], tolerance: float) -> bool:
 
 
 def number(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> float:
-    """The value as a float; Wrong, which says what was `expected`, when it is no plain finite number."""
+    """Return the value as a float; Wrong with `expected` when it is not a plain finite number."""
     array = _array(value)
     if array is not None and array.ndim == 0:
-        value = array.item()  # as numpy's functions give one number
+        value = array.item()  # numpy's functions return numbers in this form
     if not is_number(value):
         raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value), share=share, hint=NO_HINT)
     return float(value)
@@ -117,7 +117,7 @@ def _why_no_number(value: Any) -> str:
 
 
 def whole(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> int:
-    """The value as an int; Wrong when it is none: a bool and 2.0 are none."""
+    """Return the value as an int; Wrong for anything else, including bool and 2.0."""
     if not is_number(value) or type(value) is float or float(value) != int(value):
         if is_number(value):
             cut = float(value) == int(value)
@@ -127,7 +127,7 @@ def whole(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> 
 
 
 def numbers(value: Any, count: int, expected: str, cause: str = "") -> tuple[float, ...]:
-    """So many finite numbers of a tuple, a list or an array; Wrong when it is something else."""
+    """Return `count` finite numbers of a tuple, list or array; Wrong for anything else."""
     array = _array(value)
     parts = items(value, expected, cause) if array is None else array.ravel().tolist()
     if len(parts) != count:
@@ -137,7 +137,7 @@ def numbers(value: Any, count: int, expected: str, cause: str = "") -> tuple[flo
 
 
 def items(value: Any, expected: str, cause: str = "") -> list[Any]:
-    """The items of a tuple, a list or an array of numbers (its rows); Wrong for all else."""
+    """Return the items of a tuple or list, or the rows of an array of numbers; Wrong for anything else."""
     if type(value) in (tuple, list):
         return list(value)
     if (array := _array(value)) is not None and array.ndim:
@@ -149,7 +149,7 @@ def items(value: Any, expected: str, cause: str = "") -> list[Any]:
 
 
 def _array(value: Any) -> Any:
-    """The value when it is an array of plain numbers, of a size to be looked at, else None."""
+    """Return the value if it is an array of plain numbers of acceptable size, else None."""
     numpy = sys.modules.get("numpy")
     if numpy is None or type(value) is not numpy.ndarray or value.dtype.kind not in "iuf" or value.size > 10**6:
         return None
@@ -157,21 +157,21 @@ def _array(value: Any) -> Any:
 
 
 def text(value: Any, expected: str, cause: str = "") -> str:
-    """The value as a str; Wrong when it is none."""
+    """Return the value as a str; Wrong when it is not one."""
     if type(value) is not str:
         raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value), hint=NO_HINT)
     return value
 
 
 def texts(value: Any, expected: str, cause: str = "") -> list[str]:
-    """The texts in a list or a tuple; Wrong when there is something else."""
+    """Return the texts in a list or a tuple; Wrong when it contains anything else."""
     if type(value) not in (list, tuple):
         raise Wrong(expected, gave=shown(value), cause=cause, hint=NO_HINT)
     return [text(one, expected, cause) for one in value]
 
 
 def field(message: Any, path: str, kind: type[T], where: str = "a message") -> T:
-    """A field of a recorded message, of exactly that type; floats are finite, and an int serves for one.
+    """Return a field of a recorded message, of exactly that type; floats must be finite, and may be ints.
 
     >>> field({"pose": {"x": 1.5}}, "pose.x", float)
     1.5
@@ -190,12 +190,12 @@ def field(message: Any, path: str, kind: type[T], where: str = "a message") -> T
 
 
 def fields(message: Any, paths: Sequence[str], where: str = "a message") -> tuple[float, ...]:
-    """Several finite numbers of a recorded message."""
+    """Return several finite numbers of a recorded message."""
     return tuple(field(message, one, float, where) for one in paths)
 
 
 def called(function: Callable[..., Any], *given: Any, told: str) -> Any:
-    """The result of a student's function; Wrong with its own exception and line when it raises one."""
+    """Return the result of a student's function; Wrong with its exception and line when it raises one."""
     try:
         return function(*given)
     except (NotImplementedError, Gone):
@@ -208,7 +208,7 @@ def called(function: Callable[..., Any], *given: Any, told: str) -> Any:
 
 
 def _why_it_stopped(error: Exception) -> str:
-    """The likely cause of an exception of a student's function."""
+    """Return the likely cause of an exception in a student's function."""
     if isinstance(error, UnboundLocalError):
         return (
             "A function that assigns a name has a name of its own: it needs a value before this line in every case. "
@@ -222,7 +222,7 @@ def _why_it_stopped(error: Exception) -> str:
 
 
 def error_of(error: BaseException) -> str:
-    """An exception as a verdict shows it: its kind, its text, and the student's own line, if it has passed one."""
+    """Format an exception for a verdict: its type, its message, and the student's own line, if it passed one."""
     try:
         said = f"{type(error).__name__}: {error}"[:300]
     except Exception:
@@ -236,12 +236,12 @@ def error_of(error: BaseException) -> str:
 
 
 def of_student(error: BaseException) -> bool:
-    """Whether an exception passed through code of a student's, not only through a check and what is installed."""
+    """Whether an exception passed through a student's code, not only through a check and installed code."""
     return bool(_frames(error))
 
 
 def _frames(error: BaseException) -> list[traceback.FrameSummary]:
-    """The lines of the student's that an exception passed."""
+    """Return the student's lines in an exception's traceback."""
     found = [one for one in traceback.extract_tb(error.__traceback__) if not one.filename.startswith((_OURS, _MADE))]
     found = [one for one in found if "site-packages" not in one.filename and not is_own(one.filename)]
     return [one for one in found if not one.filename.startswith(sys.base_prefix)]

@@ -1,4 +1,4 @@
-"""A trial's plan and its observations: plain values, checked when they come back from a sandbox."""
+"""The plan and the observations of a trial: plain values, validated when they return from a sandbox."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 EVERY_NODE_S = ("/rosout", "/parameter_events")
-"""Topics that every node has."""
+"""Topics of every node."""
 MESSAGES = 5000
-"""Messages that are kept of each topic."""
+"""The maximum number of messages recorded per topic."""
 
 Heard = list[tuple[float, dict[str, Any]]]
 """(seconds, fields) of messages."""
@@ -26,11 +26,11 @@ class TrialFailed(Exception):
 class Plan:
     """The steps of a trial.
 
-    `run` are the student's command lines without the word `ros2`, started in order, and `later` (seconds, command line)
-    those that are started when the rest is up; they share an interpreter of their own. `beside` are the course's programs:
-    they run where nothing of a student's does. `record` are topics whose messages are kept, `*` means all; `publish` are
-    (seconds, topic, type, fields); `call` are (seconds, service, type, fields); `seconds` is when Ctrl-C is pressed in
-    everything.
+    `run` are the student's command lines without the word `ros2`, started in order; `later` (seconds, command line)
+    are started after the others. They share an interpreter of their own. `beside` are the course's programs, which
+    run apart from all of a student's code. `record` are topics whose messages are recorded, `*` means all; `publish`
+    are (seconds, topic, type, fields); `call` are (seconds, service, type, fields); `seconds` is when Ctrl-C is
+    pressed in all programs.
     """
 
     run: list[list[str]]
@@ -46,8 +46,8 @@ class Plan:
 class Seen:
     """The observations at the end of the trial, just before Ctrl-C, and while it ran.
 
-    `services` are those that a node serves; one that is only called is not among them.
-    `outputs` and `exit_codes` are those of `run`, then those of `later`; `beside` are the outputs of the course's programs.
+    `services` are those with a server. `outputs` and `exit_codes` are those of `run`, then those of `later`; `beside`
+    are the outputs of the course's programs.
     """
 
     outputs: list[str] = field(default_factory=list)
@@ -64,7 +64,7 @@ class Seen:
     responses: list[dict[str, Any] | None] = field(default_factory=list)
 
     def of_course(self, topic: str) -> Heard:
-        """The messages of a topic that the course's own programs published, and no program of the student's.
+        """Return the messages of a topic published by the course's own programs, not by the student's.
 
         >>> seen = Seen(messages={"/odom": [(0.1, {"x": 1}), (0.2, {"x": 9})]}, by_course={"/odom": [True, False]})
         >>> seen.of_course("/odom")

@@ -1,4 +1,4 @@
-"""The names that learning platforms give to files when a teacher downloads the submissions of a class."""
+"""The file names in learning platforms' downloads of a class's submissions."""
 
 from __future__ import annotations
 
@@ -20,25 +20,25 @@ _CLASSROOM = re.compile(r"(?P<name>.+?) - (?P<file>.+)", re.S)
 
 @dataclass(frozen=True)
 class PlatformName:
-    """The parts of the name of a file or folder of a download."""
+    """The parts of a file or folder name in a download."""
 
     platform: str
     name: str = ""
-    """The person as the platform writes it."""
+    """The person's name in the platform's spelling."""
     number: str = ""
-    """The platform's name of the person."""
+    """The platform's identifier of the person."""
     logins: tuple[str, ...] = ()
-    """The possible logins: a login may hold the sign that parts the name, too."""
+    """The possible logins: a login may also contain the separator."""
     file: str = ""
-    """The student's name of the file."""
+    """The student's file name."""
     when: float = 0.0
-    """When it was handed in, in seconds since 1970; 0 where the name does not say."""
+    """The submission time in seconds since 1970; 0 if the name has none."""
     late: bool = False
-    """Whether the platform says that it was late."""
+    """Whether the platform marked it as late."""
 
 
 def platform_name(text: str) -> PlatformName | None:
-    """The parts of a name of a download; None when it is not one of a platform's.
+    """Parse a name in a download; None when it is not in a platform's format.
 
     >>> platform_name("García López Ana_101_assignsubmission_file_").number
     '101'
@@ -66,7 +66,7 @@ def platform_name(text: str) -> PlatformName | None:
 
 
 def moodle_folder(name: str, number: str) -> str:
-    """The folder under which Moodle takes files for a participant.
+    """Return the folder name by which Moodle assigns files to a participant.
 
     >>> platform_name(moodle_folder("Ann Lee", "101")).number
     '101'

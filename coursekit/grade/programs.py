@@ -1,7 +1,7 @@
-"""The student's side of a trial: its programs run here, as far as the watcher's clock allows.
+"""The student's side of a trial: runs the programs here, as far as the watcher's clock allows.
 
-`python -m coursekit.grade.programs [READ WRITE]`: frames of `coursekit.joined` come and go on these file descriptors, else
-on stdin and stdout.
+`python -m coursekit.grade.programs [READ WRITE]`: frames of `coursekit.joined` are exchanged on these file
+descriptors, by default on stdin and stdout.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from .limited import end_with_parent
 
 
 class Programs:
-    """Starts what the watcher says, and tells it how all ended."""
+    """Starts programs on the watcher's orders, and reports how they ended."""
 
     def __init__(self, session: Any) -> None:
         self.session = session
@@ -29,12 +29,12 @@ class Programs:
         self._started: list[Any] = []
 
     def on_event(self, event: list[Any]) -> None:
-        """An order of the watcher's; the main execution context carries it out."""
+        """Queue an order of the watcher for the main execution context."""
         self._orders.append(event)
         self._waiter.notify()
 
     def run(self) -> None:
-        """Carry out orders, for ever: the watcher's end ends this interpreter."""
+        """Carry out orders forever: the watcher's end ends this interpreter."""
         while True:
             self._waiter.wait()
             while self._orders:
@@ -49,7 +49,7 @@ class Programs:
         self._started.append(self.session.start(lambda: ros2(argv), name="ros2", argv=argv))
 
     def _end(self, seconds: float) -> None:
-        """Press Ctrl-C in all of them, and say what they printed and how they ended."""
+        """Press Ctrl-C in all programs, and report their output and exit codes."""
         for process in self._started:
             process.interrupt()
         codes = [process.wait(seconds) for process in self._started]
@@ -57,11 +57,11 @@ class Programs:
 
 
 def main() -> int:
-    """Join the watcher."""
+    """Connect to the watcher."""
     end_with_parent()
     read, write = map(opened, sys.argv[1:3]) if len(sys.argv) == 3 else (os.dup(0), os.dup(1))
     nothing = os.open(os.devnull, os.O_RDWR)
-    for number in (0, 1):  # what a program writes past sys.stdout is no frame
+    for number in (0, 1):  # output written past sys.stdout must not mix with frames
         os.dup2(nothing, number)
     from coursekit.joined import Follower, Pipe
     from coursekit.processes.session import current
@@ -75,7 +75,7 @@ def main() -> int:
 
 
 def _source_workspace(workspace: str) -> None:
-    """The environment as after `source install/setup.bash`."""
+    """Set the environment as after `source install/setup.bash`."""
     from coursekit.packages.overlay import overlay_environment
 
     install = Path(workspace, "install")

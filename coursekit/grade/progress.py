@@ -1,4 +1,4 @@
-"""A student's points over the course, in one small file of their course folder."""
+"""A student's points over the course, in one small file in the course folder."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Progress:
 
     @classmethod
     def of_course(cls) -> Progress:
-        """The progress kept in the current course folder."""
+        """Return the progress stored in the current course folder."""
         return cls(Path(os.environ.get("COURSEKIT_COURSE", ".")) / ".coursekit" / "progress.json")
 
     def _read(self) -> dict[str, dict[str, float]]:
@@ -45,15 +45,15 @@ class Progress:
         return number
 
     def count_try(self, name: str) -> int:
-        """Count a try; which one it is."""
+        """Count a try. Returns its number."""
         return self._count(name, "tries")
 
     def count_hint(self, name: str) -> int:
-        """Count a hint; which one it is."""
+        """Count a hint. Returns its number."""
         return self._count(name, "hints")
 
     def note(self, verdict: Verdict) -> None:
-        """Remember the points if they are the best so far."""
+        """Store the points if they are the best so far."""
         if verdict.points >= self.points(verdict.name):
             self._change(verdict.name, "points", verdict.points)
         if verdict.passed:
@@ -62,13 +62,13 @@ class Progress:
             self._change(verdict.name, "done", 1)
 
     def points(self, name: str) -> float:
-        """The best points for an exercise so far."""
+        """Return the best points for an exercise so far."""
         return float(self._kept.get(name, {}).get("points", 0))
 
     def chapters(self) -> dict[str, tuple[float, float, list[tuple[str, str, float, float]]]]:
-        """For each chapter: points, of how many, and (name, title, points, of) of its exercises.
+        """Return points, maximum and (name, title, points, of) of the exercises for each chapter.
 
-        Of a voluntary exercise the points are 1 of 0 when it is done.
+        A completed voluntary exercise has 1 of 0 points.
         """
         found: dict[str, Any] = {}
         for name, exercise in all_exercises().items():
@@ -112,12 +112,12 @@ def _told(name: str, title: str, got: float, most: float) -> str:
 
 
 def _colour(got: float, most: float) -> str:
-    """Green for all points, yellow for some, grey for none."""
+    """Return green for all points, yellow for some, grey for none."""
     return "#1a7f4b" if got and got >= most else "#c9a13b" if got else "#c8ced3"
 
 
 def progress(chapter: str = "") -> Progress:
-    """The student's progress over the whole course, in one view; of one chapter if its name is given ("ch02")."""
+    """Show the student's progress over the whole course, or over one chapter ("ch02")."""
     found = Progress.of_course()
     found.only = chapter
     return found

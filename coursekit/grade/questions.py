@@ -1,4 +1,4 @@
-"""Questions for the teacher: a table with an empty column for the answers, which the next run reads."""
+"""Questions for the teacher: a table with an empty column for answers, which the next run reads."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ HEADINGS = ("number", "question", "about", "choices", "answer")
 
 @dataclass(frozen=True)
 class Question:
-    """Something that is not guessed."""
+    """A question in place of a guess."""
 
     number: str
-    """A digest of what it is about: an answer counts as long as that is the same."""
+    """A digest of its subject: an answer counts as long as the subject is unchanged."""
     text: str
     about: str
     choices: tuple[str, ...] = ()
 
     def chosen(self, answers: Mapping[str, str]) -> str:
-        """The answer; '' if there is none yet. A choice can be named by its place: `2`."""
+        """Return the answer; '' if there is none yet. A choice can be given by its number: `2`."""
         said = answers.get(self.number, "").strip().strip("'")
         if said.isdigit() and said not in self.choices and 0 < int(said) <= len(self.choices):
             return self.choices[int(said) - 1]
@@ -35,7 +35,7 @@ class Question:
 
 
 def numbered(*about: str) -> str:
-    """The number of a question about these.
+    """Return the number of a question about this subject.
 
     >>> numbered("whose", "x.ipynb")
     'Q97ae6d7c'
@@ -44,7 +44,7 @@ def numbered(*about: str) -> str:
 
 
 def read_answers(file: Path) -> dict[str, str]:
-    """The answers in the table so far.
+    """Return the answers in the table so far.
 
     Raises:
         ValueError: when the table cannot be read.
@@ -58,7 +58,7 @@ def read_answers(file: Path) -> dict[str, str]:
 def write_questions(
     file: Path, asked: Iterable[Question], answers: Mapping[str, str], form: Form = COMMA
 ) -> None:
-    """Write what was asked, answered or not; earlier answers stay. A table without any row is taken away."""
+    """Write all questions, answered or not, with earlier answers. A table without rows is removed."""
     rows = {
         one.number: [one.number, cell(one.text), cell(one.about), cell(" | ".join(one.choices)),
                      cell(answers.get(one.number, ""))]

@@ -1,6 +1,6 @@
-"""Inside a sandbox: reads a student's files for the judge.
+"""Inside a sandbox: read a student's files for the judge.
 
-`python -I -m coursekit.grade.reader WORKSPACE`: lines of JSON come on stdin, one line of JSON answers each.
+`python -I -m coursekit.grade.reader WORKSPACE`: each JSON line on stdin is answered by one JSON line.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from .verdict import Wrong
 
 
 def answer(workspace: Path, question: dict[str, Any]) -> str:
-    """The facts that a question asks for, or what was wrong."""
+    """Return the requested facts, or the fault."""
     try:
         return f'{{"facts": {as_json(READINGS[question.pop("ask")](workspace, **question))}}}'
     except Wrong as wrong:
@@ -27,7 +27,7 @@ def answer(workspace: Path, question: dict[str, Any]) -> str:
 
 
 def main() -> int:
-    """Answer until the judge hangs up."""
+    """Answer until the judge closes the connection."""
     questions = os.fdopen(os.dup(0), encoding="utf-8")
     answers = os.fdopen(os.dup(1), "w", encoding="utf-8")
     nothing = os.open(os.devnull, os.O_RDWR)

@@ -1,7 +1,8 @@
-"""The judges' readings of a student's workspace: each takes a file and gives checked facts.
+"""The judges' reading functions for a student's workspace: each takes a file and returns validated facts.
 
-In a notebook they are called at once. In grading they run in a sandbox of their own, after the student's programs have
-ended, and only facts come out: what a hostile file makes its reader say, it could as well have said itself.
+In a notebook they are called directly. In grading they run in their own sandbox after the student's programs have
+ended, and only facts come out. A hostile file can therefore only make its reader return facts that it could also
+contain.
 """
 
 from __future__ import annotations
@@ -22,22 +23,22 @@ if TYPE_CHECKING:
     from coursekit.urdf import UrdfError
 
 LONGEST = 1 << 20
-"""Bytes of a file of text."""
+"""The maximum size of a text file [bytes]."""
 _OPEN = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0)
 
 
 def text(workspace: Path, path: str) -> str:
-    """The text of a file."""
+    """Return the text of a file."""
     return _bytes(_file(workspace, path)).decode(errors="replace")
 
 
 def exists(workspace: Path, path: str) -> bool:
-    """Whether there is a file or folder of that name."""
+    """Whether a file or folder of that name exists."""
     return (workspace / path).exists()
 
 
 def build(workspace: Path, package: str, of: Sequence[str] = ()) -> BuildFacts:
-    """Whether a package was built, and why the build is not that of its source."""
+    """Return whether a package was built, and why the build differs from its source."""
     from coursekit.packages.build_state import build_fault
 
     prefixes = (workspace / "install" / package, workspace / "install")
@@ -46,13 +47,13 @@ def build(workspace: Path, package: str, of: Sequence[str] = ()) -> BuildFacts:
 
 
 def robot(workspace: Path, path: str) -> RobotFacts:
-    """A robot's description, xacro expanded."""
+    """Return a robot's description with xacro expanded."""
     from coursekit.urdf import UrdfError, load
 
     file = _file(workspace, path)
     try:
         found = load(file)
-        if found.faults:  # ROS drops the rest of such a link and goes on; a judge would not see what it lacks
+        if found.faults:  # ROS drops the rest of such a link and continues; a judge would not notice
             raise found.faults[0]
         return facts_of(found)
     except UrdfError as error:
@@ -63,14 +64,14 @@ def robot(workspace: Path, path: str) -> RobotFacts:
 
 
 def _place(file: Path, error: UrdfError) -> str:
-    """Where a fault is; lines are those of the expanded text, so in a xacro file its element says where."""
+    """Return the position of a fault; lines refer to the expanded text, so a xacro file's fault is located by element."""
     if file.suffix == ".xacro" and error.element:
         return f"{file.name}, expanded: {error.element}"
     return f"{file.name}:{error.line}" if error.line else file.name
 
 
 def message(workspace: Path, path: str) -> Message:
-    """A message definition; its package is the folder above `msg`."""
+    """Return a message definition; its package is the folder above `msg`."""
     from coursekit.interfaces.errors import InterfaceError
     from coursekit.interfaces.parser import parse_file
 
@@ -92,7 +93,7 @@ def _cause_in_yaml(said: str) -> str:
 
 
 def parameters(workspace: Path, path: str, nodes: Sequence[str]) -> dict[str, dict[str, Any]]:
-    """The parameters that a file gives to each of these nodes, as ROS reads it."""
+    """Return the parameters that a file sets for each of these nodes, as parsed by ROS."""
     from coursekit.rcl.arguments import parse_ros_arguments
 
     file = _file(workspace, path)
@@ -121,7 +122,7 @@ KINDS: dict[str, Any] = {
     "message": Message,
     "parameters": dict[str, dict[str, bool | int | float | str | list[bool] | list[int] | list[float] | list[str] | None]],
 }
-"""The result of each reading."""
+"""The reading functions by name."""
 
 
 def _file(workspace: Path, path: str) -> Path:
@@ -132,7 +133,7 @@ def _file(workspace: Path, path: str) -> Path:
 
 
 def _bytes(file: Path) -> bytes:
-    """The contents of a regular file of bounded size: no pipe is waited for, no device is read."""
+    """Read a regular file of bounded size, never a pipe or device."""
     try:
         descriptor = os.open(file, _OPEN)
     except OSError as error:
@@ -147,7 +148,7 @@ def _bytes(file: Path) -> bytes:
 
 
 def _near(path: Path) -> str:
-    """The files that the folder has instead, close names first."""
+    """Return the files in the folder instead, similar names first."""
     folder = path.parent
     if not folder.is_dir():
         return f"The folder {folder.name}/ does not exist either."

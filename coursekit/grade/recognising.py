@@ -1,4 +1,4 @@
-"""Which chapter a notebook is, and what its student did in it: its content decides, its name where that says nothing."""
+"""Recognise a notebook's chapter and the student's work in it, by its content, or else by its name."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from .harmless import shown
 from .variants import CHECK
 
 LARGEST = 32 << 20
-"""Bytes of a notebook."""
+"""The maximum size of a notebook [bytes]."""
 _MOST_PARTS = 1_500_000
-"""Brackets, braces and commas: each may become an object many times its size."""
+"""The maximum number of brackets, braces and commas: each may become an object many times its size."""
 _CODE = 20_000
-"""Letters of an answer that are kept for the student's page."""
+"""The maximum length of an answer stored for the student's page [characters]."""
 
 
 def parse_notebook(data: bytes, name: str) -> dict[str, Any]:
-    """A notebook's JSON.
+    """Parse a notebook's JSON.
 
     Raises:
-        ValueError: when it is none, or so made that reading it would take too much memory.
+        ValueError: when it is not a notebook, or would take too much memory.
     """
     if len(data) > LARGEST:
         raise ValueError(f"{name} is larger than {LARGEST >> 20} MB")
@@ -46,13 +46,13 @@ def parse_notebook(data: bytes, name: str) -> dict[str, Any]:
 
 
 def _decoded(data: bytes) -> str:
-    """The text of a notebook: UTF-8, or what its first bytes say; Windows' Notepad saves UTF-16."""
+    """Decode a notebook: UTF-8, or the encoding given by its first bytes; Windows' Notepad saves UTF-16."""
     kind = json.detect_encoding(data)
     return data.decode("utf-8-sig" if kind.startswith("utf-8") else kind).lstrip("\ufeff")
 
 
 def _why_none(data: bytes, error: Exception) -> str:
-    """Why bytes are no JSON, in words for a student."""
+    """Return why bytes are not JSON, in words for a student."""
     begin = data.lstrip()[:40].decode("utf-8", "replace")
     if not data.strip():
         return "the file is empty"
@@ -68,14 +68,14 @@ def _why_none(data: bytes, error: Exception) -> str:
 
 
 def text_of(cell: Any) -> str:
-    r"""The source of a cell, whatever it is; its lines end with `\n`, whatever the editor."""
+    r"""Return the source of a cell of any form, with lines ending in `\n`."""
     source = cell.get("source", "") if isinstance(cell, dict) else ""
     text = "".join(str(line) for line in source) if isinstance(source, list) else source
     return text.replace("\r\n", "\n").replace("\r", "\n") if isinstance(text, str) else ""
 
 
 def grade_id(cell: Any) -> str:
-    """The name under which a cell is graded, '' if it has none."""
+    """Return the name under which a cell is graded, or ''."""
     metadata = cell.get("metadata") if isinstance(cell, dict) else None
     grading = metadata.get("nbgrader") if isinstance(metadata, dict) else None
     found = grading.get("grade_id") if isinstance(grading, dict) else ""
@@ -84,31 +84,31 @@ def grade_id(cell: Any) -> str:
 
 @dataclass(frozen=True)
 class Known:
-    """A notebook's own words about itself."""
+    """The facts found in a notebook's content."""
 
     chapter: str
-    """The file name of the course's notebook that it is; '' if its content does not say."""
+    """The file name of the corresponding course notebook; '' if the content does not show it."""
     begun: tuple[str, ...] = ()
-    """The exercises into whose cells something was written."""
+    """The exercises with changed cells."""
     touched: bool = False
-    """Whether anything was written at all, in a cell of the student's own for instance."""
+    """Whether anything was changed, for instance by adding a cell."""
     copy: str = ""
-    """The secret mark of the copy that it was made from."""
+    """The secret mark of the original copy."""
     code: dict[str, str] = field(default_factory=dict)
     """The answers, by exercise."""
     work: str = ""
-    """A digest of all that was written."""
+    """A digest of all changes."""
     language: str = ""
-    """The code of the language that it was released in; '' if its content does not say."""
+    """The code of the release's language; '' if the content does not show it."""
 
     @property
     def level(self) -> int:
-        """2 for work on exercises, 1 for anything else that was written, 0 for a copy as it was handed out."""
+        """2 for work on exercises, 1 for other changes, 0 for an untouched copy."""
         return 2 if self.begun else int(self.touched)
 
 
 class Chapter:
-    """A notebook of the course, as what others are compared with."""
+    """A notebook of the course, for comparison with others."""
 
     def __init__(self, name: str, source: Mapping[str, Any]) -> None:
         self.name = name
@@ -116,12 +116,12 @@ class Chapter:
 
     @cached_property
     def marks(self) -> frozenset[str]:
-        """The names of its graded cells and of its checks."""
+        """The names of its graded cells and checks."""
         return frozenset(_marks(self.source))
 
     @cached_property
     def stubs(self) -> dict[str, set[str]]:
-        """The texts of its solution cells as they are handed out, by their names."""
+        """The digests of its solution cells as handed out, by name."""
         found: dict[str, set[str]] = {}
         for cell in self.source["cells"]:
             if cell.get("metadata", {}).get("nbgrader", {}).get("solution"):
@@ -130,11 +130,11 @@ class Chapter:
 
     @cached_property
     def texts(self) -> frozenset[str]:
-        """The texts of all its cells, as handed out."""
+        """The texts of all its cells as handed out."""
         return frozenset(without_solution(text_of(cell)).strip() for cell in self.source["cells"])
 
     def known(self, notebook: Mapping[str, Any]) -> Known:
-        """The work in a notebook that is this chapter."""
+        """Return the work in a notebook of this chapter."""
         facts = facts_of(notebook)
         said = facts.get(GIVEN)
         given: dict[str, Any] = said if isinstance(said, dict) else {}
@@ -156,7 +156,7 @@ class Chapter:
         return Known(self.name, tuple(dict.fromkeys(begun)), bool(work), copy, code, digest, language)
 
     def _named(self, cells: Sequence[Any]) -> Iterator[tuple[Any, str]]:
-        """Each cell with its name; one that lost it is the student's last cell above the check of its exercise."""
+        """Yield each cell with its name; a solution cell that lost its name is the student's last cell above the check."""
         names = [grade_id(cell) for cell in cells]
         checks = [CHECK.search(text_of(cell)) for cell in cells]
         own = [at for at, cell in enumerate(cells) if checks[at] or (text_of(cell).strip() and self._is_own(text_of(cell)))]
@@ -168,7 +168,7 @@ class Chapter:
         return zip(cells, names, strict=True)
 
     def _is_own(self, text: str) -> bool:
-        """Whether a cell without a name is one that the student added."""
+        """Whether an unnamed cell was added by the student."""
         return not CHECK.search(text) and text.strip() not in self.texts
 
 
@@ -192,7 +192,7 @@ class Recogniser:
         self.chapters = {name: Chapter(name, source) for name, source in sources.items()}
 
     def recognise(self, notebook: Mapping[str, Any]) -> Known:
-        """The chapter of a notebook by its content."""
+        """Recognise the chapter of a notebook by its content."""
         marks = _marks(notebook)
         counts = {name: len(marks & one.marks) for name, one in self.chapters.items()}
         best = max(counts.values(), default=0)
@@ -212,13 +212,13 @@ class Recogniser:
         return Known("", touched=True, copy=mark if isinstance(mark, str) else "", work=_digest(notebook))
 
     def others(self, notebook: Mapping[str, Any], chapter: str) -> tuple[Known, ...]:
-        """The same for the other chapters whose exercises were done in it, too."""
+        """Recognise the other chapters whose exercises were also done in it."""
         marks = _marks(notebook)
         named = (one for name, one in self.chapters.items() if name != chapter and marks & one.marks)
         return tuple(known for one in named if (known := one.known(notebook)).begun)
 
     def by_name(self, file: str) -> str:
-        """The chapter whose name is part of a file's: `ann_02_topics (1).ipynb` is `02_topics.ipynb`."""
+        """Return the chapter whose name is part of a file's name: `ann_02_topics (1).ipynb` is `02_topics.ipynb`."""
         plain = re.sub(r"[\W_]+", "_", Path(file).stem.casefold())
         fitting = [name for name in self.chapters if _stands_in(re.sub(r"[\W_]+", "_", Path(name).stem.casefold()), plain)]
         return max(fitting, key=len) if fitting else ""

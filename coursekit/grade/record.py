@@ -1,4 +1,4 @@
-"""One person's line in the books: what was handed in, the marks of its chapters, lateness, and what was changed by hand."""
+"""One person's record: the submission, the marks of its chapters, lateness, and changes by hand."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from .statuses import status_of
 from .verdict import Verdict
 
 COMMENT = "comment"
-"""The column in which a teacher writes what the student reads."""
+"""The column of the teacher's comment for the student."""
 ON_EXERCISE = " comment"
-"""The end of the name of a column with a comment on one exercise: `ch02.q1 comment`."""
+"""The suffix of a column with a comment on one exercise: `ch02.q1 comment`."""
 
 
 @dataclass
 class Late:
-    """How late one chapter was, and by which clock."""
+    """The lateness of one chapter, and the source of its time."""
 
     minutes: float = 0.0
     when: float = 0.0
@@ -35,18 +35,18 @@ class Late:
 
 @dataclass
 class Record:
-    """A person, and all that is known of their marks."""
+    """A person, with all data of the marks."""
 
     handed: Handed
     wanted: Mapping[str, Sequence[Verdict]]
-    """By chapter what is asked, with no points yet."""
+    """The exercises by chapter, without points so far."""
     marks: dict[str, Marked] = field(default_factory=dict)
     late: dict[str, Late] = field(default_factory=dict)
     tier: str = ""
     by_hand: dict[str, float] = field(default_factory=dict)
-    """Points that the teacher wrote into the table, by exercise; `total` for the sum."""
+    """Points written into the table by the teacher, by exercise; `total` for the sum."""
     extra: dict[str, str] = field(default_factory=dict)
-    """The teacher's words in columns of their own."""
+    """The teacher's texts in additional columns."""
 
     @property
     def label(self) -> str:
@@ -59,15 +59,15 @@ class Record:
         return self.handed.key
 
     def language(self) -> str:
-        """The language of the notebooks that the person handed in; English where none says."""
+        """Return the language of the submitted notebooks; English if none has one."""
         return next((piece.known.language for piece in self.handed.chosen.values() if piece.known.language), ENGLISH)
 
     def chapters(self) -> list[str]:
-        """Those chapters of the run that the person handed in."""
+        """Return the chapters of the run that the person handed in."""
         return [name for name in self.wanted if name in self.handed.chosen]
 
     def marked(self) -> Marked:
-        """The marks of all chapters as one, with points by hand."""
+        """Return the marks of all chapters as one, including points by hand."""
         marks = [self.marks[name] for name in self.wanted if name in self.marks]
         made = Marked(self.label, "".join(one.digest for one in marks), tier=next((one.tier for one in marks), ""))
         made.status = _together([one.status for one in marks])
@@ -88,21 +88,21 @@ class Record:
         return verdict if points is None else replace(verdict, points=points, fault="")
 
     def points(self) -> float:
-        """Before anything is taken off for being late."""
+        """Return the points before deductions for lateness."""
         return self.marked().total()
 
     def chapter_total(self, chapter: str) -> float:
-        """The points of a chapter after what is taken off."""
+        """Return the points of a chapter after deductions."""
         found = self.marks[chapter].verdicts if chapter in self.marks else self.wanted.get(chapter, ())
         points = sum(self._by_hand(one).points for one in found)
         return round(points * (1 - self.late.get(chapter, Late()).percent_off / 100), 2)
 
     def total_by_hand(self) -> bool:
-        """Whether the teacher wrote the mark itself."""
+        """Whether the teacher wrote the total."""
         return "total" in self.by_hand
 
     def total(self) -> float | None:
-        """The mark; None as long as a question is open or it is not marked."""
+        """Return the total; None while a question is open or the work is not marked."""
         if self.total_by_hand():
             return self.by_hand["total"]
         if self.status() in ("question", "not marked"):
@@ -110,32 +110,32 @@ class Record:
         return round(sum(self.chapter_total(one) for one in self.wanted), 2)
 
     def comments(self) -> dict[str, str]:
-        """The teacher's words for the person, by column; columns of the teacher's own are not theirs to see."""
+        """Return the teacher's comments for the person, by column, without the teacher's private columns."""
         exercises = [verdict.name + ON_EXERCISE for verdicts in self.wanted.values() for verdict in verdicts]
         return {name: self.extra[name] for name in (COMMENT, *exercises) if self.extra.get(name)}
 
     def counts(self) -> bool:
-        """Whether the mark is one of the class's average: of somebody who handed in or got points by hand, and is marked."""
+        """Whether the mark is part of the class's average: it exists, with a submission or points by hand."""
         known = {"total", *(verdict.name for verdicts in self.wanted.values() for verdict in verdicts)}
         return bool(self.chapters() or known & set(self.by_hand)) and self.total() is not None
 
     def told_chapters(self) -> str:
-        """The chapters that were asked for, as they are told."""
+        """Return the requested chapters as text."""
         return ", ".join(PurePosixPath(name).stem for name in self.wanted)
 
     def told_off(self) -> str:
-        """The points that were taken off for being late, in words; empty if none were."""
+        """Return the deductions for lateness as text; empty if there are none."""
         found = {name: late.percent_off for name, late in self.late.items() if late.percent_off}
         if len(set(found.values())) == 1 and len(found) == len(self.wanted):
             return f"{number(next(iter(found.values())))} %"
         return ", ".join(f"{number(off)} % of {PurePosixPath(name).stem}" for name, off in found.items())
 
     def of(self) -> float:
-        """All points that can be had."""
+        """Return the maximum number of points."""
         return sum(verdict.of for one in self.wanted.values() for verdict in one)
 
     def status(self) -> str:
-        """The status."""
+        """Return the status."""
         complete = bool(self.marks) and all(name in self.marks for name in self.chapters())
         marked = self.marked() if complete else None
         if self.handed.entries and not self.chapters():
@@ -148,16 +148,16 @@ class Record:
         return any(entry.faults or any(one.fault for one in entry.pieces) for entry in self.handed.entries)
 
     def code(self) -> dict[str, str]:
-        """The person's answers, by exercise."""
+        """Return the person's answers, by exercise."""
         return {name: text for piece in self.handed.chosen.values() for name, text in piece.known.code.items()}
 
     def time_from(self) -> str:
-        """Which clock lateness was told by."""
+        """Return the source of the times from which lateness was computed."""
         return "; ".join(unique(one.when_from for one in self.late.values() if one.when_from))
 
 
 def _together(statuses: Sequence[str]) -> str:
-    """The one that needs a look most; empty only if all are."""
+    """Return the most urgent status; empty only if all are."""
     for one in ("error", "unreadable"):
         if one in statuses:
             return one
@@ -165,7 +165,7 @@ def _together(statuses: Sequence[str]) -> str:
 
 
 def lateness_of(handed: Handed, chapters: Sequence[str], policy: Policy) -> dict[str, Late]:
-    """How late each chapter was; what the clocks contradict each other in goes to the teacher."""
+    """Return the lateness of each chapter; contradictions between times are reported to the teacher."""
     found = {}
     for chapter in chapters:
         piece = handed.chosen.get(chapter)

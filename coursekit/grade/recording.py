@@ -1,4 +1,4 @@
-"""Notes the messages of topics at the instant at which they are published, and which side of the trial they came from."""
+"""Records messages at the instant of publishing, and on which side of the trial they were published."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from coursekit.joined.ghosts import GhostPublisher
 from .plan import EVERY_NODE_S
 
 Keep = Callable[[str, float, Any, bool], None]
-"""Takes a topic, the seconds of the session, the fields, and whether a program of this interpreter published them."""
+"""A callback with topic, session time [s], fields, and whether a program of this interpreter published the message."""
 
 
 class Recorder:
-    """Subscribes, as one node, to each wanted topic as soon as it is published; `*` wants all of the programs' own."""
+    """Subscribes as one node to each wanted topic as soon as it is published; `*` wants all topics of the programs."""
 
     def __init__(self, node: GraphNode, wanted: list[str], keep: Keep) -> None:
         self._graph = node.graph
@@ -48,7 +48,7 @@ class Recorder:
 
 
 class _Recording(Subscription):
-    """Hands every message on instead of queueing it."""
+    """Passes every message on instead of queueing it."""
 
     __slots__ = ("keep",)
 
@@ -60,6 +60,6 @@ class _Recording(Subscription):
         self.reduce = message_to_ordereddict
 
     def push(self, entry: tuple[Any, int, Publisher]) -> None:
-        """Keep it at once."""
+        """Record the message immediately."""
         fields, _, publisher = entry
         self.keep(self.name, self.graph.clock.steady() * 1e-9, fields, not isinstance(publisher, GhostPublisher))

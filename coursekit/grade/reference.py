@@ -1,4 +1,4 @@
-"""Before anybody gets a mark: does the grader give the course's own solutions all points?"""
+"""Check before marking that the grader gives the course's own solutions all points."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ KEY = "the-reference"
 
 
 class GraderBroken(Exception):
-    """The grader does not give the right solution all points: marks that it gave would be wrong."""
+    """The grader does not give the reference solution all points, so its marks would be wrong."""
 
     def __init__(self, why: str, cure: str = "`coursekit doctor` looks for the cause.") -> None:
         super().__init__(why)
@@ -29,7 +29,7 @@ class GraderBroken(Exception):
 
 @dataclass(frozen=True)
 class Reference:
-    """The course's own solution of a chapter, and how it is marked."""
+    """The course's own solution of a chapter, and the data for marking it."""
 
     chapter: str
     source: dict[str, Any]
@@ -39,7 +39,7 @@ class Reference:
     dice: bytes
 
     def submission(self) -> Submission:
-        """The solution as something that was handed in."""
+        """Return the solution as a submission."""
         file = self.scratch / "reference" / self.chapter
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(json.dumps(self.source), encoding="utf-8")
@@ -47,7 +47,7 @@ class Reference:
 
 
 def expect_sound(reference: Reference, results: Results, mark: Callable[..., Marked]) -> str:
-    """Mark the reference solution of a chapter, once for each state of the grader; said when there is none.
+    """Mark a chapter's reference solution once per state of the grader. Returns a message if there is none.
 
     Raises:
         GraderBroken: when it does not get all points.
@@ -75,5 +75,5 @@ def expect_sound(reference: Reference, results: Results, mark: Callable[..., Mar
 
 
 def has_solutions(source: Mapping[str, Any]) -> bool:
-    """Whether a notebook of the course holds its solutions; those that are installed for students do not."""
+    """Whether a course notebook contains its solutions; those installed for students do not."""
     return any(without_solution(text) != text for text in map(text_of, source["cells"]))

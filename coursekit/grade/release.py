@@ -1,4 +1,4 @@
-"""The students' edition: the notebooks without solutions, hidden tests and outputs, as a folder and as a zip."""
+"""The students' edition: notebooks without solutions, hidden tests and outputs, as a folder and as a zip."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from .variants import Variants, checks_in
 
 KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
 WHEEL = "ADDRESS-OF-THE-WHEEL"
-"""Stands for the address of the wheel until a teacher gives it."""
+"""The placeholder of the wheel's address until a teacher sets it."""
 
 
 def released(notebook: dict[str, Any]) -> dict[str, Any]:
-    """A notebook as it is handed out: stubs, no outputs, a plain kernel, valid nbgrader metadata."""
+    """Return a notebook as handed out: stubs, no outputs, a plain kernel, valid nbgrader metadata."""
     made = student_notebook(notebook)
     facts = made["metadata"]["coursekit"]
     made["metadata"] = {"kernelspec": KERNEL, "language_info": {"name": "python"}, "coursekit": facts}
@@ -34,7 +34,7 @@ def released(notebook: dict[str, Any]) -> dict[str, Any]:
 
 
 def with_points(notebook: dict[str, Any]) -> dict[str, Any]:
-    """The notebook with the judges' points in its metadata: what is told is what is given."""
+    """Return the notebook with the judges' points in its metadata, so that both always agree."""
     points = {name: one.points for name, one in checked_in(notebook).items()}
     for name, place in checks_in(notebook).items():
         grading = notebook["cells"][place].get("metadata", {}).get("nbgrader", {})
@@ -53,11 +53,11 @@ def release(
     moodle: bool = False,
     language: str = ENGLISH,
 ) -> list[Path]:
-    """Write the notebooks, a zip of them and a page for a learning platform into `out`; what was written, but pictures.
+    """Write the notebooks, their zip and a page for a learning platform to `out`. Returns the files except pictures.
 
-    With `variants` each student of the class has a folder and a zip of their own, whose notebooks carry a mark that says
-    whose they are; with `personal` they ask for numbers of their own, too; with `moodle` all zips are in one that Moodle
-    deals out. The page tells students to install `wheel`. Chapters with a catalogue are in that `language`.
+    With `variants` each student has an own folder and zip, with a mark of the owner in the notebooks. With `personal`
+    the copies also have individual values. With `moodle` all zips are in one that Moodle distributes. The page tells
+    students to install `wheel`. Chapters with a catalogue are in that `language`.
     """
     sources = {file.name: _in_language(read(file, language), language) for file in sorted(notebooks)}
     pictures = {one.name: one for file in notebooks for one in pictures_of(sources[file.name], file.parent)}
@@ -77,7 +77,7 @@ def release(
 
 
 def _in_language(notebook: dict[str, Any], language: str) -> dict[str, Any]:
-    """The notebook, which says in what language its panels and checks are to speak; English needs no word."""
+    """Set the language of panels and checks in a notebook's metadata; English is the default."""
     if language != ENGLISH:
         notebook["metadata"].setdefault("coursekit", {})["language"] = language
     return notebook
@@ -86,7 +86,7 @@ def _in_language(notebook: dict[str, Any], language: str) -> dict[str, Any]:
 def _copy_of(
     person: Person, variants: Variants, sources: Mapping[str, Any], out: Path, personal: bool, beside: Sequence[Path]
 ) -> Path:
-    """A student's own zip."""
+    """Write a student's own zip."""
     student = variants.roster.label(person)
     copies = variants.copies(student, sources) if personal else sources
     folder = out / (student_word(student) or name_of_files(person.identity))
@@ -94,7 +94,7 @@ def _copy_of(
 
 
 def _written(notebooks: Mapping[str, Any], folder: Path, name: str, beside: Sequence[Path], mark: str = "") -> list[Path]:
-    """The notebooks as they are handed out; they say so, and a new edition of the course leaves them alone."""
+    """Write the notebooks as handed out, marked as a release, so that course updates leave them unchanged."""
     folder.mkdir(parents=True, exist_ok=True)
     files = []
     for file, notebook in notebooks.items():
@@ -108,7 +108,7 @@ def _written(notebooks: Mapping[str, Any], folder: Path, name: str, beside: Sequ
 
 
 def _copied(file: Path, folder: Path) -> Path:
-    """The copy of what goes with the notebooks: their pictures, and a teacher's own checks, or nothing could be checked."""
+    """Copy a file needed by the notebooks: a picture, or a teacher's own check."""
     made = folder / (OWN if file.suffix == ".py" else IMAGES) / file.name
     made.parent.mkdir(exist_ok=True)
     made.write_bytes(file.read_bytes())

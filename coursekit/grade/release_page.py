@@ -1,4 +1,4 @@
-"""The page for a learning platform that a release brings along: how to begin, what there is to do, how to hand in."""
+"""The release's page for a learning platform: how to start, what to do, how to hand in."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from coursekit.words.gettext import ENGLISH, words_of
 
 
 def page(title: str, archive: str, wheel: str, points: Mapping[str, Sequence[float]], language: str = ENGLISH) -> str:
-    """The page of a release: `points` of each exercise by notebook, `wheel` what students install, in a language.
+    """Return a release's page in a language; `points` of each exercise by notebook, `wheel` to install.
 
-    An `archive` of '' says that each student has a zip of their own.
+    An `archive` of '' means that each student has an own zip.
     """
     gettext = words_of(language).translated
     folder, wheel = html.escape(join_words([title])), html.escape(wheel)
@@ -63,7 +63,7 @@ def _table(points: Mapping[str, Sequence[float]], heads: Sequence[str], last: st
 
 
 def _sums(points: Sequence[float]) -> tuple[str, str]:
-    """How many exercises, and their points."""
+    """Return the number of exercises, and the sum of their points."""
     return str(len(points)), f"{sum(points):g}"
 
 

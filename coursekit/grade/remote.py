@@ -1,4 +1,4 @@
-"""A student's work seen from outside of its sandbox: the judge asks, the sandbox answers in JSON."""
+"""A student's work seen from outside its sandbox: the judge asks, the sandbox answers in JSON."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Line:
         self._rest = b""
 
     def ask(self, question: dict[str, Any], seconds: float) -> dict[str, Any]:
-        """The answer; Gone when there is none."""
+        """Ask a question and return the answer; Gone when there is none."""
         assert self.running.child.stdin is not None
         try:
             self.running.child.stdin.write(json.dumps(question).encode() + b"\n")
@@ -78,11 +78,10 @@ class Line:
 
 
 class RemoteWork(Work):
-    """`Work` whose variables live in a sandbox, and whose files and programs are looked at in further ones.
+    """`Work` whose variables are in a sandbox, and whose files and programs are examined in further ones.
 
-    A judge that looks at files before `finish` is interrupted by NeedsWorkspace, and asked again afterwards. By then the
-    notebook's sandbox has ended, so nothing can change what is read and run; the variables that the judge asked for before
-    are kept.
+    A judge that needs files before `finish` is interrupted by NeedsWorkspace, and called again afterwards. By then
+    the notebook's sandbox has ended, so nothing can change the files any more; variables requested before are kept.
     """
 
     def __init__(
@@ -102,25 +101,25 @@ class RemoteWork(Work):
         self._limits = limits
         self._secret = secret
         self._given: dict[str, dict[str, Any]] = {}
-        """By exercise: the variables that its judge asked for."""
+        """By exercise: the variables requested by its judge."""
         self._moment = ""
         self._reader: Line | None = None
         self.cell_timed_out = False
-        """Whether the cell that ran last took longer than it may."""
+        """Whether the last cell exceeded its time."""
         self.build_timed_out = False
-        """Whether the build was ended before it was done."""
+        """Whether the build was ended before completion."""
         self.complete = False
         """Whether all cells have run, the packages are built, and the notebook has ended."""
 
     def run(self, source: str, seconds: float) -> str:
-        """Run a cell in the sandbox; what went wrong."""
+        """Run a cell in the sandbox. Returns its error."""
         question = {"ask": "run", "source": source, "seconds": seconds}
         answer = self._line.ask(question, SLOWNESS * seconds + 10)
         self.cell_timed_out = answer.get("timed_out") is True
         return str(answer.get("error", ""))
 
     def finish(self, seconds: float) -> None:
-        """Build what the notebook builds, and end the notebook; then files and programs can be judged."""
+        """Run the notebook's builds, and end the notebook; then files and programs can be judged."""
         answer = self._line.ask({"ask": "build", "seconds": seconds}, SLOWNESS * seconds + 10)
         self.build_timed_out = answer.get("timed_out") is True
         self._running.end()
@@ -134,7 +133,7 @@ class RemoteWork(Work):
             self._reader.running.end()
 
     def judge_from_here(self, exercise: str) -> None:
-        """The work for `exercise` is judged as it is now."""
+        """Judge the work for `exercise` in its current state."""
         self._moment = exercise
         self.variants = self._values.get(exercise, {})
         self._given.setdefault(exercise, {})
@@ -155,12 +154,12 @@ class RemoteWork(Work):
         if answer.get("missing"):
             held = self._line.ask({"ask": "value", "name": name}, self._limits.call)
             self.variables = {} if held.get("missing") else {name: _unpacked(held)}
-            super().function(name)  # says whether there is nothing, or something that is no function
+            super().function(name)  # reports whether it is missing, or not a function
             raise Wrong(f"a function named `{name}`", NOTHING, "Was the cell above run?")
         return lambda *args: self._call(name, args)
 
     def _call(self, name: str, args: Sequence[Any]) -> Any:
-        """Call the student's function; what it and the judge change in arguments and variables, both see."""
+        """Call the student's function; changes to arguments and variables are passed in both directions."""
         given = self._given[self._moment]
         question = {
             "ask": "call",
@@ -174,7 +173,7 @@ class RemoteWork(Work):
             raise TimeOver(str(said.get("error")).removeprefix("TookTooLong: "))
         if said.get("missing") or said.get("error"):
             raise _error_of(str(said.get("error") or f"RuntimeError: `{name}` cannot be called"))
-        with contextlib.suppress(TypeError, ValueError, AttributeError, LookupError):  # nonsense changes nothing
+        with contextlib.suppress(TypeError, ValueError, AttributeError, LookupError):  # invalid values change nothing
             for place, changed in dict(said.get("args") or {}).items():
                 refresh(args[int(place)], unpack(changed))
             for known, changed in dict(said.get("variables") or {}).items():
@@ -206,7 +205,7 @@ class RemoteWork(Work):
             raise NeedsWorkspace
 
     def _carry_out(self, plan: Plan) -> Seen:
-        """The watcher and the student's programs in a sandbox each, joined by two pipes."""
+        """Run the watcher and the student's programs in one sandbox each, connected by two pipes."""
         self._need()
         env = dict(self._environment) | {"COURSEKIT_TIME": "virtual", "COURSEKIT_WORKSPACE": str(self.workspace)}
         folder = self.workspace.parent
@@ -242,7 +241,7 @@ def _unpacked(answer: dict[str, Any]) -> Any:
 
 
 def _error_of(text: str) -> Exception:
-    """The error that a student's function raised: of its own kind where that is one of Python's, else of its name.
+    """Recreate the error of a student's function, with its type if built in, else a type of that name.
 
     >>> _error_of("ValueError: too near (line 3)")
     ValueError('too near (line 3)')

@@ -1,4 +1,4 @@
-"""Brings a submitted notebook into the shape of the course's: what is missing, doubled or retyped is mended and told."""
+"""Bring a submitted notebook into the course's form: missing, duplicate or retyped cells are repaired, with notes."""
 
 from __future__ import annotations
 
@@ -14,37 +14,37 @@ from .recognising import text_of
 from .variants import CHECK
 
 LIVE = "live"
-"""The tag of cells that drive or watch running programs: a mark needs none of them, so they are left out."""
+"""The tag of cells that drive or watch running programs; they are not needed for a mark and omitted."""
 
 
 @dataclass
 class Step:
-    """One cell to run, and the exercise that is judged after it."""
+    """One cell to run, and the exercise judged after it."""
 
     source: str
     exercise: str = ""
     solution: bool = False
     """Whether the student wrote it."""
     given: str = ""
-    """The text that was handed out."""
+    """The text as handed out."""
 
 
 @dataclass
 class Repaired:
-    """The cells to run in the order of the course's notebook, and what had to be mended."""
+    """The cells to run in the course's order, and notes on the repairs."""
 
     steps: list[Step] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     begun: dict[str, bool] = field(default_factory=dict)
-    """Whether anything was written into the cells of an exercise; stubs as they were handed out earn nothing."""
+    """Whether cells of an exercise were changed; unchanged stubs earn nothing."""
 
     def answers(self) -> list[str]:
-        """The student's lines in solution cells, without those that were handed out."""
+        """Return the student's lines in solution cells, without those handed out."""
         return [_own_lines(step.source, step.given) for step in self.steps if step.solution]
 
 
 def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
-    """Put the student's answers, and cells of their own, into the course's notebook."""
+    """Insert the student's answers and added cells into the course's notebook."""
     made = Repaired()
     theirs = [cell for cell in submitted.get("cells", []) if isinstance(cell, dict)]
     by_id = _by_id(theirs, {_id(cell) for cell in source["cells"]}, made.notes)
@@ -75,7 +75,7 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
 
 
 def _own_lines(answer: str, given: str) -> str:
-    """The lines of an answer that are not those given, each as often as it was given.
+    """Return the lines of an answer without those given, removing each as often as it was given.
 
     >>> _own_lines("import math\\ndef f(x):\\n    return x\\n    return x", "import math\\ndef f(x):\\n    return x")
     '    return x'
@@ -99,7 +99,7 @@ def _text(cell: dict[str, Any]) -> str:
 
 
 def _by_id(cells: Iterable[dict[str, Any]], known: Container[str], notes: list[str]) -> dict[str, str]:
-    """The text of each cell that has a name of the course's: of two with one the one that was worked on, else the later."""
+    """Return the text of each cell with a course name; of duplicates the one that was changed, else the later."""
     found: dict[str, str] = {}
     for cell in cells:
         name, text = _id(cell), _text(cell)
@@ -130,7 +130,7 @@ def _answer(
 
 
 def _cell_before_check(name: str, theirs: list[dict[str, Any]]) -> str:
-    """An unnamed cell right above the check of the same exercise."""
+    """Return an unnamed cell directly above the check of the same exercise."""
     exercise = name.replace("-", ".")
     for before, cell in itertools.pairwise(theirs):
         found = CHECK.search(_text(cell))
@@ -140,7 +140,7 @@ def _cell_before_check(name: str, theirs: list[dict[str, Any]]) -> str:
 
 
 def _own_cells(source: dict[str, Any], theirs: list[dict[str, Any]]) -> dict[str, list[str]]:
-    """Cells that the student added, by the name of the solution cell below them ('' at the end)."""
+    """Return cells added by the student, by the name of the solution cell below them ('' at the end)."""
     known = {"".join(cell["source"]).strip() for cell in source["cells"]}
     solutions = {_id(cell) for cell in source["cells"] if cell.get("metadata", {}).get("nbgrader", {}).get("solution")}
     found: dict[str, list[str]] = {}

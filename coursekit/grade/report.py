@@ -1,4 +1,4 @@
-"""A page for each student: points, their code beside what was expected and seen; and Gradescope's results.json."""
+"""A page for each student, with points and code beside expected and observed results; and Gradescope's results.json."""
 
 from __future__ import annotations
 
@@ -40,10 +40,10 @@ white-space:pre-wrap;overflow-wrap:anywhere}}</style></head>
 
 
 def page(record: Record, fields: Callable[[str], str] | None = None) -> str:
-    """The report as HTML; `fields(exercise)` is the part below each verdict, where it is marked by hand.
+    """Return the report as HTML; `fields(exercise)` is inserted below each verdict for marking by hand.
 
-    Students see first what they can improve, in the language of their notebooks; who marks finds the exercises in the
-    same place on everybody's page.
+    Students first see what they can improve, in the language of their notebooks; markers see the exercises in the
+    same order on all pages.
     """
     with speaking(record.language() if fields is None else language()):
         return _page(record, fields)
@@ -81,7 +81,7 @@ def _soft(text: str) -> str:
 
 
 def _note(note: str) -> str:
-    """A note in the reader's language; where it begins with the name of a file, what is said of that."""
+    """Translate a note; if it begins with a file name, only the rest."""
     whole = gettext(note)
     where, colon, said = note.partition(": ")
     return f"{where}: {gettext(said)}" if colon and whole == note else whole
@@ -95,7 +95,7 @@ def _total(record: Record) -> str:
 
 
 def _how(record: Record) -> str:
-    """How the total came about: by hand, or with points taken off."""
+    """Describe the origin of the total: by hand, or with deductions."""
     if record.total_by_hand():
         return gettext(", given by hand")
     off = record.told_off()
@@ -103,7 +103,7 @@ def _how(record: Record) -> str:
 
 
 def _footer(record: Record, marked: Marked) -> str:
-    """The status, how late it was, and where it was run."""
+    """Return the status, the lateness, and the sandbox."""
     parts = [f'<span class="status">{_text(gettext(record.status()).capitalize())}</span>']
     if marked.minutes_late:
         parts.append(gettext(f"{late_by(marked.minutes_late)} late by {_text(gettext(record.time_from()))}"))
@@ -113,7 +113,7 @@ def _footer(record: Record, marked: Marked) -> str:
 
 
 def _beside(verdict: Verdict, record: Record, code: dict[str, str], form: str = "") -> str:
-    """A verdict, and the student's code beside it."""
+    """Return a verdict with the student's code beside it."""
     said = f"<div class='said'>{said_of(verdict, record)}</div>{form}"
     if not form and (comment := record.extra.get(verdict.name + ON_EXERCISE)):
         said += f"<p class='comment'>{_paragraphs(comment)}</p>"
@@ -123,7 +123,7 @@ def _beside(verdict: Verdict, record: Record, code: dict[str, str], form: str = 
 
 
 def said_of(verdict: Verdict, record: Record) -> str:
-    """A verdict, and whether its points were given by hand."""
+    """Return a verdict, and whether its points were given by hand."""
     hand = _soft(gettext("These points were given by hand.")) if verdict.name in record.by_hand else ""
     return _plain(verdict).html() + hand
 
@@ -133,7 +133,7 @@ def _paragraphs(text: str) -> str:
 
 
 def _plain(one: Verdict) -> Verdict:
-    """The student's own text, as it was seen: nothing in it may turn or hide the page."""
+    """Return a verdict with the student's text made safe: nothing in it can change or hide the page."""
     values: dict[str, Any] = asdict(one)
     texts = {name: lines(value) for name, value in values.items() if isinstance(value, str)}
     return Verdict(**{**values, **texts})
@@ -144,7 +144,7 @@ def _text(text: str) -> str:
 
 
 def gradescope(marked: Marked) -> dict[str, Any]:
-    """The report that Gradescope reads."""
+    """Return the report in Gradescope's format."""
     tests = [
         {
             "name": f"{verdict.name} {verdict.title}",
@@ -161,7 +161,7 @@ def gradescope(marked: Marked) -> dict[str, Any]:
 
 
 def write_reports(folder: Path, records: Sequence[Record]) -> None:
-    """KEY.html for everybody; KEY.results.json for whom there is a mark."""
+    """Write KEY.html for everybody, and KEY.results.json for those with a mark."""
     for one in records:
         write_whole(folder / f"{one.key}.html", page(one).encode("utf-8", "replace"), parents=True)
         total, scores = one.total(), folder / f"{one.key}.results.json"

@@ -1,4 +1,4 @@
-"""Marks that are kept: each as long as nothing that it depends on changed, and only if it was written by this account."""
+"""Stored marks: each is valid while its dependencies are unchanged, and only if this account wrote it."""
 
 from __future__ import annotations
 
@@ -34,12 +34,12 @@ CHANGES = {
     "checks": "its checks have changed",
     "dice": "the roster's secret has changed",
 }
-"""Why a kept mark no longer holds, by what it depends on; the first that changed is told."""
+"""Why a stored mark is no longer valid, by dependency; the first change is reported."""
 
 
 @functools.cache
 def judges_digest() -> str:
-    """Changes with any line of the code that marks."""
+    """Return a digest of all code that affects marks."""
     found, folder = hashlib.sha256(), Path(__file__).parent
     for file in sorted(folder.rglob("*.py")):
         found.update(str(file.relative_to(folder)).encode() + b"\0" + file.read_bytes())
@@ -48,7 +48,7 @@ def judges_digest() -> str:
 
 @functools.cache
 def coursekit_version() -> str:
-    """The version that is installed."""
+    """Return the installed version."""
     try:
         return version("coursekit")
     except PackageNotFoundError:
@@ -58,7 +58,7 @@ def coursekit_version() -> str:
 def key_of(
     submission: str, source: Mapping[str, Any], exercises: Mapping[str, Exercise], tier: str, dice: bytes
 ) -> dict[str, Any]:
-    """All that a mark depends on."""
+    """Return all dependencies of a mark."""
     course = hashlib.sha256(json.dumps(source, sort_keys=True).encode()).hexdigest()
     points = {name: one.points for name, one in exercises.items()}
     return {
@@ -75,13 +75,13 @@ def key_of(
 
 
 class Results:
-    """The kept results of a class, in a folder; each in one file with a seal of this account."""
+    """The stored results of a class in a folder; one file per person, sealed by this account."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.told: list[str] = []
         self.changes: dict[tuple[str, str], str] = {}
-        """Why a kept mark was not used, by key and chapter."""
+        """Why a stored mark was not used, by key and chapter."""
         try:
             self._key = own_key()
         except OSError as error:
@@ -89,11 +89,11 @@ class Results:
             self.told.append(f"No secret can be kept in {config_folder()} ({error}): the next run marks everything again.")
 
     def dice(self) -> bytes:
-        """The seed of the judges' chance where a class has no secret of its own."""
+        """Return the seed of the judges' random choices for a class without its own secret."""
         return hmac.new(self._key, b"dice", hashlib.sha256).digest()
 
     def chapters(self, key: str) -> dict[str, dict[str, Any]]:
-        """Everything that is kept under a key, by chapter; nothing of a file that somebody changed."""
+        """Return everything stored under a key, by chapter; empty for a manipulated file."""
         file = self.folder / key / FILE
         if not file.is_file():
             return {}
@@ -111,7 +111,7 @@ class Results:
         return chapters
 
     def read(self, key: str, chapter: str, depends: Mapping[str, Any]) -> Marked | None:
-        """The kept mark for a chapter, if all that it depends on is as it was."""
+        """Return the stored mark for a chapter, if all its dependencies are unchanged."""
         kept = self.chapters(key).get(chapter)
         if kept is None:
             return None
@@ -126,7 +126,7 @@ class Results:
             return None
 
     def told_changes(self, keys: Container[str]) -> list[str]:
-        """How many kept marks of these people were made anew, and why."""
+        """Report how many stored marks of these people were renewed, and why."""
         found = Counter((why, PurePosixPath(chapter).stem) for (key, chapter), why in self.changes.items() if key in keys)
         return [
             f"{chapter}: {counted(number, 'kept mark was', 'kept marks were')} made anew, since {why}."
@@ -134,20 +134,20 @@ class Results:
         ]
 
     def write(self, key: str, chapter: str, depends: Mapping[str, Any], marked: Marked) -> None:
-        """Keep a mark."""
+        """Store a mark."""
         chapters = self.chapters(key)
         chapters[chapter] = {"depends": dict(depends), "marked": marked.as_json()}
         self._write(key, chapters)
 
     def note(self, key: str, chapter: str, facts: Mapping[str, Any]) -> None:
-        """Keep what else is known about a mark: how much is taken off it."""
+        """Store additional facts of a mark, such as its deduction."""
         chapters = self.chapters(key)
         if chapter in chapters and chapters[chapter].get("facts") != facts:
             chapters[chapter]["facts"] = dict(facts)
             self._write(key, chapters)
 
     def forget(self, keys: Iterable[str], chapters: Iterable[str]) -> None:
-        """Let some results be marked again."""
+        """Drop some results, so that they are marked again."""
         gone = set(chapters)
         for key in keys:
             kept = {name: one for name, one in self.chapters(key).items() if name not in gone}

@@ -1,4 +1,4 @@
-"""The students of a class: a list that a learning platform exported, a table, or a text with a name on each line."""
+"""The students of a class: a learning platform's export, a table, or a text with one name per line."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .tables import COMMA, Form, Table, decoded, read_table
 
 
 def student_word(student: str) -> str:
-    """A name as in the names of files.
+    """Convert a name for use in file names.
 
     >>> student_word("Vera de la Course")
     'VeraDeLaCourse'
@@ -27,7 +27,7 @@ def student_word(student: str) -> str:
 
 
 def plain(name: str) -> str:
-    """A name without what spellings of it differ in.
+    """Normalise a name to compare different spellings.
 
     >>> plain("Núria O'Neill") == plain("nuria_oneill")
     True
@@ -37,35 +37,35 @@ def plain(name: str) -> str:
 
 @dataclass(frozen=True)
 class Person:
-    """Somebody in a class."""
+    """A member of a class."""
 
     name: str
-    """As it is shown: given names first."""
+    """The displayed name, given names first."""
     id: str = ""
-    """The school's id of them."""
+    """The school's id of the person."""
     email: str = ""
     family: str = ""
     given: str = ""
     login: str = ""
     number: str = ""
-    """The platform's name of them: Moodle's participant, Canvas's user."""
+    """The platform's identifier of the person: Moodle's participant, Canvas's user."""
     when: str = ""
-    """When the platform says that they handed in."""
+    """The submission time recorded by the platform."""
     row: int = -1
-    """The row of the list."""
+    """The row in the list."""
 
     @property
     def identity(self) -> str:
-        """The key that stays the same when a name is corrected: the id, else the e-mail, else the name."""
+        """The key, which survives corrections of the name: the id, else the e-mail, else the name."""
         return self.id or self.email.casefold() or self.name
 
     def names(self) -> list[str]:
-        """Their name in all orders in which platforms write it."""
+        """Return the name in all orders used by platforms."""
         parts = [f"{self.given} {self.family}", f"{self.family} {self.given}"] if self.family and self.given else []
         return [self.name, *parts]
 
     def keys(self) -> list[str]:
-        """Other keys that are theirs alone: id, e-mail, its part before the @, login."""
+        """Return other unique keys of the person: id, e-mail, its part before the @, login."""
         return [one for one in (self.id, self.email, self.email.partition("@")[0], self.login) if one]
 
 
@@ -85,9 +85,9 @@ class Roster:
     ) -> None:
         self.people = [Person(one) if isinstance(one, str) else one for one in people]
         self.table, self.layout = table, layout
-        """The list as it was read, for handing grades back in it."""
+        """The original list, for handing grades back in it."""
         self.notes = list(notes)
-        """The lines that were left out."""
+        """Notes on omitted lines."""
         _expect_different(self.people)
         twice = Counter(plain(one.name) for one in self.people)
         self._labels = {
@@ -96,20 +96,20 @@ class Roster:
 
     @property
     def students(self) -> list[str]:
-        """The name of each in this class, with the id where two have the same."""
+        """The unique names in this class, with the id where names are equal."""
         return list(self._labels.values())
 
     @property
     def form(self) -> Form:
-        """The form of its table, which the spreadsheet that it comes from opens."""
+        """The CSV format of its table, which its spreadsheet opens."""
         return COMMA if self.table is None else self.table.form
 
     def label(self, person: Person) -> str:
-        """The name of a person in this class."""
+        """Return the unique name of a person in this class."""
         return self._labels.get(person, person.name)
 
     def told(self) -> str:
-        """How many people there are, and in which columns what was found."""
+        """Return the number of people, and the columns recognised."""
         if self.layout is None or self.table is None:
             return counted(len(self.people), "student")
         named = ((what, self.table.headings[at]) for what, at in self.layout.places.items())
@@ -118,10 +118,10 @@ class Roster:
 
     @classmethod
     def read(cls, file: Path) -> Roster:
-        """The people in a file: a table with headings, else a name on each line.
+        """Read the people from a file: a table with headings, else one name per line.
 
         Raises:
-            ValueError: when there is none, two cannot be told apart, or a row is not understood.
+            ValueError: when it has none, two are indistinguishable, or a row is invalid.
         """
         if not file.is_file():
             raise ValueError(f"There is no file '{file}'. Give one with a student's name on each line, or a table.")
@@ -143,7 +143,7 @@ class Roster:
         layout = _with_numbers(layout_of(table.headings), table)
         if layout is None and any(one.strip().casefold() in HEADINGS for one in table.headings):
             raise ValueError(f"No column of {file} is one of names. Call it 'name', or: 'given name' and 'family name'.")
-        if layout is None:  # no headings: names stand in the first column
+        if layout is None:  # no headings: the first column has the names
             layout = Layout("", {"name": 0})
             table = replace(table, headings=[""] * len(table.headings), rows=[table.headings, *table.rows])
         people, notes = [], []
@@ -162,14 +162,14 @@ class Roster:
         return cls(people, table, layout, notes)
 
     def of(self, label: str) -> Person | None:
-        """The person of that label, id, e-mail or name; of a part of the name, too, where only one has it; else None.
+        """Return the person of that label, id, e-mail, login, name or unambiguous part of a name; else None.
 
         >>> group = Roster(["Ann Lee", "Ann Ito"])
         >>> group.of("ito").name, group.of("Ann")
         ('Ann Ito', None)
         """
         if not label.strip():
-            return None  # whoever has no id, e-mail or login is not meant
+            return None  # an empty text must not match people without id, e-mail or login
         exact = [one for one in self.people if label in (self.label(one), one.id, one.email, one.login)]
         named = exact or [one for one in self.people if plain(label) in {plain(name) for name in one.names()}]
         wanted = {plain(word) for word in re.split(r"[\W_]+", label)} - {""}
@@ -178,7 +178,7 @@ class Roster:
 
 
 def _with_numbers(layout: Layout | None, table: Table) -> Layout | None:
-    """The layout with Moodle's numbers, which are known by what they are; names stand behind them in its worksheet."""
+    """Return the layout with Moodle's numbers, recognised by content; names follow them in its worksheet."""
     place = participants(table)
     if place is None:
         return layout
@@ -206,7 +206,7 @@ def _words_of(person: Person) -> set[str]:
 
 
 def _expect_different(people: Sequence[Person]) -> None:
-    """Ids and e-mails are one person's each; people of one name need them."""
+    """Require unique ids, e-mails and logins; people of the same name need them."""
     for what in ("id", "email", "login"):
         count = Counter(getattr(one, what).casefold() for one in people)
         twice = [one for one in people if getattr(one, what) and count[getattr(one, what).casefold()] > 1]

@@ -1,4 +1,4 @@
-"""The lists of a class that learning platforms export, and their columns of names, e-mail and ids."""
+"""Learning platforms' exports of class lists, and their columns of names, e-mails and ids."""
 
 from __future__ import annotations
 
@@ -23,10 +23,10 @@ COLUMNS: dict[str, tuple[str, ...]] = {
     "number": ("identifier",),
     "when": ("last modified (submission)", "submitted", "submission time", "submitted at", "last submitted"),
 }  # fmt: skip
-"""By what is meant: headings that say so, in the order in which they count. Moodle, Canvas, Blackboard, Google Classroom."""
+"""Headings by meaning, in order of priority, for Moodle, Canvas, Blackboard and Google Classroom."""
 HEADINGS = frozenset(word for words in COLUMNS.values() for word in words)
 _MOODLE = {"identifier", "id number", "número de id", "id-nummer", "numéro d'identification", "codice identificativo"}
-"""How Moodle calls its column in some languages."""
+"""Names of Moodle's column in some languages."""
 _NOBODY = re.compile(r"points possible|puntos posibles|possible points", re.I)
 _TEST = re.compile(r"(?:student, test|test student|\w+_previewuser)", re.I)
 
@@ -40,13 +40,13 @@ class Layout:
     places: Mapping[str, int]
 
     def of(self, row: Sequence[str], what: str) -> str:
-        """A cell of a row; '' where there is none."""
+        """Return a cell of a row, or ''."""
         place = self.places.get(what, len(row))
         return row[place].strip() if place < len(row) else ""
 
 
 def layout_of(headings: Sequence[str]) -> Layout | None:
-    """The layout that a row of headings tells; None when it is no row of headings."""
+    """Recognise the layout from a row of headings; None if it is not one."""
     known = [re.sub(r"\s+", " ", one.strip().strip('"').casefold().replace("’", "'")) for one in headings]
     places: dict[str, int] = {}
     for what, words in COLUMNS.items():
@@ -73,17 +73,17 @@ def _platform(known: Sequence[str]) -> str:
 
 
 def is_nobody(row: Sequence[str]) -> bool:
-    """Whether a row is about the points that can be had, not about a person."""
+    """Whether a row contains the maximum points instead of a person."""
     return any(_NOBODY.search(one) for one in row[:3])
 
 
 def is_test(name: str) -> bool:
-    """Whether it is the made-up student that a platform adds."""
+    """Whether a name is a platform's artificial test student."""
     return bool(_TEST.fullmatch(name.strip()))
 
 
 def parted(name: str) -> tuple[str, str]:
-    """Family and given names of a name in one cell, where a comma parts them.
+    """Split a name at its comma into family and given names.
 
     >>> parted("García López, Ana"), parted("Ann Lee")
     (('García López', 'Ana'), ('', ''))

@@ -1,8 +1,8 @@
-"""A place where a student's code can do no harm: no network, no files but its own, limits on everything.
+"""A sandbox for a student's code: no network, no files but its own, limits on everything.
 
-Tiers, named in each result: `bubblewrap` (namespaces of its own, no capability, an unprivileged user, only the folders that
-are needed, read-only) and `limits` (a process with limits, but the files and the network of the user: only for work that
-one trusts).
+The tiers, named in each result, are `bubblewrap` (own namespaces, no capability, an unprivileged user, only the
+needed folders, read-only) and `limits` (a process with limits, but with the user's files and network: only for
+trusted work).
 """
 
 from __future__ import annotations
@@ -30,12 +30,12 @@ _SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/etc/alternativ
 _BWRAP = ("/usr/bin/bwrap", "/usr/local/bin/bwrap", "/bin/bwrap")
 _NOBODY = "65534"
 _WINDOWS = ("SYSTEMROOT", "SYSTEMDRIVE", "WINDIR", "COMSPEC", "PATHEXT", "LOCALAPPDATA", "APPDATA")
-"""The variables that programs of Windows need to begin at all: sockets and dice are found by them."""
+"""The variables required by Windows programs, for instance by sockets and random numbers."""
 _HIDDEN = ("grade/chapters",)
-"""Folders of the package that hold what is asked and what is right."""
+"""Folders of the package with exercises' checks and answers."""
 
 LOOK_SECONDS = 0.15
-"""How often it is seen what a program uses: each look reads the list of all processes."""
+"""The period of measuring a program's usage [s]: each time the list of all processes is read."""
 
 
 @dataclass(frozen=True)
@@ -43,47 +43,47 @@ class Limits:
     """The limits of a sandboxed program."""
 
     seconds: float = 120.0
-    """Real time."""
+    """Real time [s]."""
     memory: int = 3 << 30
-    """Bytes of address space of each process, and of resident memory of all together."""
+    """The address space of each process, and the resident memory of all together [bytes]."""
     processes: int = 150
-    """Processes and threads."""
+    """The number of processes and threads."""
     file: int = 64 << 20
-    """Bytes of one file."""
+    """The size of one file [bytes]."""
     folder: int = 256 << 20
-    """Bytes of all files of the work folder."""
+    """The size of all files in the work folder [bytes]."""
     output: int = 8 << 20
-    """Bytes that are read from it."""
+    """The size of the output that is read [bytes]."""
     scratch: int = 64 << 20
-    """Bytes of /tmp, and as many of /dev/shm."""
+    """The size of /tmp and of /dev/shm each [bytes]."""
     cell: float = 20.0
-    """Seconds that a student's cell may compute."""
+    """The computing time of a student's cell [s]."""
     course_cell: float = 60.0
-    """Seconds that the course's own cells may."""
+    """The computing time of a course cell [s]."""
     build: float = 60.0
-    """Seconds of a build."""
+    """The duration of a build [s]."""
     call: float = 10.0
-    """Seconds of a call of a student's function."""
+    """The duration of a call of a student's function [s]."""
     chapter: float = 600.0
-    """Real time for marking one chapter of one submission."""
+    """The real time for marking one chapter of one submission [s]."""
     tier: str = ""
-    """The program that keeps it in; empty for the best that works here."""
+    """The sandbox tier; empty for the best available one."""
 
 
 @dataclass
 class Sandboxed:
-    """A running program and, afterwards, why it was ended if it was."""
+    """A running program, and the reason if it was ended."""
 
     child: subprocess.Popen[bytes]
     scratch: Path | None = None
-    """A folder for its temporary files that goes with it."""
+    """A folder for its temporary files, removed with it."""
     stopped: str = ""
     timed_out: bool = False
-    """Whether it was ended because its time was over."""
+    """Whether it was ended because it exceeded its time."""
     _ended: threading.Event = field(default_factory=threading.Event)
 
     def answer(self, question: bytes, most: int) -> bytes:
-        """Give it the question and hang up; what it wrote until it ended, `most` bytes of it."""
+        """Send the question and close the input. Returns at most `most` bytes of the output."""
         assert self.child.stdin is not None and self.child.stdout is not None
         with contextlib.suppress(OSError):
             self.child.stdin.write(question)
@@ -94,10 +94,10 @@ class Sandboxed:
         return out
 
     def end(self, why: str = "", *, timed_out: bool = False) -> None:
-        """End it and all that it started; the first reason is kept."""
+        """End the program and its child processes; the first reason is kept."""
         if why and not self.stopped:
             self.stopped, self.timed_out = why, timed_out
-        if self.child.poll() is None or not which.WINDOWS:  # there nothing is known of what an ended program had started
+        if self.child.poll() is None or not which.WINDOWS:  # on Windows the children of an ended program are unknown
             children.end_family(self.child)
         self.child.wait()
         self._ended.set()
@@ -106,7 +106,7 @@ class Sandboxed:
 
 
 def tier() -> str:
-    """The best tier that works on this machine.
+    """Return the best tier that works on this machine.
 
     >>> tier() in ("bubblewrap", "limits")
     True
@@ -116,7 +116,7 @@ def tier() -> str:
 
 @functools.cache
 def complaint() -> str | None:
-    """What bubblewrap writes when it fails here; empty where it works, None where there is none."""
+    """Return bubblewrap's error message on this machine; empty if it works, None if it is missing."""
     if _bwrap() is None:
         return None
     with tempfile.TemporaryDirectory() as work:
@@ -130,7 +130,7 @@ def complaint() -> str | None:
 
 
 def refusal(*, allow_root: bool = False, unsafe: bool = False) -> str:
-    """Why other people's work must not be run here, in words for the teacher; empty when it may."""
+    """Return why other people's work must not be run here, in words for the teacher; empty if it may."""
     if tier() != "bubblewrap" and not unsafe:
         return (
             "Submissions are programs of other people, and this computer has nothing that keeps them in: "
@@ -154,9 +154,9 @@ def start(
     writable: bool = True,
     pipes: Sequence[int] = (),
 ) -> Sandboxed:
-    """Run a command in a sandbox whose only own folder is `work`; its stdin and stdout are pipes, `pipes` stay open too."""
+    """Run a command in a sandbox with `work` as its only own folder; stdin and stdout are pipes, `pipes` stay open too."""
     walls = (limits.tier or tier()) == "bubblewrap"
-    scratch = None if walls else Path(tempfile.mkdtemp(prefix="sandbox-"))  # there /tmp is everybody's
+    scratch = None if walls else Path(tempfile.mkdtemp(prefix="sandbox-"))  # without walls, /tmp is shared
     inside = env_inside(env, work, writable, str(scratch or "/tmp"))
     own: list[str] = []
     around: dict[str, str] = {}
@@ -179,7 +179,7 @@ def start(
 
 
 def env_inside(env: Mapping[str, str], work: Path, writable: bool = True, scratch: str = "/tmp") -> dict[str, str]:
-    """The environment of a sandboxed program: the variables that it needs, and a home of its own."""
+    """Return the environment of a sandboxed program: the variables it needs, and its own home."""
     wanted = ("AMENT_PREFIX_PATH", "PYTHONPATH", "LANG", "ROS_DISTRO", "ROS_VERSION", "ROS_PYTHON_VERSION")
     kept = {name: value for name, value in env.items() if name in wanted or name.startswith("COURSEKIT_")}
     path = os.pathsep.join([str(Path(sys.executable).parent), "/usr/bin", "/bin"])
@@ -194,8 +194,8 @@ def env_inside(env: Mapping[str, str], work: Path, writable: bool = True, scratc
 
 
 def _bwrap() -> str | None:
-    """Where bubblewrap is, never by PATH: a program of that name in some folder is not it."""
-    if which.WINDOWS or which.MAC:  # it is Linux', and what is called so is something else
+    """Return the path of bubblewrap, never from PATH, which may contain another program of that name."""
+    if which.WINDOWS or which.MAC:  # only Linux has it; another program of that name is unrelated
         return None
     return next((one for one in _BWRAP if os.access(one, os.X_OK)), None)
 
@@ -205,7 +205,7 @@ def _bubblewrap(work: Path, writable: bool, env: Mapping[str, str], limits: Limi
     words += ["--uid", _NOBODY, "--gid", _NOBODY, "--die-with-parent", "--hostname", "sandbox", "--clearenv"]
     for name, value in env.items():
         words += ["--setenv", name, value]
-    # the system's settings belong to root, who may write them whatever his capabilities
+    # root owns the system's settings and could write them without any capability
     words += ["--proc", "/proc", "--ro-bind", "/proc/sys", "/proc/sys", "--dev", "/dev"]
     for folder in ("/tmp", "/dev/shm"):
         words += ["--size", str(limits.scratch), "--tmpfs", folder]
@@ -218,7 +218,7 @@ def _bubblewrap(work: Path, writable: bool, env: Mapping[str, str], limits: Limi
 
 
 def _python_folders() -> list[str]:
-    """The interpreter, its packages and coursekit; of a checkout nothing else: its notebooks hold solutions."""
+    """Return the folders of interpreter, packages and coursekit, without a checkout's notebooks: they hold solutions."""
     checkout = PACKAGE.parent
     beside = [str(checkout / name) for name in ("robots", "maps")] if (checkout / "pyproject.toml").is_file() else []
     found = [sys.base_prefix, sys.prefix, str(PACKAGE), *beside]
@@ -226,14 +226,14 @@ def _python_folders() -> list[str]:
 
 
 def _limited(limits: Limits) -> list[str]:
-    if which.WINDOWS:  # a program cannot become another one there, nor limit itself: the watcher is all there is
+    if which.WINDOWS:  # there a program can neither replace nor limit itself: only the watcher limits it
         return []
     return [sys.executable, "-I", str(Path(__file__).with_name("limited.py")), str(limits.memory), str(limits.processes),
             str(limits.file), str(int(limits.seconds) + 1), "--"]  # fmt: skip
 
 
 def _watch(running: Sandboxed, work: Path | None, limits: Limits) -> None:
-    """End it when its time is over, when all its processes together use too much, or when that cannot be told."""
+    """End the program when its time is over, when its processes together use too much, or when usage cannot be measured."""
     give_up = time.monotonic() + limits.seconds
     look_at_folder = 0.0
     try:
@@ -261,9 +261,9 @@ def _excess(pid: int, limits: Limits) -> str:
 
 
 def _family(pid: int) -> list[tuple[int, int]]:
-    """(pid, resident bytes) of a process and all that it started."""
+    """Return (pid, resident bytes) of a process and its descendants."""
     started: dict[int, list[tuple[int, int]]] = {}
-    if which.WINDOWS or not Path("/proc/self/stat").exists():  # Wine shows that of Linux
+    if which.WINDOWS or not Path("/proc/self/stat").exists():  # Wine shows Linux's /proc
         return []
     page = os.sysconf("SC_PAGE_SIZE")
     for entry in os.scandir("/proc"):

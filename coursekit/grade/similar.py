@@ -1,4 +1,4 @@
-"""Submissions that look copied: the same code after names, spaces and comments are taken out."""
+"""Submissions that look copied: the same code after removal of names, spaces and comments."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ if TYPE_CHECKING:
     from .mark import Marked
 
 SHINGLE = 8
-"""Tokens that are compared at a time."""
+"""The number of tokens compared at a time."""
 ALIKE = 0.85
 FEWEST = 40
-"""Shingles below which everybody's answer looks the same."""
+"""The number of shingles below which all answers look the same."""
 
 LARGE, USUAL = 10, 0.8
-"""Students of a class, and the part of them, above which what all wrote says nothing: of five, three who copied are many."""
+"""The class size and the share of students above which common code is ignored; in small classes it may be copied."""
 
 
 def shingles(answers: Sequence[str]) -> set[tuple[str, ...]]:
-    """The runs of tokens in the answers; names count as one and the same.
+    """Return the runs of tokens in the answers; all names count as equal.
 
     >>> shingles(["a = b + 1"]) == shingles(["speed=limit+1  # fast"])
     True
@@ -40,7 +40,7 @@ def shingles(answers: Sequence[str]) -> set[tuple[str, ...]]:
 
 def _tokens(text: str) -> list[str]:
     kept = []
-    code = "\n".join(line.lstrip() for line in text.splitlines() if not line.startswith("%"))  # lines may stand alone
+    code = "\n".join(line.lstrip() for line in text.splitlines() if not line.startswith("%"))  # lines may be fragments
     try:
         for token in tokenize.generate_tokens(io.StringIO(code).readline):
             if token.type == tokenize.NAME:
@@ -53,9 +53,10 @@ def _tokens(text: str) -> list[str]:
 
 
 def similar(marks: Sequence[Marked]) -> list[tuple[str, str, float]]:
-    """(student, student, likeness) of pairs whose work is nearly one, most alike first.
+    """Return (student, student, similarity) of pairs with nearly the same work, most similar first.
 
-    What nearly everybody in a large class wrote does not count: it stood in the course's own stubs, or there is one way.
+    Code of nearly everybody in a large class is ignored: it is from the course's stubs, or there is only one
+    solution.
     """
     found = {one.student: shingles(one.answers) for one in marks if one.answers}
     common = Counter(part for parts in found.values() for part in parts)
@@ -70,6 +71,6 @@ def similar(marks: Sequence[Marked]) -> list[tuple[str, str, float]]:
 
 
 def write_similar(file: Path, marks: Sequence[Marked], form: Form = COMMA) -> None:
-    """The pairs as a table: where to look, not a verdict."""
+    """Write the pairs as a table: hints for the teacher, not a verdict."""
     rows = [(cell(one), cell(other), form.number(likeness)) for one, other, likeness in similar(marks)]
     write_table(file, ["student", "other", "likeness"], rows, form)

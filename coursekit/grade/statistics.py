@@ -1,8 +1,7 @@
-"""The class as a whole: mean, spread, the hardest questions, and a picture. Every page and line takes its numbers from here.
+"""Statistics of the class: mean, spread, the hardest questions, and a picture. All pages and messages use these numbers.
 
-An average is of the marks as in the table's column `total`: with points by hand, after what is taken off for
-lateness; of those who handed in, or were given points by hand, and have a mark. Shares of an exercise's points are before
-lateness.
+Averages use the marks in the table's column `total`: with points by hand, after deductions for lateness, of those who
+have a mark and a submission or points by hand. Shares of an exercise's points are before deductions.
 """
 
 from __future__ import annotations
@@ -21,12 +20,12 @@ from .record import Record
 
 
 def averaged(records: Sequence[Record]) -> list[float]:
-    """The marks that an average is of."""
+    """Return the marks used in averages."""
     return [total for one in records if one.counts() and (total := one.total()) is not None]
 
 
 def mean(marks: Sequence[float]) -> float:
-    """Their average as it is told everywhere: to a hundredth of a point.
+    """Return the average, rounded to a hundredth of a point.
 
     >>> mean([7.22, 7.23])
     7.22
@@ -35,7 +34,7 @@ def mean(marks: Sequence[float]) -> float:
 
 
 def average(records: Sequence[Record]) -> str:
-    """The average in words, and of whom."""
+    """Return the average and its basis as text."""
     marks, of = averaged(records), records[0].of() if records else 0.0
     if not marks:
         return "no average yet"
@@ -44,7 +43,7 @@ def average(records: Sequence[Record]) -> str:
 
 
 def shares(records: Sequence[Record]) -> dict[str, float]:
-    """By exercise the part of its points that those have whose marks the average is of, before lateness."""
+    """Return by exercise the average share of its points, for the students in the average, before deductions."""
     verdicts = [verdict for one in records if one.counts() for verdict in one.marked().verdicts]
     found: dict[str, list[float]] = {}
     for one in verdicts:
@@ -53,7 +52,7 @@ def shares(records: Sequence[Record]) -> dict[str, float]:
 
 
 def summary(records: Sequence[Record], statuses: Mapping[str, int]) -> dict[str, Any]:
-    """The numbers; how many students there are of each status."""
+    """Return the numbers, with the number of students of each status."""
     marks = averaged(records)
     return {
         "students": len(records),
@@ -68,7 +67,7 @@ def summary(records: Sequence[Record], statuses: Mapping[str, int]) -> dict[str,
 
 
 def write_statistics(folder: Path, records: Sequence[Record], statuses: Mapping[str, int]) -> None:
-    """statistics.json and histogram.png."""
+    """Write statistics.json and histogram.png."""
     found = summary(records, statuses)
     write_whole(folder / "statistics.json", json.dumps(found, indent=1).encode(), parents=True)
     from matplotlib.figure import Figure
@@ -86,7 +85,7 @@ def write_statistics(folder: Path, records: Sequence[Record], statuses: Mapping[
 
 
 def _draw_totals(axes: Any, marks: Sequence[float], found: Mapping[str, Any]) -> None:
-    """How many students have how many points: a bar stands over its points."""
+    """Draw the number of students by points: a bar is centred on its points."""
     from matplotlib.ticker import MaxNLocator
 
     most = max([found["of"] or 1.0, *marks])

@@ -1,4 +1,4 @@
-"""The status of each person's work: said with the same words and counted in the same way everywhere."""
+"""The status of each person's work, named and counted in the same way everywhere."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ QUESTION, NOTHING, NOT_MARKED, UNREADABLE, EMPTY, TIMED_OUT, ELSEWHERE, LATE, GR
     "late",
     "graded",
 )
-"""The first that is so is the status. The last two and `nothing handed in` are for no teacher to look at."""
+"""The first that applies is the status. The last two and `nothing handed in` need no attention of the teacher."""
 LOOK = tuple(one for one in STATUSES if one not in (GRADED, NOTHING, LATE))
 
 
 def status_of(marked: Marked | None, *, opened: bool, handed_in: bool, late: bool, tier: str) -> str:
-    """The status of a person: `opened` says that a question is open, `tier` where this run marks."""
+    """Return the status of a person: `opened` means an open question, `tier` is this run's sandbox tier."""
     if opened:
         return QUESTION
     if marked is None:
@@ -41,11 +41,11 @@ def status_of(marked: Marked | None, *, opened: bool, handed_in: bool, late: boo
 
 
 _WORDS = {QUESTION: "with an open question", NOTHING: "without anything handed in"}
-"""The words for a number of students, where they are not the status itself."""
+"""Descriptions of a number of students, where the status itself does not fit."""
 
 
 def by_status(statuses: Iterable[str]) -> dict[str, int]:
-    """How many there are of each, in a fixed order.
+    """Return the number of each status, in a fixed order.
 
     >>> by_status(["graded", "late", "graded"])
     {'late': 1, 'graded': 2}
@@ -55,7 +55,7 @@ def by_status(statuses: Iterable[str]) -> dict[str, int]:
 
 
 def told(counts: dict[str, int]) -> str:
-    """The counts in words.
+    """Format the counts as text.
 
     >>> told({"question": 1, "nothing handed in": 2, "graded": 31})
     '31 graded, 2 without anything handed in, 1 with an open question'

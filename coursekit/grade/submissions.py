@@ -1,4 +1,4 @@
-"""The work that is marked: the files of one person that count, as plain copies; or a folder, notebook or zip as it is."""
+"""The work to mark: plain copies of a person's files that count; or a folder, notebook or zip as it is."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ from .walking import Walked, open_plain, walk
 
 @dataclass(frozen=True)
 class Submission:
-    """One student's."""
+    """The submission of one student."""
 
     student: str
     place: Path
     chosen: dict[str, Path] = field(default_factory=dict)
-    """The file that counts, by the file name of the chapter: a plain copy, of a bounded size."""
+    """The file that counts, by the chapter's file name: a plain copy of bounded size."""
     bundle_files: list[Path] = field(default_factory=list)
-    """Plain copies of the files made by `hand_in()` that these lay in."""
+    """Plain copies of the `hand_in()` files that contained them."""
     notes: list[str] = field(default_factory=list)
     concerns: list[str] = field(default_factory=list)
 
     def as_json(self) -> dict[str, Any]:
-        """As plain values, for another process; `of_json` reads them again."""
+        """Return plain values for another process, which `of_json` reads."""
         return {
             "student": self.student,
             "place": str(self.place),
@@ -40,13 +40,13 @@ class Submission:
 
     @classmethod
     def of_json(cls, said: dict[str, Any]) -> Submission:
-        """A submission from the dictionary that `as_json` gave."""
+        """Make a submission from the dictionary of `as_json`."""
         chosen = {str(name): Path(file) for name, file in said["chosen"].items()}
         bundles = [Path(file) for file in said["bundle_files"]]
         return cls(said["student"], Path(said["place"]), chosen, bundles, list(said["notes"]), list(said["concerns"]))
 
     def digest(self) -> str:
-        """Changes when anything that was handed in changes."""
+        """Return a digest of all submitted files."""
         found = hashlib.sha256()
         if self.chosen:
             for name, file in sorted(self.chosen.items()):
@@ -63,7 +63,7 @@ class Submission:
         return found.hexdigest()
 
     def bundles(self) -> list[bytes]:
-        """The zips that `hand_in()` made, or that say so."""
+        """Return the zips with the manifest of `hand_in()`."""
         if self.chosen or self.bundle_files:
             return [_bytes(file, LARGEST_BUNDLE) for file in self.bundle_files]
         found = []
@@ -74,7 +74,7 @@ class Submission:
         return found
 
     def notebooks(self, scratch: Path) -> list[Path]:
-        """Plain copies of the notebooks, those in a zip too; ValueError for a bad or huge one."""
+        """Return plain copies of the notebooks, including those in a zip; ValueError for an invalid or huge one."""
         if self.chosen:
             counts = enumerate(self.chosen.items())
             return [_copy(_bytes(file, LARGEST), scratch / str(at) / name) for at, (name, file) in counts]
@@ -116,7 +116,7 @@ def _zip(one: Walked) -> bytes | None:
 
 
 def _says_bundle(one: Walked) -> bool:
-    """Whether a zip has a manifest where `hand_in()` puts it."""
+    """Whether a zip has a manifest at the place used by `hand_in()`."""
     assert one.open is not None
     try:
         with Archive(one.open()) as opened:
@@ -141,6 +141,6 @@ def _unpacked(one: Walked, scratch: Path) -> list[Path]:
 
 
 def read_notebook(file: Path) -> dict[str, Any]:
-    """A notebook's JSON; ValueError when it is none."""
+    """Read a notebook's JSON; ValueError when it is not a notebook."""
     with open_plain(file) as data:
         return parse_notebook(data.read(LARGEST + 1), file.name)

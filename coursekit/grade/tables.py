@@ -1,4 +1,4 @@
-"""Tables as teachers have them: saved by a learning platform or by a spreadsheet, in whatever form that writes."""
+"""Tables of teachers, saved by a learning platform or a spreadsheet in any common format."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from coursekit.files import write_whole
 from .harmless import number
 
 LARGEST = 32 << 20
-"""Bytes of a table."""
+"""The maximum size of a table [bytes]."""
 
 
 @dataclass(frozen=True)
 class Form:
-    """How a spreadsheet writes tables: most of Europe and South America with semicolons and decimal commas.
+    """The CSV format of a spreadsheet: most of Europe and South America use semicolons and decimal commas.
 
     >>> SEMICOLON.number(1.5)
     '1,5'
@@ -29,7 +29,7 @@ class Form:
     decimal: str = "."
 
     def number(self, value: float) -> str:
-        """Points as written in a table of this form."""
+        """Format points for a table of this format."""
         return number(value).replace(".", self.decimal)
 
 
@@ -47,12 +47,12 @@ class Table:
     separator: str = ","
 
     def dicts(self) -> list[dict[str, str]]:
-        """The rows by heading; what is missing is ''."""
+        """Return the rows by heading; missing cells are ''."""
         return [dict(zip(self.headings, [*row, *[""] * len(self.headings)], strict=False)) for row in self.rows]
 
     @property
     def form(self) -> Form:
-        """Its form: decimals as most of its numbers have them; where none has any, semicolons go with commas.
+        """The format: the decimal sign of most numbers; without any, semicolons imply decimal commas.
 
         >>> Table(["mark"], [["7"]], ";").form.decimal, Table(["mark"], [["7.50"]], ";").form.decimal
         (',', '.')
@@ -64,7 +64,7 @@ class Table:
 
 
 def decoded(data: bytes) -> str:
-    r"""The text of a file, its lines ended by `\n`: UTF-16 and UTF-8 by their marks, else UTF-8, else as Windows writes it.
+    r"""Decode a file with lines ending in `\n`: UTF-16 or UTF-8 by byte order mark, else UTF-8, else Windows' encoding.
 
     >>> decoded("José".encode("utf-16")), decoded("José".encode("utf-8-sig")), decoded(b"Jos\xe9\r")
     ('José', 'José', 'José\n')
@@ -84,7 +84,7 @@ def _text(data: bytes) -> str:
 
 
 def separator_of(text: str) -> str:
-    """Comma, semicolon or tab: what the first lines have, outside of quotation marks, and most evenly.
+    """Return comma, semicolon or tab: the most regular one in the first lines, outside of quotation marks.
 
     >>> separator_of("Name;E-mail\\nLee, Ann;ann@uni")
     ';'
@@ -101,10 +101,10 @@ def separator_of(text: str) -> str:
 
 
 def read_table(file: Path) -> Table:
-    """The table in a file.
+    """Read the table in a file.
 
     Raises:
-        ValueError: when it is too large, or empty, or no text.
+        ValueError: when it is too large, empty, or not a text.
         OSError: when it cannot be read.
     """
     if file.stat().st_size > LARGEST:
@@ -126,7 +126,7 @@ def read_table(file: Path) -> Table:
 def write_table(
     file: Path, headings: Sequence[str], rows: Iterable[Sequence[str] | Mapping[str, str]], form: Form = COMMA
 ) -> None:
-    """Write a table, whole or not at all. The caller has made its cells harmless, and its numbers of this form."""
+    """Write a table atomically. The caller has made the cells harmless, and has formatted the numbers."""
     made = io.StringIO()
     table = csv.writer(made, delimiter=form.separator)
     table.writerow(headings)

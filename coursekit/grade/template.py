@@ -1,4 +1,4 @@
-"""A chapter of one's own to begin with: a notebook with one exercise, and its check."""
+"""A template for a teacher's own chapter: a notebook with one exercise, and its check."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 from .own_checks import OWN
 
 _MARK = "SOLUTION"
-"""Apart: what is installed for students holds no solutions, and is searched for their marks."""
+"""Separate, because the code installed for students is searched for marks of solutions."""
 _CHECK = '''"""The checks of {title}."""
 
 from coursekit.grade.exercise import exercise
@@ -39,11 +39,11 @@ def stopping_distance(work: Work) -> None:
 
 
 def write_template(folder: Path, name: str) -> list[Path]:
-    """Write `NAME.ipynb` and `checks/NAME.py` into a folder; what was written.
+    """Write `NAME.ipynb` and `checks/NAME.py` to a folder. Returns the files.
 
     Raises:
-        ValueError: for a name that is no word of Python.
-        FileExistsError: when one of them is there.
+        ValueError: for a name that is not a Python identifier.
+        FileExistsError: when one of them exists.
     """
     if not name.isidentifier():
         raise ValueError(f"'{name}' cannot be the name of exercises: use letters, digits and _, as in gripper")

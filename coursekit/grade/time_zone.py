@@ -1,4 +1,4 @@
-"""This computer's time zone for a container, which may have no tables of zones: deadlines without a zone mean this one's."""
+"""This computer's time zone for a container, which may lack a time zone database: deadlines without a zone use it."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ DAY = 86400
 
 
 def posix_zone(when: float) -> str:
-    """The zone as POSIX writes it, with the changes to and from summer time in the year of `when`.
+    """Return the zone in POSIX format, with the daylight saving changes in the year of `when`.
 
     Europe/Berlin in 2026 is `<+0100>-01:00<+0200>-02:00,J88/02:00,J298/03:00`.
     """
@@ -25,12 +25,12 @@ def posix_zone(when: float) -> str:
 
 
 def _offset(when: int) -> int:
-    """Seconds east of Greenwich."""
+    """Return the offset in seconds east of Greenwich."""
     return time.localtime(when).tm_gmtoff
 
 
 def _change(day: int) -> int:
-    """The second within a day from which on another offset holds."""
+    """Return the time within a day at which the offset changes."""
     low, high = day, day + DAY
     while high - low > 1:
         middle = (low + high) // 2
@@ -39,14 +39,14 @@ def _change(day: int) -> int:
 
 
 def _named(offset: int) -> str:
-    """An offset's name and value: POSIX counts westwards."""
+    """Return an offset's name and value: POSIX counts westwards."""
     hours, minutes = divmod(abs(offset) // 60, 60)
     east = offset >= 0
     return f"<{'+' if east else '-'}{hours:02}{minutes:02}>{'-' if east else ''}{hours:02}:{minutes:02}"
 
 
 def _rule(when: int, before: int) -> str:
-    """The day of the year, February 29 not counted, and the time on the clock that was right until then."""
+    """Return the day of the year without February 29, and the local time before the change."""
     told = time.gmtime(when + before)
     leap = told.tm_year % 4 == 0 and (told.tm_year % 100 != 0 or told.tm_year % 400 == 0)
     day = told.tm_yday - (1 if leap and told.tm_yday > 59 else 0)

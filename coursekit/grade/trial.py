@@ -1,6 +1,6 @@
-"""A trial: a student's programs run on the virtual clock, and what watches them runs in another process.
+"""A trial: a student's programs run on the virtual clock, observed from another process.
 
-The two meet on topics, services and actions only, so a program cannot change what is seen of it but by what it does.
+Both sides share only topics, services and actions, so a program can affect the observations only by its behaviour.
 """
 
 from __future__ import annotations
@@ -17,20 +17,20 @@ from coursekit.joined.pipe import LATE
 from .plan import EVERY_NODE_S, Plan, Seen, TrialFailed
 
 GIVES_WAY = 30.0
-"""Real seconds that the student's programs may compute without waiting."""
+"""The real time that the student's programs may compute without waiting [s]."""
 NOT_FOR_TRIALS = ("COURSEKIT_STOP_AFTER", "ROS_DOMAIN_ID")
-"""The variables of a student's environment that a trial does without."""
+"""Variables removed from the student's environment for a trial."""
 WATCHER = [sys.executable, "-I", "-m", "coursekit.grade.watcher"]
 PROGRAMS = [sys.executable, "-I", "-m", "coursekit.grade.programs"]
-"""-I: what a student's folders hold must not stand in for modules of ours."""
+"""-I: files in a student's folders must not replace coursekit's modules."""
 
 __all__ = ["EVERY_NODE_S", "Plan", "Seen", "TrialFailed", "try_out"]
 
 
 def try_out(plan: Plan, env: Mapping[str, str] | None = None, cwd: str | None = None) -> Seen:
-    """Carry out `plan` and say what was seen; TrialFailed when it does not end in time."""
+    """Carry out `plan` and return the observations; TrialFailed when it does not end in time."""
     variables = {key: value for key, value in (env or os.environ).items() if key not in NOT_FOR_TRIALS}
-    done = subprocess.run(  # without a time limit: waiting for one would sleep on the session's clock
+    done = subprocess.run(  # without a timeout, which would sleep on the session's clock
         [*WATCHER, str(GIVES_WAY)],
         input=question(plan),
         env=variables | {"COURSEKIT_TIME": "virtual", "PYTHONDONTWRITEBYTECODE": "1"},
@@ -44,12 +44,12 @@ def try_out(plan: Plan, env: Mapping[str, str] | None = None, cwd: str | None = 
 
 
 def question(plan: Plan) -> bytes:
-    """The watcher's input."""
-    return json.dumps(plan, default=vars).encode()  # not `asdict`, which copies every pixel of a picture
+    """Return the watcher's input."""
+    return json.dumps(plan, default=vars).encode()  # not `asdict`, which copies every pixel of an image
 
 
 def answered(out: bytes) -> Seen:
-    """The watcher's observations; TrialFailed when the programs did not let it see."""
+    """Parse the watcher's observations; TrialFailed when the programs prevented them."""
     try:
         found: dict[str, Any] = json.loads(out)
         if "seen" in found:

@@ -1,4 +1,4 @@
-"""Why nothing keeps other people's programs in on this computer, and what to type about it."""
+"""Why this computer cannot confine other people's programs, and the commands that change this."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from pathlib import Path
 from coursekit.files import read_text
 
 RESTRICTED = Path("/proc/sys/kernel/apparmor_restrict_unprivileged_userns")
-"""1 where AppArmor lets only named programs make namespaces: Ubuntu from 23.10 on."""
+"""Contains 1 if AppArmor lets only listed programs create namespaces, as on Ubuntu from 23.10 on."""
 _PROFILE = "bwrap-userns-restrict"
 
 
 def cure(complaint: str | None, restricted: Path = RESTRICTED) -> str:
-    """What is missing and what to type, from what `sandbox.complaint` says; empty where nothing is missing.
+    """Return the fault and the remedy for a result of `sandbox.complaint`; empty if there is no fault.
 
     >>> cure(None)
     'no bubblewrap. On Debian or Ubuntu: sudo apt install bubblewrap.'

@@ -1,9 +1,9 @@
-"""Numbers and names of one's own: each student's copy asks for other values, drawn with a secret that the teacher keeps.
+"""Individual values: each student's copy has other numbers and names, drawn with the teacher's secret.
 
-A check cell declares what may differ in its exercise, the value that stands in the course's notebook first:
-`"metadata": {"coursekit": {"variants": {"boxes": [10, 7, 12]}}}`, or `{"from": 5, "to": 20, "step": 1, "default": 10}`.
-In a copy the value stands wherever the first one did between the exercise's heading and its check; the check says it too:
-`check("ch03.q3", boxes=12)`. Who grades draws it again, and believes no copy.
+A check cell declares the variants of its exercise, with the value in the course's notebook first: `"metadata":
+{"coursekit": {"variants": {"boxes": [10, 7, 12]}}}`, or `{"from": 5, "to": 20, "step": 1, "default": 10}`. A copy has
+its value in place of the first one, between the exercise's heading and its check; the check contains it too:
+`check("ch03.q3", boxes=12)`. Grading draws the value again and does not trust the copy.
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ from typing import Any
 from .roster import Person, Roster
 
 Values = dict[str, dict[str, Any]]
-"""By exercise: its values by name."""
+"""The values by exercise and name."""
 CHECK = re.compile(r"""^[ \t]*check\(\s*["'](?P<name>[\w.]+)["']\s*(?:,[^\n]*)?\)[ \t]*$""", re.M)
 _HEADING = re.compile(r"^#{1,3} ", re.M)
 
 
 def checks_in(notebook: Mapping[str, Any]) -> dict[str, int]:
-    """The exercises that a notebook checks, and in which cell."""
+    """Return the exercises that a notebook checks, with the indices of the cells."""
     found: dict[str, int] = {}
     for place, cell in enumerate(notebook.get("cells", [])):
         for one in CHECK.finditer("".join(cell.get("source", ""))) if cell.get("cell_type") == "code" else ():
@@ -37,7 +37,7 @@ def checks_in(notebook: Mapping[str, Any]) -> dict[str, int]:
 
 
 def told(notebook: Mapping[str, Any]) -> Values:
-    """The values that the checks of a notebook say."""
+    """Return the values in the checks of a notebook."""
     found: Values = {}
     for name, place in checks_in(notebook).items():
         line = CHECK.search("".join(notebook["cells"][place]["source"]))
@@ -50,12 +50,12 @@ def told(notebook: Mapping[str, Any]) -> Values:
 
 
 def values_of(notebooks: Iterable[Mapping[str, Any]]) -> Values:
-    """The values that the checks of several notebooks say, of those exercises that have any."""
+    """Return the values in the checks of several notebooks, for exercises that have any."""
     return {name: said for one in notebooks for name, said in told(one).items() if said}
 
 
 def declared(notebook: Mapping[str, Any]) -> dict[str, dict[str, list[Any]]]:
-    """The variants: by exercise and name the choices, first the one that is in the notebook."""
+    """Return the choices by exercise and name, first the one in the notebook."""
     found = {}
     for name, place in checks_in(notebook).items():
         said = notebook["cells"][place].get("metadata", {}).get("coursekit", {}).get("variants", {})
@@ -72,7 +72,7 @@ def _choices(said: Any) -> list[Any]:
 
 
 def personal(notebook: Mapping[str, Any], values: Values) -> dict[str, Any]:
-    """The notebook with these values in the place of its own."""
+    """Return the notebook with these values in place of its own."""
     made: dict[str, Any] = json.loads(json.dumps(notebook))
     places, known = checks_in(notebook), declared(notebook)
     for name, chosen in values.items():
@@ -88,12 +88,12 @@ def personal(notebook: Mapping[str, Any], values: Values) -> dict[str, Any]:
 
 
 def _heading(notebook: Mapping[str, Any], place: int) -> int:
-    """The cell with the heading of the exercise."""
+    """Return the index of the cell with the exercise's heading."""
     return max((above for above in range(place) if _parted(notebook["cells"][above])[2]), default=0)
 
 
 def _parted(cell: Mapping[str, Any]) -> tuple[str, str, bool]:
-    """The text above a cell's last heading, the rest, and whether there is a heading."""
+    """Return the text above a cell's last heading, the rest, and whether there is a heading."""
     text = "".join(cell["source"])
     places = [found.start() for found in _HEADING.finditer(text)] if cell["cell_type"] == "markdown" else []
     begin = max(places, default=0)
@@ -105,7 +105,7 @@ def _written(value: Any) -> str:
 
 
 def _exchanged(text: str, own: Mapping[str, str]) -> str:
-    """The text with whole words and numbers exchanged.
+    """Replace whole words and numbers in a text.
 
     >>> _exchanged("10 boxes of 10.5 kg: 10.", {"10": "7"})
     '7 boxes of 10.5 kg: 7.'
@@ -127,10 +127,10 @@ class Variants:
 
     @classmethod
     def read(cls, students: Path, *, new: bool = False) -> Variants:
-        """The class in a list of it; its secret lies beside it as NAME.secret, made here when it is `new`.
+        """Read a class from its list, and its secret from NAME.secret beside it, created if `new`.
 
         Raises:
-            ValueError: when the names are not right, or the secret is missing.
+            ValueError: when the names are invalid, or the secret is missing.
         """
         roster, file = Roster.read(students), secret_file(students)
         if new and not file.exists():
@@ -141,36 +141,36 @@ class Variants:
         return cls(roster, file.read_text(encoding="utf-8").strip().encode())
 
     def of(self, student: str, notebook: Mapping[str, Any]) -> Values:
-        """A student's values for the exercises of a notebook."""
+        """Return a student's values for the exercises of a notebook."""
         return {
             exercise: {name: self._drawn(student, exercise, name, choices) for name, choices in names.items()}
             for exercise, names in declared(notebook).items()
         }
 
     def copy_mark(self, person: Person) -> str:
-        """The mark of every copy of a person: it says whose it is to the teacher, and nothing to others."""
+        """Return the mark of a person's copies, which reveals the owner only to the teacher."""
         key = hmac.new(self._secret, f"copy\0{person.identity}".encode("utf-8", "replace"), hashlib.sha256)
         return key.hexdigest()[:24]
 
     def copy_marks(self) -> dict[str, Person]:
-        """The student whose copy carries each mark."""
+        """Return the owner of each copy mark."""
         return {self.copy_mark(one): one for one in self.roster.people}
 
     def dice(self) -> bytes:
-        """The seed of the judges' chance: the same for the whole class, and each time."""
+        """Return the seed of the judges' random choices: constant, and the same for the whole class."""
         return hmac.new(self._secret, b"dice", hashlib.sha256).digest()
 
     def copies(self, student: str, notebooks: Mapping[str, Any]) -> dict[str, Any]:
-        """The notebooks, by file name, as this student has them."""
+        """Return the student's own notebooks, by file name."""
         return {name: personal(one, self.of(student, one)) for name, one in notebooks.items()}
 
     def _drawn(self, student: str, exercise: str, name: str, choices: list[Any]) -> Any:
-        """Nobody without the secret can tell what another student drew."""
+        """Draw a value, which is unpredictable without the secret."""
         key = hmac.new(self._secret, "\0".join((student, exercise, name)).encode(), hashlib.sha256)
         kinds = list(dict.fromkeys(choices))
         return kinds[int.from_bytes(key.digest()[:8], "big") % len(kinds)]
 
 
 def secret_file(students: Path) -> Path:
-    """Where the secret of a class is kept."""
+    """Return the file with the secret of a class."""
     return students.with_suffix(".secret")

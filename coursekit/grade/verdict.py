@@ -1,4 +1,4 @@
-"""A check's verdict: points, expected and seen, the likely cause; as HTML and as text."""
+"""A check's verdict: points, expected and observed results, and the likely cause; as HTML and as text."""
 
 from __future__ import annotations
 
@@ -10,24 +10,24 @@ from dataclasses import dataclass
 from coursekit.words.gettext import gettext
 
 _OURS = ("expected", "likely cause", "hint", "why")
-"""The rows that are a check's own words; the others are the student's, and shown as they are."""
+"""The rows with the check's own text; the others are the student's, and shown unchanged."""
 
 _CELL = "padding:1px 0;text-align:left;vertical-align:top"
 
 NO_HINT = -1
-"""Of an answer whose form is wrong, such as a text for a number: what was expected says it, and no hint is about that."""
+"""For an answer of the wrong form, such as a text for a number: the expectation explains it, and no hint applies."""
 
 
 class CheckFailed(Exception):
-    """Ends a check cell that is not solved yet; the verdict above it says why."""
+    """Ends a check cell that is not solved yet; the verdict above it gives the reason."""
 
     def _render_traceback_(self) -> list[str]:
-        """IPython shows this instead of a traceback."""
+        """Return the text that IPython shows instead of a traceback."""
         return [str(self)]
 
 
 class Wrong(Exception):
-    """Raised by a check: what was expected, what was seen, and the likely cause."""
+    """Raised by a check: the expected and the observed result, and the likely cause."""
 
     def __init__(
         self,
@@ -44,27 +44,27 @@ class Wrong(Exception):
         super().__init__(expected)
         self.expected = expected
         self.got = got
-        """The observation when the work was tried out."""
+        """The observation in the trial."""
         self.cause = cause
         self.share = share
-        """The part of the points that is earned all the same, 0 to 1."""
+        """The fraction of the points that is earned nevertheless, 0 to 1."""
         self.gave = gave
         """The student's own answer: the value of a variable, what a function returned."""
         self.hint = hint
-        """Which of the exercise's hints fits this fault, from 0; NO_HINT if none does; None where that cannot be told."""
+        """The index of the hint for this fault; NO_HINT if there is none; None if unknown."""
         self.timed_out = timed_out
-        """Whether a program or function was ended because its time was over."""
+        """Whether a program or function was ended because it exceeded its time."""
         self.at = at
-        """Where the fault is in the last panel of the picture that the judge handed out: x and y, in its units."""
+        """The positions of the fault in the last panel of the judge's picture: x and y, in its units."""
 
 
 class Skipped(Exception):
-    """Raised by a check of a voluntary exercise: why it cannot be judged on this computer."""
+    """Raised by a check of a voluntary exercise that cannot be judged on this computer, with the reason."""
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """The outcome of one check: `got` is what was seen in a trial, `gave` the student's own answer."""
+    """The outcome of one check: `got` is the observation in a trial, `gave` the student's own answer."""
 
     name: str
     title: str
@@ -76,9 +76,9 @@ class Verdict:
     hint: str = ""
     gave: str = ""
     timed_out: bool = False
-    """Whether the work was not judged to the end because its time was over."""
+    """Whether judging stopped early because the work exceeded its time."""
     fault: str = ""
-    """The error of the check itself: then the work is not judged, and its author is not to blame."""
+    """The error of the check itself: then the work is not judged, and the student is not to blame."""
     skipped: str = ""
     """Why a voluntary exercise is not judged here."""
 
@@ -88,7 +88,7 @@ class Verdict:
         return self.points >= self.of and not self.fault and bool(self.of or not self.expected)
 
     def score(self) -> str:
-        """The points in words.
+        """Format the points.
 
         >>> Verdict("ch02.q1", "Publish", 1, 2).score()
         '1 of 2 points'
@@ -104,7 +104,7 @@ class Verdict:
         return gettext(f"{self.points:g} of {self.of:g} point{_s(self.of)}")
 
     def text(self) -> str:
-        """For a terminal, and for notebooks without a browser.
+        """Return the text for a terminal, and for notebooks without a browser.
 
         >>> print(Verdict("ch02.q1", "Publish", 2, 2).text())
         ✔ ch02.q1 Publish: 2 of 2 points
@@ -115,7 +115,7 @@ class Verdict:
         return "\n".join(lines)
 
     def _rows(self) -> list[tuple[str, str]]:
-        """The lines below the head, in the course's language; what the student gave stays as it is."""
+        """Return the lines below the head, in the course's language; the student's answer stays unchanged."""
         if self.skipped:
             return [(gettext("why"), gettext(self.skipped))]
         rows = [(gettext("expected"), gettext(self.expected)), (gettext("you gave"), self.gave)]
@@ -126,7 +126,7 @@ class Verdict:
         return [(label, value) for label, value in rows if value and not self.passed]
 
     def html(self, picture: str = "") -> str:
-        """For the notebook; `picture` is HTML below the words."""
+        """Return the HTML for the notebook; `picture` is HTML below the text."""
         colour, mark = ("var(--right, #1a7f4b)", "✔") if self.passed else ("var(--wrong, #b3392f)", "✘")
         if self.skipped:
             colour, mark = "var(--muted, #5c6b76)", "–"
@@ -145,7 +145,7 @@ class Verdict:
 
 
 def points(number: float) -> str:
-    """A number of points in words.
+    """Format a number of points.
 
     >>> points(1), points(2.5)
     ('1 point', '2.5 points')
@@ -158,7 +158,7 @@ def _s(number: float) -> str:
 
 
 def _as_html(label: str, value: str) -> str:
-    """In a check's own words, the part between backticks is code."""
+    """Format a row; in a check's own text, the part between backticks is code."""
     escaped = html.escape(value)
     ours = label in map(gettext, _OURS)
     return re.sub(r"`([^`\n]+)`", r"<code>\1</code>", escaped) if ours else escaped

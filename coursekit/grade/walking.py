@@ -1,6 +1,6 @@
-"""Goes through folders that students made: by descriptors, without following links, never deeper or longer than it may.
+"""Walk through students' folders safely: by descriptors, without following links, with limited depth and length.
 
-A name that is read is opened in the folder that it was read from: what is exchanged for a link in between is not followed.
+A name is opened in the folder from which it was read: a link that replaces it in between is not followed.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import BinaryIO
 
 DEEPEST = 24
-"""Folders in folders."""
+"""The maximum nesting of folders."""
 MOST = 5000
-"""Files and folders of one submission."""
+"""The maximum number of files and folders of one submission."""
 _BY_DESCRIPTOR = os.open in os.supports_dir_fd and os.scandir in os.supports_fd
 _FLAGS = os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0)
 _FLAGS |= getattr(os, "O_BINARY", 0)
@@ -24,27 +24,27 @@ _FOLDER = getattr(os, "O_DIRECTORY", 0)
 
 @dataclass(frozen=True)
 class Walked:
-    """A regular file that was come by, or a fault in place of what could not be gone through."""
+    """A regular file, or the fault of an entry that cannot be read."""
 
     parts: tuple[str, ...]
-    """Its names, from the top down."""
+    """The path's names, from the top down."""
     when: float = 0.0
-    """When it was last changed, in seconds since 1970."""
+    """The modification time in seconds since 1970."""
     size: int = 0
     open: Callable[[], BinaryIO] | None = None
-    """Opens it; only until the next one is asked for."""
+    """Opens the file; only valid until the next one is requested."""
     fault: str = ""
 
 
 class NotPlain(OSError):
-    """It is no regular file (any more)."""
+    """It is not, or no longer, a regular file."""
 
 
 def open_plain(place: Path | str, folder: int | None = None) -> BinaryIO:
     """Open a regular file, never a link, pipe or device; it cannot block.
 
     Raises:
-        OSError: when it is none.
+        OSError: when it is not a regular file.
     """
     found = os.open(place, _FLAGS, dir_fd=folder)
     try:
@@ -57,7 +57,7 @@ def open_plain(place: Path | str, folder: int | None = None) -> BinaryIO:
 
 
 def walk(place: Path) -> Iterator[Walked]:
-    """Every regular file in a folder (or the file that it is), in the order of their names."""
+    """Yield every regular file in a folder (or the file itself), sorted by name."""
     try:
         kind = os.lstat(place).st_mode
         if stat.S_ISREG(kind):
@@ -76,7 +76,7 @@ class _Level:
     parts: tuple[str, ...]
     place: Path
     number: int | None
-    """The descriptor, where folders can be opened so."""
+    """The descriptor, if folders can be opened by descriptors."""
     names: list[str]
 
 
@@ -102,7 +102,7 @@ def _through(place: Path) -> Iterator[Walked]:
             elif found:
                 try:
                     levels.append(_entered(level.place / name, (*level.parts, name), level.number))
-                except OSError as error:  # gone, a link by now, or another's
+                except OSError as error:  # gone, replaced by a link, or another user's
                     yield Walked((*level.parts, name), fault=f"cannot be read: {error.strerror}")
     finally:
         for level in levels:
@@ -110,7 +110,7 @@ def _through(place: Path) -> Iterator[Walked]:
 
 
 def _looked_at(level: _Level, name: str) -> Walked | bool:
-    """A file, or whether it is a folder."""
+    """Return a file, or whether the entry is a folder."""
     parts = (*level.parts, name)
     try:
         inside = level.place / name if level.number is None else name
@@ -138,7 +138,7 @@ def _entered(place: Path, parts: tuple[str, ...], above: int | None) -> _Level:
 
 
 def _names(entries: Iterator[os.DirEntry[str]]) -> list[str]:
-    """The names, the last one first; of too many one more than may be."""
+    """Return the names in reverse order, at most one more than the limit."""
     found = []
     for entry in entries:
         found.append(entry.name)

@@ -1,8 +1,8 @@
-"""The course's side of a trial: its clock rules, its node records, publishes and calls as planned.
+"""The course's side of a trial: its clock rules; its node records, publishes and calls as planned.
 
-The student's programs run in another interpreter and meet this one on topics and services only. The plan comes as JSON on
-stdin, what was seen goes to stdout: `python -m coursekit.grade.watcher SECONDS [READ WRITE]`, the last two being file
-descriptors of the pipes to the other side, which is started from here when they are missing.
+The student's programs run in another interpreter, connected only by topics and services. The plan comes as JSON on
+stdin, the observations go to stdout: `python -m coursekit.grade.watcher SECONDS [READ WRITE]`. The last two are file
+descriptors of pipes to the other side, which is started from here when they are missing.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ from .plan import MESSAGES, Plan, Seen
 from .recording import Recorder
 
 OURS = ("_trial", "_ros2cli")
-"""How the names of nodes begin that nobody has to see."""
+"""The prefixes of node names to hide."""
 END_SECONDS = 5.0
-"""Virtual seconds that programs may take to end after Ctrl-C."""
+"""The virtual time that programs may take to end after Ctrl-C [s]."""
 
 
 class Watcher:
@@ -42,7 +42,7 @@ class Watcher:
         self._told = session.clock.new_event()
 
     def run(self) -> Seen:
-        """Carry the plan out."""
+        """Carry out the plan."""
         beside = [self._start(argv) for argv in self.plan.beside]
         for argv in self.plan.run:
             self.leader.post("start", argv)
@@ -65,7 +65,7 @@ class Watcher:
         return self.seen
 
     def on_event(self, event: list[Any]) -> None:
-        """The student's side says how its programs ended."""
+        """Handle the report of the student's side on how its programs ended."""
         kind, outputs, codes = event
         count = len(self.plan.run) + len(self.plan.later)
         if kind != "ended" or len(outputs) != count or len(codes) != count:
@@ -138,10 +138,10 @@ def _filled(msg: Any, fields: dict[str, Any]) -> Any:
 
 
 def main() -> int:
-    """Read a plan, carry it out, say what was seen."""
+    """Read a plan, carry it out, and write the observations."""
     plan = Plan(**json.loads(sys.stdin.buffer.read()))
     out, nothing = os.dup(1), os.open(os.devnull, os.O_RDWR)
-    for number in (0, 1):  # programs that write past sys.stdout write nowhere
+    for number in (0, 1):  # output written past sys.stdout is discarded
         os.dup2(nothing, number)
     patience, *pipes = sys.argv[1:]
     child = None if pipes else _other_side()
@@ -152,14 +152,14 @@ def main() -> int:
             child.kill()
         with os.fdopen(out, "wb") as to:
             to.write(json.dumps(facts, default=_plain).encode())
-        os._exit(0)  # whatever the programs left running ends with this process
+        os._exit(0)  # programs left running end with this process
 
     answer(_carried_out(plan, read, write, float(patience), lambda why: answer({"failed": why})))
     return 0
 
 
 def _other_side() -> Any:
-    """Start the student's side from here, as a notebook's check does."""
+    """Start the student's side from here, as for a check in a notebook."""
     from .trial import PROGRAMS
 
     return subprocess.Popen(PROGRAMS, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
@@ -177,7 +177,7 @@ def _carried_out(plan: Plan, read: int, write: int, patience: float, failed: Cal
 
 
 def _know_the_types_of(workspace: str) -> None:
-    """Interfaces of the student's packages are known here; their programs are not."""
+    """Load the interfaces of the student's packages, but none of their programs."""
     from coursekit.interfaces.find import remember
 
     install = Path(workspace, "install")

@@ -1,7 +1,7 @@
-"""Values as JSON between a sandbox and the judge: plain types exactly, ROS messages as bytes, a field of gaps to walls by
-its points, the rest as a description.
+"""Values as JSON between a sandbox and the judge: plain types exactly, messages as bytes, other objects as descriptions.
 
-Nothing is ever unpickled: what a student's object is, the judge learns from its type's name only.
+A distance field of walls is sent as its points. Nothing is ever unpickled: the judge sees only the type name of a
+student's object.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from typing import Any
 
 DEPTH = 30
 LENGTH = 200_000
-"""Elements of a list, letters of a text."""
+"""The maximum number of list elements, and of characters in a text."""
 KEYS = 5_000
-"""Elements of a set or a dictionary: keys that all collide cost their square."""
+"""The maximum number of elements of a set or dictionary: keys that all collide cost quadratic time."""
 DIGITS = 4_000
-"""Digits of an integer."""
+"""The maximum number of digits of an integer."""
 LETTERS = 1_000
-"""Letters that each text of an array has room for."""
+"""The maximum length of each text in an array [characters]."""
 _NUMBERS = ("bool", "int8", "int16", "int32", "int64", "uint8", "uint16", "uint32", "uint64",
             "float16", "float32", "float64")  # fmt: skip
 _TEXTS = re.compile(r"[<>|=]?U\d{1,4}")
@@ -26,7 +26,7 @@ _TYPE_NAME = re.compile(r"[a-z][a-z0-9_]*/(msg|srv|action)/[A-Z][A-Za-z0-9_]*")
 
 
 class Described:
-    """Stands for an object that cannot cross: equal to nothing, known by its description."""
+    """A placeholder for an object that cannot be sent: equal to nothing, with a description."""
 
     def __init__(self, kind: str, text: str) -> None:
         self.kind = kind
@@ -42,7 +42,7 @@ class Described:
 
 
 def pack(value: Any, depth: int = 0) -> Any:
-    """A value as JSON.
+    """Convert a value to JSON.
 
     >>> pack((1, 2.5))
     {'tuple': [1, {'float': '2.5'}]}
@@ -83,9 +83,9 @@ def _pack_object(value: Any, kind: type) -> Any:
 
 
 def unpack(tree: Any) -> Any:
-    """The value that `pack` made JSON of, where the JSON may be anybody's; ValueError for what `pack` never makes.
+    """Convert untrusted JSON of `pack` back to a value; ValueError for anything that `pack` never makes.
 
-    What takes more room than its JSON is refused before it is made.
+    Values that would take more memory than their JSON are refused in advance.
 
     >>> unpack({"array": ["<U250000000", [1], ["x"]]})
     Traceback (most recent call last):
@@ -102,7 +102,7 @@ def unpack(tree: Any) -> Any:
 
 
 def unpack_of_judge(tree: Any) -> Any:
-    """The value that a judge sent: also a field of gaps, which a student never sends."""
+    """Convert a value sent by a judge, including a distance field, which a student never sends."""
     if isinstance(tree, dict) and "gaps" in tree:
         return _gaps(_tagged(tree)[1])
     return unpack(tree)
@@ -156,7 +156,7 @@ def _gaps(inner: Any) -> Any:
 
 
 def refresh(old: Any, new: Any) -> bool:
-    """Make the mutable `old` hold what `new` holds, in place; whether it could.
+    """Copy the content of `new` into the mutable `old`, in place. Returns whether that was possible.
 
     >>> mine = {"holding": False}
     >>> refresh(mine, {"holding": True}), mine

@@ -1,4 +1,4 @@
-"""A student's work as a judge sees it: variables of the notebook, files of the workspace, trials of the programs."""
+"""A judge's view of a student's work: variables of the notebook, files of the workspace, trials of the programs."""
 
 from __future__ import annotations
 
@@ -25,37 +25,37 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 NOTHING = "there is none"
-"""The value in place of a variable or function that the notebook does not have."""
+"""Shown in place of a variable or function that the notebook lacks."""
 
 
 class Work:
     """A student's work for one exercise.
 
-    Judges ask for variables and functions first, and look at files and programs afterwards: in grading, the notebook has
-    ended by then.
+    Judges must use variables and functions first, then files and programs: in grading, the notebook has ended by
+    then.
     """
 
     def __init__(self, variables: Mapping[str, Any], workspace: Path) -> None:
         self.variables = variables
         self.workspace = workspace
         self.variants: Mapping[str, Any] = {}
-        """The values of this student's copy where they differ from the course's notebook."""
+        """The values of this student's copy that differ from the course's notebook."""
         self.illustration: Illustration | None = None
-        """Takes pictures where somebody looks at the verdict; in grading nobody does."""
+        """Receives pictures if the verdict is displayed; None in grading."""
 
     def variant(self, name: str, usual: T) -> T:
-        """A value that the exercise asks this student for; the `usual` one where there are no variants.
+        """Return this student's value of an exercise; the `usual` one if there are no variants.
 
         >>> Work({}, Path()).variant("boxes", 10)
         10
         """
         found: Any = self.variants.get(name, usual)
         if type(found) is int and isinstance(usual, float):
-            found = float(found)  # JSON of a browser knows no 3.0
+            found = float(found)  # JSON from a browser has no 3.0
         return found if type(found) is type(usual) else usual
 
     def dice(self, name: str) -> random.Random:
-        """Chance for the judge's questions: always the same in a notebook, secret in grading.
+        """Return random numbers for the judge's questions: constant in a notebook, secret in grading.
 
         >>> Work({}, Path()).dice("poses").random() == Work({}, Path()).dice("poses").random()
         True
@@ -63,10 +63,10 @@ class Work:
         return random.Random(name)
 
     def illustrate(self, make: Callable[..., Figure], *facts: Any) -> None:
-        """Show the figure that `make(*facts)` draws beside the verdict; the last one counts.
+        """Show the figure drawn by `make(*facts)` beside the verdict; the last one counts.
 
-        `facts` are plain values that the judge has checked. Lists that grow while it judges are drawn as they are at its
-        end. Where nobody looks, such as in grading, nothing is drawn; a figure that cannot be drawn is left out.
+        `facts` are plain values validated by the judge. Lists that grow meanwhile are drawn in their final state.
+        Nothing is drawn if the verdict is not displayed, as in grading; a figure that cannot be drawn is omitted.
         """
         if self.illustration is not None:
             self.illustration.keep(self, make, *facts)
@@ -74,7 +74,7 @@ class Work:
     # -- the notebook
 
     def value(self, name: str, kind: type[T]) -> T:
-        """A variable of the notebook, of exactly that type."""
+        """Return a variable of the notebook, of exactly that type."""
         if name not in self.variables:
             raise Wrong(f"a variable named `{name}`", NOTHING, "Was the cell above run, and is the name right?")
         found = self.variables[name]
@@ -83,7 +83,7 @@ class Work:
         return found
 
     def function(self, name: str) -> Any:
-        """A function of the notebook."""
+        """Return a function of the notebook."""
         found = self.variables.get(name)
         if not callable(found):
             cause = "Was the cell above run?"
@@ -96,7 +96,7 @@ class Work:
     # -- the workspace
 
     def text(self, path: str) -> str:
-        """The text of a file of the workspace; Wrong when there is none."""
+        """Return the text of a workspace file; Wrong when it does not exist."""
         found: str = self._read("text", path=path)
         return found
 
@@ -106,9 +106,9 @@ class Work:
         return found
 
     def built(self, package: str, *of: str) -> None:
-        """Wrong when a package of the workspace was not built, or not as it is now.
+        """Raise Wrong when a package of the workspace was not built, or has changed since.
 
-        `of` are the files that the exercise is about, without endings: what is at work for another one does not matter.
+        `of` are the files of the exercise, without suffixes: changes for another exercise do not matter.
         """
         found = self._read("build", package=package, of=list(of))
         command = f"Run: %colcon build --packages-select {package}"
@@ -120,7 +120,7 @@ class Work:
             raise Wrong(f"the package {package}, built as it is now", found.fault, found.cure or command)
 
     def compiled(self, package: str, *of: str) -> None:
-        """Wrong when a package in C++ was not built as it is now; Skipped where C++ cannot be compiled."""
+        """Raise Wrong when a C++ package was not built in its current state; Skipped when C++ cannot be compiled."""
         from coursekit.cpp.toolchain import NoToolchain, find_toolchain
 
         try:
@@ -131,18 +131,18 @@ class Work:
         self.built(package, *of)
 
     def robot(self, path: str) -> Robot:
-        """The robot in a URDF or xacro file; Wrong says what is wrong with it, and where."""
+        """Return the robot in a URDF or xacro file; Wrong with the fault and its position."""
         from .facts import robot_of
 
         return robot_of(self._read("robot", path=path), Path(self._scratch.name))
 
     def message(self, path: str) -> Message:
-        """A message definition, src/PACKAGE/msg/NAME.msg; Wrong says what is wrong with it, and where."""
+        """Return a message definition, src/PACKAGE/msg/NAME.msg; Wrong with the fault and its position."""
         found: Message = self._read("message", path=path)
         return found
 
     def parameters(self, path: str, nodes: Sequence[str]) -> dict[str, dict[str, Any]]:
-        """The parameters that a file gives to each of these nodes, as ROS reads it."""
+        """Return the parameters that a file sets for each of these nodes, as parsed by ROS."""
         found: dict[str, dict[str, Any]] = self._read("parameters", path=path, nodes=list(nodes))
         return found
 
@@ -151,7 +151,7 @@ class Work:
 
     @cached_property
     def _scratch(self) -> tempfile.TemporaryDirectory[str]:
-        """Where the judge keeps files of its own."""
+        """The folder for the judge's own files."""
         return tempfile.TemporaryDirectory(prefix="judge-")
 
     # -- programs
@@ -161,8 +161,8 @@ class Work:
     ) -> Seen:
         """Run command lines (without the word `ros2`) alone on the virtual clock; see `Plan` for the rest.
 
-        `commands` and `later` are the student's; `beside` are the course's own programs, which run where no code of a
-        student's is.
+        `commands` and `later` are the student's; `beside` are the course's own programs, which run apart from all of
+        a student's code.
         """
         planned = Plan(
             run=[_words(one) for one in commands],
@@ -187,7 +187,7 @@ def _words(command: str) -> list[str]:
 
 
 def _a(noun: str) -> str:
-    """The noun with its article.
+    """Return the noun with its article.
 
     >>> _a("int"), _a("list")
     ('an int', 'a list')

@@ -1,7 +1,7 @@
-"""Marking on several computers: dask.distributed hands each submission to a worker, which marks it in a sandbox as here.
+"""Marking on several computers: dask.distributed sends each submission to a worker, which marks it in a sandbox as here.
 
-Only texts travel: the notebooks that were handed in and the course's own there, the mark back. Who can reach the scheduler
-can run programs on the workers: let it listen to this computer only, or use TLS (docs/teachers.md).
+Only texts are sent: the submitted and the course's own notebooks there, the mark back. Anyone who can reach the
+scheduler can run programs on the workers: let it listen on this computer only, or use TLS (docs/teachers.md).
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ from .submissions import Submission
 from .unsandboxed import cure
 
 CONNECT_S = 20
-"""How long a scheduler may take to answer."""
+"""The timeout for a scheduler's answer [s]."""
 RETRIES = 3
-"""How often a submission is tried whose worker has died: one of them may have taken the worker with it."""
+"""How often a submission is retried whose worker has died, which the submission itself may have caused."""
 
 
 class NoWorkers(ValueError):
@@ -40,10 +40,10 @@ class NoWorkers(ValueError):
 
 
 class Workers:
-    """The workers of a scheduler at an address such as `tcp://127.0.0.1:8786`; a context that ends what they still do.
+    """The workers of a scheduler at an address such as `tcp://127.0.0.1:8786`; a context that ends their tasks.
 
     Raises:
-        NoWorkers: when there is none, or one of them would not give the marks that this computer gives.
+        NoWorkers: when there is none, or one of them would give other marks than this computer.
     """
 
     def __init__(self, address: str, *, allow_root: bool = False, unsafe: bool = False) -> None:
@@ -78,14 +78,14 @@ class Workers:
         limits: Limits,
         secret: bytes = b"",
     ) -> Marked:
-        """As `mark.mark`, by whichever worker is free; another one does it again when that one dies."""
+        """Mark like `mark.mark`, on any free worker; another one repeats it if that worker dies."""
         task = json.dumps(packed(submission, sources, exercises, limits, secret))
         future = self._client.submit(mark_packed, task, pure=False, retries=RETRIES)
         return Marked.of_json(json.loads(future.result()))
 
 
 def facts() -> dict[str, Any]:
-    """The settings that a worker's marks depend on, beside its tasks."""
+    """Return the settings of a worker that affect its marks, in addition to its tasks."""
     known = {"judges": judges_digest(), "version": coursekit_version(), "root": rights.is_root()}
     return {**known, "tier": sandbox.tier(), "lacks": cure(sandbox.complaint())}
 
@@ -97,7 +97,7 @@ def packed(
     limits: Limits,
     secret: bytes,
 ) -> dict[str, Any]:
-    """A submission, and all that marking it needs, as plain values."""
+    """Return a submission, and all data for marking it, as plain values."""
     return {
         "submission": submission.as_json(),
         "chosen": {name: _text(file) for name, file in submission.chosen.items()},
@@ -110,7 +110,7 @@ def packed(
 
 
 def mark_packed(task: str) -> str:
-    """On the worker: unpack a submission into a folder that is removed again, mark it, and give the mark as text."""
+    """On the worker: unpack a submission into a temporary folder, mark it, and return the mark as text."""
     said = json.loads(task)
     with tempfile.TemporaryDirectory(prefix="coursekit-") as name:
         folder = Path(name)
@@ -127,7 +127,7 @@ def mark_packed(task: str) -> str:
 
 @functools.cache
 def _folder_of_checks(checks: tuple[tuple[str, str], ...]) -> Path:
-    """A teacher's own checks as files, one folder for as long as the worker lives: what they register is used again."""
+    """Write a teacher's own checks to a folder that exists as long as the worker: their registrations are reused."""
     folder = Path(tempfile.mkdtemp(prefix="coursekit-checks-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     for name, text in checks:
@@ -136,7 +136,7 @@ def _folder_of_checks(checks: tuple[tuple[str, str], ...]) -> Path:
 
 
 def expect_alike(found: Mapping[str, dict[str, Any]], address: str, *, allow_root: bool, unsafe: bool) -> str:
-    """The sandbox of all workers; NoWorkers where there is none, or they are not as this computer."""
+    """Return the sandbox tier of all workers; NoWorkers when there are none, or they differ from this computer."""
     if not found:
         raise NoWorkers(f"The scheduler at {address} has no workers yet. Start some: dask worker {address} --nthreads 1")
     own = facts()

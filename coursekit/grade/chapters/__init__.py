@@ -1,1 +1,1 @@
-"""The judges of each chapter's exercises: they look at behaviour and properties, never at a model answer."""
+"""The judges of each chapter's exercises: they check behaviour and properties, never a model answer."""

@@ -1,4 +1,4 @@
-"""Appendix A: command lines that ask, that do, and that prove."""
+"""Appendix A: command lines that query, act and measure."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from coursekit.grade.work import Work
 TURTLESIM = "run turtlesim turtlesim_node"
 CMD_VEL, POSE, TWIST = "/turtle1/cmd_vel", "/turtle1/pose", "geometry_msgs/msg/Twist"
 CTRL_C = 2
-"""The exit status of a command that was ended by Ctrl-C."""
+"""The exit status of a command ended by Ctrl-C."""
 BROKEN = {
     "there is no node /turtlesim (this one is called /mule)": "-r __node:=mule",
     "/spawn is not served (here it is /hatch)": "-r spawn:=hatch",
 }
-"""Scenes in which something is missing, and how turtlesim is started for them."""
+"""Scenes in which something is missing, and the arguments of turtlesim for them."""
 
 
 @exercise(
@@ -29,7 +29,7 @@ BROKEN = {
     hints=("Which verb of `ros2 topic` shows messages?", "`ros2 topic echo -h` lists what it can leave out."),
 )
 def where(work: Work) -> None:
-    """One number, the x at which the turtle stands, from a command that ends."""
+    """Check that a command that ends prints one number, the turtle's x."""
     command = _command(work.value("command", str), "command")
     _of_this_exercise(command, "topic pub", 2)
     chance = work.dice("appa.q1")
@@ -65,7 +65,7 @@ def where(work: Work) -> None:
     ),
 )
 def drive_on(work: Work) -> None:
-    """A stream of velocities, four times a second, to the right."""
+    """Check for a stream of velocities to the right, four times a second."""
     command = _command(work.value("command", str), "command")
     _of_this_exercise(command, "topic echo", 1)
     seen = work.try_out(beside=[TURTLESIM], seconds=5.0, record=[CMD_VEL], later=[(1.0, command)])
@@ -100,7 +100,7 @@ def drive_on(work: Work) -> None:
     ),
 )
 def prove(work: Work) -> None:
-    """The rate is measured, and what is said differs where the node or its service is missing."""
+    """Check that the rate is measured, and that outputs differ if the node or its service is missing."""
     commands = work.value("commands", list)
     if len(commands) != 3:
         raise Wrong("a list of three texts", gave=shown(commands), hint=NO_HINT)
@@ -138,7 +138,7 @@ def _command(text: str, variable: str) -> str:
 
 
 def _of_this_exercise(command: str, other: str, number: int) -> None:
-    """Wrong where `command` still is that of the other exercise: both give it the same name."""
+    """Raise Wrong if `command` is still that of the other exercise: both use the same name."""
     if " ".join(command.split()).startswith(other):
         cause = f"That looks like exercise {number}'s: run the cell above this check again."
         raise Wrong("the `command` of this exercise", gave=shown(command), cause=cause, hint=NO_HINT)

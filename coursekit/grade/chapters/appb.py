@@ -1,4 +1,4 @@
-"""Appendix B: flat poses, an ellipse of uncertainty, a thing seen from a robot, photographs from all sides."""
+"""Appendix B: planar poses, an uncertainty ellipse, an object seen from a robot, photographs from all sides."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ SIDES = {
     "a triangle": [(5.0, 0.0), (5.9, 0.3), (5.2, 0.9)],
     "a hexagon": [(math.cos(n * math.pi / 3), 4.0 + math.sin(n * math.pi / 3)) for n in range(6)],
 }
-"""Outlines that are photographed [m]."""
+"""Outlines to photograph [m]."""
 
 
 def _about(axis: int, angle: float) -> Quaternion:
@@ -52,7 +52,7 @@ def _fill(message: Any, values: tuple[float, ...]) -> Any:
     ),
 )
 def there_and_back(work: Work) -> None:
-    """Headings of all sizes there; -q, tilted and upright poses back."""
+    """Check headings of all sizes in one direction; -q, tilted and upright poses in the other."""
     to_pose, to_flat = work.function("to_pose"), work.function("to_flat")
     chance = work.dice("appb.q1")
     by_chance = tuple(round(chance.uniform(-3, 3), 2) for _ in range(3))
@@ -117,7 +117,7 @@ def _judge_flat(to_flat: Callable[..., Any], turn: Quaternion, yaw: float, spelt
     ),
 )
 def the_ellipse(work: Work) -> None:
-    """Axes of many lengths and directions, in tables that are full of other things as well."""
+    """Check axes of many lengths and directions, in matrices with other non-zero entries."""
     function, chance = work.function("ellipse"), work.dice("appb.q2")
     by_chance = (round(chance.uniform(0.5, 0.9), 2), round(chance.uniform(0.1, 0.3), 2), chance.uniform(-3, 3))
     for a, b, yaw in ((0.6, 0.2, 0.0), (0.6, 0.2, math.pi / 2), (2.0, 0.3, -1.1), (0.05, 0.02, 2.5), by_chance):
@@ -166,7 +166,7 @@ def _estimate(a: float, b: float, yaw: float) -> Any:
     ),
 )
 def the_lookout(work: Work) -> None:
-    """Poses all over the floor and on a ramp; the node tells where the pallet is, in her axes, with their stamps."""
+    """Check that the node publishes the pallet in her frame with the poses' stamps, on the floor and on a ramp."""
     work.built("b_geometry")
     chance = work.dice("appb.q3")
     somewhere = (chance.uniform(-2, 2), chance.uniform(-2, 2), 0.0)
@@ -202,7 +202,7 @@ def _fields(second: int, place: tuple[float, ...], turn: Quaternion) -> dict[str
 
 
 def _judge_sight(point: tuple[float, ...], place: tuple[float, ...], turn: Quaternion) -> None:
-    """Whoever goes from her place by that point, in her axes, must come to the pallet."""
+    """Raise Wrong unless the point, given in her frame, is at the pallet."""
     step = rotate(turn, (point[0], point[1], point[2]))
     end = tuple(a + b for a, b in zip(place, step, strict=True))
     if close(end, PALLET, 1e-6):
@@ -228,7 +228,7 @@ def _judge_sight(point: tuple[float, ...], place: tuple[float, ...], turn: Quate
     ),
 )
 def once_around(work: Work) -> None:
-    """Outlines of several kinds: every side is seen, whole, from outside, and nobody is run over."""
+    """Check with outlines of several kinds that every side is seen whole from outside, without collisions."""
     from geometry_msgs.msg import Point32, PolygonStamped, PoseArray
 
     function, chance = work.function("views"), work.dice("appb.q4")
@@ -255,7 +255,7 @@ def _pallet(x: float, y: float, yaw: float) -> list[Flat]:
 
 
 def _standing(pose: Any, name: str) -> tuple[Flat, float]:
-    """Position and yaw of a pose that stands upright on the floor."""
+    """Return position and yaw of an upright pose on the floor."""
     turn = _turn_of(pose.orientation, f"views of {name}")
     up, nose = rotate(turn, (0.0, 0.0, 1.0)), rotate(turn, (1.0, 0.0, 0.0))
     x, y, z = _xyz(pose.position, f"views of {name}")
@@ -280,7 +280,7 @@ def _xyz(place: Any, given: str) -> tuple[float, float, float]:
 
 
 def _message(kind: type[Any], given: str, function: Callable[..., Any], *arguments: Any) -> Any:
-    """The result of a function for messages; it must be of that kind."""
+    """Return a function's result, which must be a message of that type."""
     got = called(function, *arguments, told=given)
     if type(got) is not kind:
         raise Wrong(f"a {kind.__name__} from {given}", gave=shown(got), cause="Is there a return?" if got is None else "")

@@ -1,4 +1,4 @@
-"""Appendix C: the file that a name means, a package that brings its meshes, names that travel."""
+"""Appendix C: the file behind a name, a package that brings its meshes, portable names."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ URIS = (
     ),
 )
 def where(work: Work) -> None:
-    """The same file as the library finds, and a ValueError for other schemes."""
+    """Check for the same file as the library finds, and a ValueError for other schemes."""
     from coursekit.urdf.resources import find_file
 
     function = work.function("where")
@@ -77,7 +77,7 @@ def _expect_value_error(function: Any, given: tuple[str, ...], wanted: str, hint
     ),
 )
 def large_cone(work: Work) -> None:
-    """All is installed, and the installed descriptions find their meshes in the installed package."""
+    """Check that everything is installed, and that the installed descriptions find their meshes in that package."""
     work.built(PACKAGE)
     wanted = ("urdf/cone.urdf", "urdf/large_cone.urdf", "meshes/cone.stl", "meshes/large/cone.stl")
     places = [f"install/{folder}share/{PACKAGE}/" for folder in (f"{PACKAGE}/", "")]
@@ -111,7 +111,7 @@ def large_cone(work: Work) -> None:
     ),
 )
 def travels(work: Work) -> None:
-    """Names of every kind, and files that lie outside."""
+    """Check names of every kind, and files outside."""
     function, number = work.function("portable"), work.dice("appc.q3").randint(2, 99)
     root = f"/home/vera{number}/ws/src/vera_description"
     near = f"{root}/urdf"

@@ -1,4 +1,4 @@
-"""Chapter 0: finding one's way."""
+"""Chapter 0: getting oriented."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ ROWS_OF_KEYS = {"asdf", "asdfg", "sdfg", "qwer", "qwert", "qwerty", "bla", "foo"
 
 @exercise("ch00.q1", "Who are you?", points=1, hints=("Write first and last name between quotes, with a space between.",))
 def who(work: Work) -> None:
-    """A name of at least two words."""
+    """Check for a name of at least two words."""
     me = work.value("me", str)
     if len(me.split()) < 2 or not all(word[0].isalpha() for word in me.split()):
         raise Wrong("a first and a last name", gave=shown(me) if me.strip() else "an empty text", hint=0)
@@ -38,7 +38,7 @@ def who(work: Work) -> None:
     ),
 )
 def keys(work: Work) -> None:
-    """The presses bring a fresh turtle to the left half."""
+    """Check that the presses bring a fresh turtle to the left half."""
     plan, now = [], 0.5
     for press in work.value("presses", list):
         (forward, turn), seconds = _press(press)
@@ -64,7 +64,7 @@ def keys(work: Work) -> None:
 
 
 def _press(press: Any) -> tuple[tuple[float, float], float]:
-    """How fast forward and how fast to turn while these keys are pressed, and for how long."""
+    """Return forward and angular velocity while these keys are pressed, and the duration."""
     if type(press) not in (tuple, list) or len(press) != 2 or type(press[0]) is not str:
         raise Wrong('a list of (keys, seconds), such as ("up", 1.0)', gave=shown(press), hint=NO_HINT)
     names = press[0].split("+")
@@ -81,7 +81,7 @@ def _press(press: Any) -> tuple[tuple[float, float], float]:
     hints=("A dictionary: {chapter number: 'a sentence', ...}.", "Whole sentences, each another one: what, and why?"),
 )
 def wishes(work: Work) -> None:
-    """Three chapters, a sentence each."""
+    """Check for three chapters, a sentence each."""
     found = work.value("wishes", dict)
     good = {key: one for key, one in found.items() if type(key) is int and key in CHAPTERS and _is_sentence(one)}
     wanted = f"a sentence for at least three chapters from {CHAPTERS[0]} to {CHAPTERS[-1]}"
@@ -94,13 +94,13 @@ def wishes(work: Work) -> None:
 
 
 def _words(sentence: str) -> set[str]:
-    """The different words of a sentence that are words: of letters, vowels among them, in any language of ours."""
+    """Return the different plausible words of a sentence: of letters including vowels, in all languages of the course."""
     words = ("".join(letter for letter in word if letter.isalpha()).lower() for word in sentence.split())
     return {word for word in words if word}
 
 
 def _is_sentence(text: Any) -> bool:
-    """Whether it reads like one: four different words, most of them no row of keys."""
+    """Whether a text reads like a sentence: four different words, most of them no rows of keys."""
     if type(text) is not str:
         return False
     words = _words(text)

@@ -1,4 +1,4 @@
-"""Chapter 1: asking the graph, driving a turtle, setting a scene."""
+"""Chapter 1: querying the graph, driving a turtle, setting up a scene."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ TURTLESIM = "run turtlesim turtlesim_node"
 CMD_VEL, POSE, TWIST = "/turtle1/cmd_vel", "/turtle1/pose", "geometry_msgs/msg/Twist"
 RED, PEN = (255, 0, 0), 5
 ASIDE = range(-4, 5)
-"""So many pixels beside the line turtles look at the paper."""
+"""The offsets from the line, in pixels, at which turtles sense the paper's colour."""
 START = 5.544445
-"""Where turtle1 begins [m]."""
+"""The start coordinate of turtle1 [m]."""
 PIXEL = 1 / 45
-"""On turtlesim's paper [m]."""
+"""A pixel of turtlesim's paper [m]."""
 
 
 @exercise(
@@ -34,7 +34,7 @@ PIXEL = 1 / 45
     ),
 )
 def ask(work: Work) -> None:
-    """The two facts, as a fresh graph with the same two programs has them."""
+    """Check the two facts against a fresh graph with the same two programs."""
     kind, count = work.value("rosout_type", str), work.value("rosout_publishers", int)
     seen = work.try_out(beside=["run demo_nodes_py talker", "run demo_nodes_py listener"], seconds=1.0)
     if kind not in seen.topics.get("/rosout", []):
@@ -54,7 +54,7 @@ def ask(work: Work) -> None:
     hints=("First turn on the spot, then drive.", "Up and to the right is 45 degrees, about 0.785 radians."),
 )
 def corner(work: Work) -> None:
-    """The moves bring a fresh turtle to the corner."""
+    """Check that the moves bring a fresh turtle to the corner."""
     plan, now = [], 0.5
     for forward, turn, seconds in _triples(work, "moves"):
         _expect_radians(turn)
@@ -85,7 +85,7 @@ def corner(work: Work) -> None:
     ),
 )
 def stage(work: Work) -> None:
-    """A second turtle stands at its place, and turtle1's pen is red and five pixels wide."""
+    """Check that a second turtle is in place, and that turtle1's pen is red and five pixels wide."""
     name, where = work.variant("turtle", "bob"), (work.variant("x", 2.5), work.variant("y", 3.5))
     commands = texts(work.value("commands", list), "a list of texts in `commands`")
     if any(one.split()[:1] == ["ros2"] for one in commands):
@@ -115,7 +115,7 @@ def stage(work: Work) -> None:
 
 
 def _is_drawn(off: int) -> bool:
-    """Whether a line of the right width reaches so many pixels aside, as turtlesim draws it."""
+    """Whether a line of the right width extends this many pixels to the side, as turtlesim draws it."""
     from coursekit.sim.paper import Paper
 
     paper = Paper(PAPER)
@@ -132,13 +132,13 @@ def _look(off: int) -> str:
 
 
 def _colours(seen: Any, topic: str) -> set[tuple[Any, ...]]:
-    """The colours that a turtle has seen below itself."""
+    """Return the colours that a turtle has sensed below itself."""
     found = (message for _, message in course_said(seen, topic) if isinstance(message, dict))
     return {tuple(message.get(one) for one in "rgb") for message in found}
 
 
 def _complaint(seen: Any, commands: list[str]) -> str:
-    """The output of the first command that failed."""
+    """Return the output of the first command that failed."""
     for index, command in enumerate(commands):
         if exit_code(seen, index):
             return f"; `{command[:60]}` said: {last_words(said(seen, index))}"
@@ -146,7 +146,7 @@ def _complaint(seen: Any, commands: list[str]) -> str:
 
 
 def _pen_cause(commands: list[str]) -> str:
-    """YAML takes an unquoted `off` for false: that is no name of a field."""
+    """Explain that YAML reads an unquoted `off` as false, which is no field name."""
     unquoted = any("{off:" in one.replace(" ", "") or ",off:" in one.replace(" ", "") for one in commands)
     return "YAML reads off as false. Between quotes it is a name: \"off\": 0" if unquoted else ""
 
@@ -161,7 +161,7 @@ def _pen_cause(commands: list[str]) -> str:
     ),
 )
 def dance(work: Work) -> None:
-    """A line of 8 m with a full turn and no wall."""
+    """Check for a line of 8 m with a full rotation and no wall contact."""
     steps = _triples(work, "dance")
     if other := [when for when, _, _ in steps if not 0 <= when <= 20]:
         raise Wrong("times from 0 to 20 seconds", gave=shown(other[:8]), hint=NO_HINT)

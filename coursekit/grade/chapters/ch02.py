@@ -1,4 +1,4 @@
-"""Chapter 2: names, a listener, a relay in both languages, a node of one's own."""
+"""Chapter 2: names, a listener, a relay in both languages, an own node."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from coursekit.words.counting import counted
 
 PACKAGE, CPP, STRING = "s2_py_pubsub", "s2_cpp_pubsub", "std_msgs/msg/String"
 SECONDS = 6.0
-"""How long a health node is watched."""
+"""How long a health node is observed [s]."""
 AT_ONCE = 0.005
-"""So late [s] an answer may be that is given at once."""
+"""The maximum delay of an immediate answer [s]."""
 SYLLABLES = ("ve", "ra", "lo", "mi", "ta", "gru", "ne", "sol", "pi", "do")
 
 
@@ -37,11 +37,11 @@ def _word(chance: Random) -> str:
     ),
 )
 def full_name(work: Work) -> None:
-    """Names expand as ROS expands them, for nodes of any name."""
+    """Check that names expand as in ROS, for nodes of any name."""
     from coursekit.rcl.names import expand
 
     function, chance = work.function("full_name"), work.dice("ch02.q1")
-    for name in ("scan", "/scan", "~/scan", "a/b", "/a/b", _word(chance), "~"):  # the rarest last: all else is right then
+    for name in ("scan", "/scan", "~/scan", "a/b", "/a/b", _word(chance), "~"):  # the rarest last: then all others are right
         for namespace in ("/", "/vera", f"/fleet/{_word(chance)}"):
             node = chance.choice(("lidar", _word(chance)))
             told = f"full_name({name!r}, {node!r}, {namespace!r})"
@@ -52,7 +52,7 @@ def full_name(work: Work) -> None:
 
 
 def _misnamed(name: str, wanted: str, got: str) -> Wrong:
-    """The verdict on a wrong name; where only `~` alone is missing, half of the points are earned."""
+    """Return the verdict on a wrong name; half of the points are earned if only `~` alone fails."""
     if "//" in got:
         return Wrong(wanted, gave=shown(got), cause="With the namespace '/', is there one slash too many?", hint=1)
     if name == "~":
@@ -71,7 +71,7 @@ def _misnamed(name: str, wanted: str, got: str) -> Wrong:
     ),
 )
 def listener(work: Work) -> None:
-    """The node hears what is said and logs it, each text once."""
+    """Check that the node receives messages and logs each text once."""
     work.built(PACKAGE, "py_subscriber_node")
     chance = work.dice("ch02.q2")
     words = [f"{_word(chance)} {number}" for number in range(3)]
@@ -103,17 +103,17 @@ def listener(work: Work) -> None:
     ),
 )
 def relay(work: Work) -> None:
-    """Each message comes out in capitals, once and at once; also those that come in quick succession."""
+    """Check that each message is published in capitals, once and immediately, also in quick succession."""
     work.built(PACKAGE, "py_relay_node")
     _judge_relay(work, PACKAGE, "py", work.dice("ch02.q3"), "str has a method for it.")
 
 
 def _judge_relay(work: Work, package: str, language: str, chance: Random, cause_of_case: str) -> None:
-    """The relay of a package, whose node and topics are named after the language."""
+    """Judge the relay of a package, whose node and topics are named after the language."""
     hears, says = f"/{language}_str_topic", f"/{language}_upper_topic"
     texts = ["Vera is awake: 1", *(f"{_word(chance)} MiXed {number}" for number in range(7))]
     if language == "py":
-        texts[1] = "grüß dich"  # in C++ a text is bytes, of which a letter may have two
+        texts[1] = "grüß dich"  # a C++ text is bytes, and a letter may have two
     times = [0.5 + 0.4 * index + chance.uniform(0.0, 0.3) for index in range(len(texts) - 2)]
     times += [times[-1] + 0.011, times[-1] + 0.022]
     spoken = [(when, hears, STRING, {"data": one}) for when, one in zip(times, texts, strict=True)]
@@ -135,7 +135,7 @@ def _judge_relay(work: Work, package: str, language: str, chance: Random, cause_
 
 
 def _expect_ends(seen: Seen, hears: str, says: str) -> None:
-    """Wrong unless the relay hears the one topic and speaks on the other."""
+    """Raise Wrong unless the relay subscribes to one topic and publishes on the other."""
     if not seen.publishers.get(says):
         names = ", ".join(name for name, ends in seen.publishers.items() if ends and name not in EVERY_NODE_S) or "none"
         raise Wrong(f"a publisher on {says}", f"publishers: {names}", "Is the topic's name right?", hint=0)
@@ -154,7 +154,7 @@ def _expect_ends(seen: Seen, hears: str, says: str) -> None:
     ),
 )
 def relay_in_cpp(work: Work) -> None:
-    """The same relay, between the topics of the C++ nodes."""
+    """Check the same relay between the topics of the C++ nodes."""
     work.compiled(CPP, "cpp_relay_node")
     cause = "`std::toupper` makes one letter a capital: is every letter changed?"
     _judge_relay(work, CPP, "cpp", work.dice("ch02.q5"), cause)
@@ -172,7 +172,7 @@ def relay_in_cpp(work: Work) -> None:
     ),
 )
 def health(work: Work) -> None:
-    """Two topics of different types, 1 to 20 Hz, values that change."""
+    """Check for two topics of different types, at 1 to 20 Hz, with changing values."""
     work.built(PACKAGE, "py_health_node")
     seen = work.try_out(f"run {PACKAGE} health_exe", record=["*"], seconds=SECONDS)
     own = {name: types[0] for name, types in seen.topics.items() if name not in EVERY_NODE_S and seen.publishers.get(name)}

@@ -1,4 +1,4 @@
-"""Chapter 3: a callback that answers, a client as a program, a server that asks, a switch of one's own, a gripper in C++."""
+"""Chapter 3: a service callback, a client program, a server that is also a client, an own switch, a gripper in C++."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ PACKAGE, CPP = "s3_py_srvcli", "s3_cpp_srvcli"
 ADD = "example_interfaces/srv/AddTwoInts"
 SET = "std_srvs/srv/SetBool"
 SERVER = "run coursekit_robots odd_adder --ros-args -r add_two_ints:=/py_add_two_ints_service -p more:="
-"""The course's server for what students ask: its answer is not the sum."""
+"""The course's server for the students' requests: its answer is not the sum."""
 LAMP_SECONDS = 9.0
-"""How long a switch is watched."""
+"""How long a switch is observed [s]."""
 
 
 @exercise(
@@ -33,7 +33,7 @@ LAMP_SECONDS = 9.0
     ),
 )
 def lift(work: Work) -> None:
-    """Lifting and putting down alternate; the impossible changes nothing."""
+    """Check that lifting and putting down alternate; impossible requests must change nothing."""
     from std_srvs.srv import SetBool
 
     function, state = work.function("lift"), work.value("state", dict)
@@ -71,7 +71,7 @@ def _expect_lift(response: Any, after: Any, case: str, succeeds: bool, holds: bo
     ),
 )
 def client(work: Work) -> None:
-    """The service's answer about two numbers is logged; other counts give the usage line and exit status 1."""
+    """Check that the service's answer for two numbers is logged; other counts give the usage line and exit status 1."""
     work.built(PACKAGE, "client_main", "py_client_async_node", "running")
     for words in ("", "17", "1 2 3"):
         _expect_usage(work.try_out(f"run {PACKAGE} client_exe {words}", seconds=1.5), words)
@@ -119,7 +119,7 @@ def _expect_usage(seen: Seen, words: str) -> None:
     ),
 )
 def gate(work: Work) -> None:
-    """The gate's answer is the server's plus the boxes that stand there; the server does not say the sum."""
+    """Check that the gate's answer is the server's plus the boxes at the gate; the server does not return the sum."""
     work.built(PACKAGE, "py_gate_node", "gate_main", "running")
     boxes, chance = work.variant("boxes", 10), work.dice("ch03.q3")
     more = chance.randint(20, 70)
@@ -158,7 +158,7 @@ def gate(work: Work) -> None:
     ),
 )
 def switch(work: Work) -> None:
-    """A SetBool service whose state can be seen on a topic."""
+    """Check for a SetBool service whose state is visible on a topic."""
     work.built(PACKAGE, "py_switch_node", "switch_main", "running")
     command = f"run {PACKAGE} switch_exe"
     first = work.try_out(command, seconds=1.0)
@@ -182,7 +182,7 @@ def switch(work: Work) -> None:
 
 
 def _unshown(counts: dict[str, int]) -> tuple[str, str]:
-    """The verdict on topics with so many messages that nothing can be told from them."""
+    """Return the verdict on topics whose many messages do not show the state."""
     if max(counts.values()) < LAMP_SECONDS - 2:
         told = " and ".join(f"{counted(count, 'message')} on {name}" for name, count in counts.items())
         return f"{told} in {LAMP_SECONDS:g} s", "Does a timer publish it, and not the service's callback alone?"
@@ -191,7 +191,7 @@ def _unshown(counts: dict[str, int]) -> tuple[str, str]:
 
 
 def _shows(messages: Sequence[tuple[float, Any]]) -> bool:
-    """Whether some field tells on (3 to 6 s) from off (before and after), by what it says or by how much."""
+    """Whether some field distinguishes on (3 to 6 s) from off (before and after), by its values or by their size."""
     parts = [[_leaves(msg) for when, msg in messages if start <= when < start + 2.9] for start in (0.0, 3.1, 6.1)]
     if min(len(part) for part in parts) < 2:
         return False
@@ -200,7 +200,7 @@ def _shows(messages: Sequence[tuple[float, Any]]) -> bool:
 
 
 def _leaves(message: Any, name: str = "") -> dict[str, Any]:
-    """The plain values in a message by their place; the numbers in texts, such as times, are left out of them."""
+    """Return the plain values in a message by path; numbers within texts, such as times, are removed."""
     inner: Iterator[tuple[Any, Any]] = iter(())
     if isinstance(message, dict):
         inner = iter(message.items())
@@ -228,7 +228,7 @@ def _tells(before: list[Any], on: list[Any], after: list[Any]) -> bool:
     ),
 )
 def gripper(work: Work) -> None:
-    """Lifting and putting down alternate, in whichever order they are asked for; the impossible changes nothing."""
+    """Check that lifting and putting down alternate in any order of requests; impossible requests must change nothing."""
     work.compiled(CPP, "cpp_gripper_node")
     chance = work.dice("ch03.q5")
     asked = [True, True, False, False, *(chance.random() < 0.5 for _ in range(8))]

@@ -1,4 +1,4 @@
-"""Chapter 4: a message type, its listener, an action that can be cancelled, a type of one's own, an alarm in C++."""
+"""Chapter 4: a message type, its listener, a cancellable action, an own type, an alarm in C++."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 TYPES = "s4_custom_interface"
 APPS, CPP = "s4_py_apps", "s4_cpp_apps"
 METRES = re.compile(r"\b(m|met(re|er)s?|metros?|mètres?|metri)\b", re.I)
-"""How the unit of a length is written, in the languages of the course."""
+"""Spellings of the unit metre in the languages of the course."""
 
 
 def _message(work: Work, name: str) -> Message:
-    """A message type as it is in src/, which also has to be in install/ like that."""
+    """Return a message type from src/, which must be the same in install/."""
     source = f"src/{TYPES}/msg/{name}.msg"
     found = work.message(source)
     work.built(TYPES)
@@ -48,7 +48,7 @@ def _message(work: Work, name: str) -> Message:
     ),
 )
 def sphere(work: Work) -> None:
-    """The fields have these types, names and this order; the radius's unit is told beside it."""
+    """Check the types, names and order of the fields; the radius's unit must be in a comment beside it."""
     fields = _message(work, "Sphere").fields
     names = [field.name for field in fields]
     if names != ["center", "radius"]:
@@ -74,7 +74,7 @@ def sphere(work: Work) -> None:
     ),
 )
 def mechanic(work: Work) -> None:
-    """Statuses and spheres are logged in the words that were asked for."""
+    """Check that statuses and spheres are logged in the requested words."""
     work.built(APPS, "py_subscriber_node", "mains", "running")
     chance = work.dice("ch04.q2")
     states = [(chance.randint(-20, 90), up) for up in (True, False, chance.random() < 0.5)]
@@ -99,7 +99,7 @@ def _volume(radius: float) -> float:
 
 
 def _radius(chance: Random) -> float:
-    """A radius whose volume is not just between two roundings."""
+    """Return a radius whose volume is not close to a rounding limit."""
     while True:
         radius = round(chance.uniform(0.3, 2.5), 2)
         if abs(_volume(radius) * 100 % 1 - 0.5) > 0.01:
@@ -126,7 +126,7 @@ def _expect_line(seen: Seen, line: str, what: str) -> None:
     ),
 )
 def fetch(work: Work) -> None:
-    """Feedback box by box, a result at the end, and a cancelled goal that ends early."""
+    """Check for feedback box by box, a result at the end, and a cancelled goal that ends early."""
     work.built(APPS, "fetching", "py_fibonacci_node", "mains", "running")
     goal = f'action send_goal --feedback /fetch {TYPES}/action/Fetch "{{boxes: %d}}"'
     for boxes in (1, work.dice("ch04.q3").randint(3, 6)):
@@ -181,7 +181,7 @@ def _ending(said: str) -> str:
     ),
 )
 def report(work: Work) -> None:
-    """A rich message type, published with values that change."""
+    """Check for a rich message type, published with changing values."""
     definition = _message(work, "Report")
     for missing in _missing(definition):
         raise Wrong(missing, gave=_told(definition.fields, len(definition.constants)), hint=0)
@@ -205,7 +205,7 @@ def _told(fields: tuple[Field, ...], constants: int) -> str:
 
 
 def _missing(message: Message) -> Iterator[str]:
-    """The missing parts of the message type, in words."""
+    """Yield the missing parts of the message type as text."""
     if len(message.fields) < 4:
         yield f"at least four fields (there are {len(message.fields)}; constants are not fields)"
     if len({str(field.type) for field in message.fields}) < 3:
@@ -229,7 +229,7 @@ def _missing(message: Message) -> Iterator[str]:
     ),
 )
 def alarm(work: Work) -> None:
-    """Hot statuses come out again with a text, cool ones do not."""
+    """Check that hot statuses are published again with a text, and cool ones are not."""
     work.compiled(CPP, "cpp_alarm_node")
     chance, kind = work.dice("ch04.q5"), f"{TYPES}/msg/HardwareStatus"
     degrees = [61, 60, chance.randint(62, 95), chance.randint(-20, 59), chance.randint(62, 95)]

@@ -1,4 +1,4 @@
-"""Chapter 5: a lamp's parameters in both languages, a file for a fleet, two cameras, a ball that is followed."""
+"""Chapter 5: a lamp's parameters in both languages, a file for a fleet, two cameras, tracking a ball."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from coursekit.grade.work import Work
 PACKAGE, USERS, CPP = "s5_py_camera", "s5_py_camera_usr", "s5_cpp_camera"
 LAMP, CPP_LAMP = "/py_lamp_node", "/cpp_lamp_node"
 INTEGER = 2
-"""The type of a parameter in rcl_interfaces/msg/ParameterType."""
+"""The parameter type in rcl_interfaces/msg/ParameterType."""
 PICTURES = 12
-"""So many of each size are shown to the tracker."""
+"""The number of images of each size shown to the tracker."""
 
 
 @exercise(
@@ -35,7 +35,7 @@ PICTURES = 12
     ),
 )
 def lamp(work: Work) -> None:
-    """Range and callback refuse what they should, also as one of several, and what is taken takes effect."""
+    """Check that range and callback reject invalid values, also one of several, and that accepted ones take effect."""
     work.built(PACKAGE, "py_lamp_node", "lamp_settings")
     no_lamp = no_colour(work.dice("ch05.q1"))
     asks: list[Ask] = [
@@ -74,7 +74,7 @@ def lamp(work: Work) -> None:
     ),
 )
 def fleet(work: Work) -> None:
-    """ROS's own reading of the file gives each node what it should have, whatever namespace it is in."""
+    """Check with ROS's own parser that the file gives each node its values, in any namespace."""
     small = work.variant("width", 320), work.variant("height", 240)
     large, gate = (work.variant("gate_width", 1280), work.variant("gate_height", 720)), work.variant("gate", "gate")
     chance = work.dice("ch05.q2")
@@ -109,7 +109,7 @@ def _expect_value(node: str, name: str, wanted: Any, got: dict[str, Any]) -> Non
 
 
 def _a(kind: type) -> str:
-    """A kind of parameter in ROS's words, with its article."""
+    """Return the name of a parameter type in ROS, with its article."""
     return {bool: "a bool", int: "an integer", float: "a double", str: "a string"}.get(kind, "an array")
 
 
@@ -123,7 +123,7 @@ def _a(kind: type) -> str:
     ),
 )
 def two_eyes(work: Work) -> None:
-    """Two cameras in two namespaces, their width from the command line."""
+    """Check for two cameras in two namespaces, with their width from the command line."""
     work.built(PACKAGE, "two_cameras", "py_camera_node")
     other = 16 * work.dice("ch05.q3").randint(5, 18)
     for argument, width in (("", 320), (f" width:={other}", other)):
@@ -154,7 +154,7 @@ def two_eyes(work: Work) -> None:
     ),
 )
 def ball(work: Work) -> None:
-    """The ball is where the scene has it, in small and in large pictures, at moments that only the judge knows."""
+    """Check that the ball is found in small and large images, at random times of the scene."""
     work.built(USERS)
     chance = work.dice("ch05.q4")
     for width, height in ((320, 240), (200, 150)):
@@ -169,7 +169,7 @@ def ball(work: Work) -> None:
 
 
 def _expect_none(work: Work, chance: Random) -> None:
-    """A picture without a ball, here a grey one, gets no place, and the program goes on to the next picture."""
+    """Check that a grey image without a ball gives no position, and that the program continues with the next image."""
     grey = _picture(1, 0.0, 160, 120) | {"data": [128] * (3 * 160 * 120)}
     spoken = [(0.5 + 0.1 * number, "/camera/image_raw", "sensor_msgs/msg/Image", one)
               for number, one in enumerate((grey, _picture(2, _moments(chance)[0], 160, 120)))]
@@ -182,7 +182,7 @@ def _expect_none(work: Work, chance: Random) -> None:
 
 
 def _moments(chance: Random) -> list[float]:
-    """Times of the scene at which the robot does not hide the ball."""
+    """Return times of the scene at which the robot does not hide the ball."""
     from coursekit.sim.camera import Scene
 
     found: list[float] = []
@@ -202,7 +202,7 @@ def _picture(number: int, moment: float, width: int, height: int) -> dict[str, A
 
 
 def _places(moments: list[float], width: int, height: int) -> dict[int, tuple[float, float]]:
-    """Where the ball is in each picture, by the picture's stamp."""
+    """Return the ball's position in each image, by the image's stamp."""
     from coursekit.sim.camera import Scene
 
     scene = Scene()
@@ -255,7 +255,7 @@ def _judge_places(work: Work, seen: Seen, places: dict[int, tuple[float, float]]
     ),
 )
 def lamp_in_cpp(work: Work) -> None:
-    """Colours that there are not are refused, also as one of several, with a reason; what is taken takes effect."""
+    """Check that unknown colours are rejected with a reason, also one of several, and that accepted ones take effect."""
     work.compiled(CPP, "cpp_lamp_node")
     no_lamp = no_colour(work.dice("ch05.q5"))
     asks: list[Ask] = [

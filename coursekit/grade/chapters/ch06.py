@@ -1,4 +1,4 @@
-"""Chapter 6: a cart that lifts, an arm by hand, wheels that roll, a body that does not fall over, an arm in C++."""
+"""Chapter 6: a cart that lifts, an arm computed by hand, rolling wheels, a stable body, an arm in C++."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 PACKAGE, CPP = "s6_py_urdf", "s6_cpp_urdf"
 POSTURES = 300
-"""So many ways of standing are tried when there are more."""
+"""The maximum number of postures tried."""
 
 
 @exercise(
@@ -47,7 +47,7 @@ POSTURES = 300
     ),
 )
 def cart(work: Work) -> None:
-    """The links are where they should be, at rest and when the joints move."""
+    """Check the poses of the links, at rest and with moved joints."""
     robot = work.robot(f"src/{PACKAGE}/urdf/cart.urdf")
     work.illustrate(sides, robot)
     if robot.name != "cart":
@@ -138,7 +138,7 @@ def _judge_lift(robot: Robot) -> None:
     ),
 )
 def by_hand(work: Work) -> None:
-    """The same places as the library's, for other angles and other arms."""
+    """Check against the library's positions, for other angles and other arms."""
     tip, chance = work.function("tip"), work.dice("ch06.q2")
     for index in range(12):
         upper, fore = (0.4, 0.3) if index < 6 else (chance.uniform(0.2, 0.9), chance.uniform(0.2, 0.9))
@@ -165,7 +165,7 @@ def by_hand(work: Work) -> None:
     ),
 )
 def rolling(work: Work) -> None:
-    """The way of each wheel's place over the floor is the way that its rim unrolls."""
+    """Check that each wheel's distance over the floor equals the distance unrolled by its rim."""
     work.built(PACKAGE, "rolling", "py_rolling_node")
     for radius in (1.0, work.dice("ch06.q3").uniform(0.3, 0.8), 0.05):
         command = f"run {PACKAGE} rolling_exe --ros-args -p radius:={radius:.3f}"
@@ -184,7 +184,7 @@ def rolling(work: Work) -> None:
     ),
 )
 def own(work: Work) -> None:
-    """All kinds of joints, possible masses, and it stands, wherever its joints are."""
+    """Check for all types of joints, possible masses, and stability at all joint positions."""
     robot = work.robot(f"src/{PACKAGE}/urdf/own.urdf.xacro")
     work.illustrate(sides, robot)
     kinds = {joint.type for joint in robot.joints.values()}
@@ -236,7 +236,7 @@ def _judge_standing(work: Work, robot: Robot) -> None:
 
 
 def _postures(robot: Robot, chance: Random) -> list[dict[str, float]]:
-    """All joints at 0, and each at its ends, or all around, with each end of the others; of many so many by chance."""
+    """Return postures: all joints at 0, and combinations of the joints' limits (or all around), sampled if many."""
     ends: dict[str, list[float]] = {}
     for joint in robot.moving_joints():
         limit = None if joint.type == "continuous" else joint.limit
@@ -261,7 +261,7 @@ def _place(values: Any) -> str:
     ),
 )
 def arm_in_cpp(work: Work) -> None:
-    """The tip's place for each pair of angles that is published."""
+    """Check the tip's position for each published pair of angles."""
     work.compiled(CPP, "cpp_tip_node")
     chance = work.dice("ch06.q5")
     angles = [(chance.uniform(-3, 3), chance.uniform(-3, 3)) for _ in range(6)]

@@ -1,4 +1,4 @@
-"""Chapter 7: a pose seen from another, the stages of a robot, a robot that goes silent, four that do not collide."""
+"""Chapter 7: a relative pose, the stages of a robot, a robot that falls silent, four robots without collisions."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ from coursekit.grade.work import Work
 
 CLIENT, MANAGER, MONITOR = "s7_py_client_robot", "s7_py_task_manager", "s7_py_robot_task_monitoring"
 APART = 0.4
-"""Robots' middles closer than this may touch [m]."""
+"""The distance between robots' centres below which they may touch [m]."""
 SEEDS = range(1, 40)
-"""Of the manager's dice: with these there is enough work that can be done without collisions."""
+"""Seeds of the manager's random numbers for which enough work is possible without collisions."""
 
 
 @exercise(
@@ -36,7 +36,7 @@ SEEDS = range(1, 40)
     ),
 )
 def seen_from_me(work: Work) -> None:
-    """The same as tf2 says, for many poses."""
+    """Check against tf2 for many poses."""
     function, chance = work.function("seen"), work.dice("ch07.q1")
     for index in range(20):
         me, other = (tuple(round(chance.uniform(-3, 3), 2) for _ in range(3)) for _ in range(2))
@@ -60,7 +60,7 @@ def seen_from_me(work: Work) -> None:
     ),
 )
 def stages(work: Work) -> None:
-    """All steps of a robot that works alone: how far, how fast, to where."""
+    """Check all steps of a robot working alone: distances, speeds and goals."""
     work.built(CLIENT)
     for seed in work.dice("ch07.q2").sample(range(1, 10_000), 2):
         robot = f"run {CLIENT} client_exe --ros-args -r __ns:=/robot1 -r get_two_poses:=/get_two_poses"
@@ -103,7 +103,7 @@ def _judge_stages(work: Work, seen: Seen) -> None:
     ),
 )
 def silent(work: Work) -> None:
-    """The table, cycle by cycle, of robots that speak, fall silent, come back, or never were."""
+    """Check the table, cycle by cycle, for robots that report, fall silent, return, or never existed."""
     work.built(MONITOR)
     begin = 0.5 + 1 / 60  # between two cycles
     times = {
@@ -170,7 +170,7 @@ def _row(stages: Sequence[int]) -> str:
     ),
 )
 def no_collisions(work: Work) -> None:
-    """Four robots work for a minute and a half, with several seeds."""
+    """Check four robots at work for a minute and a half, with several seeds."""
     work.built(MANAGER)
     for seed in work.dice("ch07.q4").sample(SEEDS, 2):
         told = work.try_out(*_crew(seed), record=[f"/robot{n}/robot_status" for n in range(1, 5)], seconds=90.0)

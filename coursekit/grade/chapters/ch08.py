@@ -1,4 +1,4 @@
-"""Chapter 8: an inverse sensor model, a ray caster, a scan matcher and an explorer, each beside the truth."""
+"""Chapter 8: an inverse sensor model, a ray caster, a scan matcher and an explorer, each compared with the truth."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def _world(name: str) -> Path:
     ),
 )
 def sensor_model(work: Work) -> None:
-    """Signs and silence in the right places; then a room is mapped with it."""
+    """Check the signs and zeros of the model; then map a room with it."""
     model, chance = work.function("inverse_sensor_model"), work.dice("ch08.q1")
     _judge_signs(model, chance)
     _judge_passer_by(model)
@@ -104,7 +104,7 @@ def _judge_room(work: Work, model: Any, seed: int) -> None:
     ),
 )
 def ray_caster(work: Work) -> None:
-    """The same distances as the simulator's LiDAR, in rooms and among random walls."""
+    """Check for the same distances as the simulator's LiDAR, in rooms and among random walls."""
     from coursekit.sim import load_world
 
     judge, chance = RayJudge(work), work.dice("ch08.q2")
@@ -134,7 +134,7 @@ def _judge_single(judge: RayJudge) -> None:
 
 
 def _judge_rays(judge: RayJudge, walls: Walls, chance: Random) -> list[Ray]:
-    """Sixty rays among these walls, which are given back."""
+    """Check sixty rays among these walls, and return them."""
     rays = []
     for _ in range(60):
         x, y, angle = chance.uniform(-1, 5), chance.uniform(-1, 4), chance.uniform(-7, 7)
@@ -156,7 +156,7 @@ def _judge_rays(judge: RayJudge, walls: Walls, chance: Random) -> list[Ray]:
     ),
 )
 def scan_matcher(work: Work) -> None:
-    """Poses beside the truth, in three worlds."""
+    """Check poses against the truth, in three worlds."""
     match, chance = work.function("match"), work.dice("ch08.q3")
     worlds = 2 * ("office", "robot_world", "tec_warehouse")
     found = [
@@ -185,7 +185,7 @@ def scan_matcher(work: Work) -> None:
     ),
 )
 def explorer(work: Work) -> None:
-    """It goes where it can, and sees nearly all."""
+    """Check that it chooses reachable goals, and sees nearly everything."""
     from coursekit.grade.chapters.measures.exploring import Unseen
     from coursekit.grade.figures.maps import explored
 
@@ -199,7 +199,7 @@ def explorer(work: Work) -> None:
 
 
 def _explore(next_goal: Any, name: str, world: Unseen, stops: list[tuple[int, int]]) -> None:
-    """Let it choose goals; `stops` are where she has been."""
+    """Let the function choose goals; `stops` collects her positions."""
     goals = 0
     while goals < MOST_GOALS and world.known() < 0.95:
         got = called(next_goal, world.cells.copy(), world.here, told=f"next_goal in {name}")

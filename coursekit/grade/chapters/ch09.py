@@ -1,4 +1,4 @@
-"""Chapter 9: costs around walls, the cheapest path, a round that is driven, four robots that never meet."""
+"""Chapter 9: costs around walls, the cheapest path, a driven patrol, four robots that never meet."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ if TYPE_CHECKING:
 
 PACKAGE, STOPS = "s9_py_delivery", ((1.2, 0.0), (2.4, -0.4), (0.6, 0.3))
 NEAR, ROUND_SECONDS = 0.5, 32.0
-"""So near [m] the robot comes to a stop; so long [s] the round may take."""
+"""The distance that counts as reaching a stop [m], and the maximum duration of the round [s]."""
 SIMULATION = "launch coursekit_robots simulation.launch.py world:=robot_world"
 JUMP = 0.3
-"""Further than this [m] she does not come between two odometry messages, unless she was put there."""
+"""The distance between two odometry messages [m] above which she was moved without driving."""
 
 
 @exercise(
@@ -42,7 +42,7 @@ JUMP = 0.3
     ),
 )
 def inflation(work: Work) -> None:
-    """nav2's formula, also with other radii and scalings."""
+    """Check nav2's formula, also with other radii and scalings."""
     cost, chance = work.function("inflation_cost"), work.dice("ch09.q1")
     for inscribed, scaling, radius in ((0.2, 3.0, 0.55), (0.3, 10.0, 1.0), (0.1, 1.5, 2.0)):
         gaps = [0.0, inscribed / 2, inscribed, inscribed + 0.05, inscribed + 0.2, radius, radius + 0.01, 9.0]
@@ -54,11 +54,11 @@ def inflation(work: Work) -> None:
 
 
 def _judge_cost(cost: Any, given: tuple[float, ...], asked: list[tuple[float, float]]) -> None:
-    """Wrong unless it is nav2's cost; what was answered at which distance is added to `asked`."""
+    """Raise Wrong unless it is nav2's cost; the answer at its distance is added to `asked`."""
     gap, inscribed, scaling, radius = given if len(given) > 1 else (*given, 0.2, 3.0, 0.55)
     exact = 252 * math.exp(-scaling * (gap - inscribed))
     if inscribed < gap <= radius and abs(exact - round(exact)) < 1e-6:
-        return  # two ways to write the same sum may differ here
+        return  # two ways of computing the same sum may differ here
     need = 254 if gap <= 0 else 253 if gap <= inscribed else int(exact) if gap <= radius else 0
     told = f"{need} at {gap:g} m, with inscribed {inscribed:g}, scaling {scaling:g} and radius {radius:g}"
     answer = called(cost, *given, told=f"inflation_cost at {gap:g} m")
@@ -91,7 +91,7 @@ def _why_cost(got: int, gap: float, inscribed: float = 0.2, scaling: float = 3.0
     ),
 )
 def planner(work: Work) -> None:
-    """Ways that may be driven, and none is cheaper."""
+    """Check for drivable paths, of which none is cheaper."""
     import numpy as np
 
     find, chance = work.function("find_path"), np.random.default_rng(work.dice("ch09.q2").getrandbits(60))
@@ -158,7 +158,7 @@ def _expect_step(costs: np.ndarray, before: Cell, after: Cell, told: str) -> Non
     ),
 )
 def patrol(work: Work) -> None:
-    """The robot comes to every stop, in order, and the program says so and ends."""
+    """Check that the robot reaches every stop in order, and that the program reports it and ends."""
     work.built(PACKAGE)
     seen = work.try_out(
         beside=[SIMULATION, f"launch nav2_bringup bringup_launch.py map:={_course_map()} use_sim_time:=True"],
@@ -186,14 +186,14 @@ def _why_lines(output: str) -> str:
 
 
 def _course_map() -> str:
-    """The course's map of the room: whether the student's own is good is asked elsewhere."""
+    """Return the course's map of the room: the student's map is judged elsewhere."""
     from ament_index_python.packages import get_package_share_directory
 
     return get_package_share_directory("coursekit_maps") + "/robot_world.yaml"
 
 
 def _expect_stops(track: Sequence[tuple[float, ...]], last: str) -> None:
-    """Each stop is come to after the one before it, and driven to."""
+    """Raise Wrong unless each stop is reached after the one before, by driving."""
     if any(not math.dist(one, other) < JUMP for one, other in pairwise(track)):
         raise Wrong("Vera drives the round", "she was moved without driving", hint=NO_HINT)
     at = 0
@@ -218,7 +218,7 @@ def _expect_stops(track: Sequence[tuple[float, ...]], last: str) -> None:
     ),
 )
 def task_manager(work: Work) -> None:
-    """No collision, everything delivered, and in half the time of one robot."""
+    """Check for no collision and full delivery, in half the time of one robot."""
     manage, chance = work.function("manage"), work.dice("ch09.q4")
     told = [_judge_plan(work, manage, number, chance) for number in range(1, 6)]
     slow = [one for one in told if one.ticks > one.alone / 2]
@@ -231,7 +231,7 @@ def task_manager(work: Work) -> None:
 
 @dataclass(frozen=True)
 class _Planned:
-    """Ticks until the last load is at home, what one robot alone would need, and what is drawn of it."""
+    """The ticks until the last load is at home, those one robot alone would need, and the data to draw."""
 
     ticks: int
     alone: int

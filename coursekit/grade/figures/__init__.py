@@ -1,1 +1,1 @@
-"""The checks' figures beside their verdicts: they show plain values that a judge has checked, and hold no answers."""
+"""The figures beside verdicts: they show plain values validated by a judge, and contain no answers."""

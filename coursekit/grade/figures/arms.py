@@ -1,4 +1,4 @@
-"""An arm of two parts from above, and where an answer puts its tip."""
+"""A planar arm of two parts from above, with the tip position of an answer."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from coursekit.view.figure import Dots, Figure, Line, Panel, Shape
 
 
 def arm(angles: Sequence[float], lengths: Sequence[float], tip: Sequence[float], answer: Sequence[float]) -> Figure:
-    """Shoulder and elbow [rad], the two lengths [m], the tip and the answer's tip."""
+    """Draw shoulder and elbow [rad], the two lengths [m], the tip and the answer's tip."""
     elbow = (lengths[0] * math.cos(angles[0]), lengths[0] * math.sin(angles[0]))
     right = math.dist(tip, answer) <= 1e-6
     shapes: list[Shape] = [Line([(0.0, 0.0), (0.4 * sum(lengths), 0.0)], "ink", "x", dashed=True)]

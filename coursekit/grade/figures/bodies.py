@@ -1,4 +1,4 @@
-"""A robot's body: its links from the side and from the front, and whether it stands, from above."""
+"""A robot's body: its links from the side and the front, and its stability from above."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ if TYPE_CHECKING:
     from coursekit.urdf import Robot
 
 KINDS = ("own", "guess", "truth", "robot4", "wall")
-"""The colours of the links, over and over."""
+"""The colours of the links, repeated."""
 SIDE, FRONT, ABOVE = (0, 2), (1, 2), (0, 1)
 MOST_LINKS = 24
 
 
 def sides(robot: Robot) -> Figure:
-    """The outlines of the links and the joints' frames, with all joints at 0; the front shows y, which is left."""
+    """Draw the links' outlines and the joints' frames, with all joints at 0; the front view shows y, which is left."""
     panels = [_view(robot, {}, SIDE, "from the side: x and z"), _view(robot, {}, FRONT, "from the front: y and z")]
     return Figure(panels, f"{robot.name} from the side and from the front: {', '.join(list(robot.links)[:MOST_LINKS])}.")
 
 
 def standing(robot: Robot, positions: Mapping[str, float], feet: np.ndarray, centre: Point) -> Figure:
-    """A posture from the side, and from above its contacts with the floor (n, 2) and its centre of mass [m]."""
+    """Draw a posture from the side, and from above its floor contacts (n, 2) and its centre of mass [m]."""
     above = _view(robot, positions, ABOVE, "from above: x and y")
     above.shapes = [*above.shapes, Line(_hull(feet), "wall", "its contacts", wide=True)]
     above.shapes.append(Dots([centre], "bad", "centre of mass", 5.0))
@@ -59,7 +59,7 @@ def _outlines(robot: Robot, positions: Mapping[str, float], axes: tuple[int, int
 
 
 def _hull(points: np.ndarray) -> list[Point]:
-    """The corners of the smallest convex outline around the points, the first one again at its end."""
+    """Return the corners of the convex hull, closed by the first one."""
     import numpy as np
 
     found = sorted({(round(float(x), 5), round(float(y), 5)) for x, y in np.asarray(points) if math.isfinite(x + y)})

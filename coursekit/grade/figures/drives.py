@@ -1,4 +1,4 @@
-"""A robot's drive, beside the path that was planned."""
+"""A robot's drive, with the planned path."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ ROOM = 0.9
 
 
 def estimates_and_plans(seen: Seen) -> tuple[list[Any], list[Any]]:
-    """The poses that amcl and the paths that the planner published, as they came."""
+    """Return the poses published by amcl and the paths published by the planner, in order."""
     poses, plans = ([message for _, message in course_said(seen, topic)] for topic in ("/amcl_pose", "/plan"))
     return poses, plans
 
@@ -33,7 +33,7 @@ def driven(
     plans: Sequence[Any],
     stops: Sequence[Point],
 ) -> Figure:
-    """The map with the stops, the paths that were planned, and where the robot was, by amcl and by odometry alone."""
+    """Draw the map with the stops, the planned paths, and the robot's positions by amcl and by odometry alone."""
     from coursekit.nav.map_file import load_map
 
     track = [_place(one, "pose.pose.position", "/amcl_pose") for one in estimates]
@@ -55,13 +55,13 @@ def _cells(grid: GridMap) -> Cells:
 
 
 def _around(points: Sequence[Sequence[float]]) -> View:
-    """All of them with some of the room around."""
+    """Return a view of all points with a margin."""
     xs, ys = ([one[axis] for one in points] for axis in (0, 1))
     return min(xs) - ROOM, max(xs) + ROOM, min(ys) - ROOM, max(ys) + ROOM
 
 
 def _first_of_each(plans: Sequence[Any]) -> list[Any]:
-    """The first plan to each goal: later ones begin where she is by then."""
+    """Return the first plan to each goal: later ones start at her current position."""
     found: dict[Point, Any] = {}
     for one in plans[:MOST_PLANS]:
         path = _path(one)

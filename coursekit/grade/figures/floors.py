@@ -1,4 +1,4 @@
-"""Floors of cells: costs around walls, a path over them, robots in a warehouse."""
+"""Floors of cells: costs around walls, a path, robots in a warehouse."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
 Cell = tuple[int, int]
 COSTS = ("free", "cost1", "cost2", "cost3", "cost4", "wall")
 DEARER = (1, 64, 127, 190, 253)
-"""From these costs on a cell has the next colour."""
+"""The cost thresholds of the colours."""
 
 
 def spots(*cells: Cell) -> list[Point]:
-    """The middles of cells (row, column), as x and y of a floor's picture.
+    """Return the centres of cells (row, column), as x and y in a floor's picture.
 
     >>> spots((2, 5))
     [(5.5, 2.5)]
@@ -27,7 +27,7 @@ def spots(*cells: Cell) -> list[Point]:
 
 
 def inflated(asked: Sequence[Point], inscribed: float, scaling: float, radius: float) -> Figure:
-    """Costs over the distance from a wall, with those that were answered (distance [m], cost)."""
+    """Draw costs over the distance from a wall, with the answers (distance [m], cost)."""
     falling = [inscribed + (radius - inscribed) * k / 40 for k in range(41)]
     curve = [(0.0, 254.0), (0.0, 253.0), (inscribed, 253.0)]
     curve += [(gap, 252 * math.exp(-scaling * (gap - inscribed))) for gap in falling]
@@ -40,7 +40,7 @@ def inflated(asked: Sequence[Point], inscribed: float, scaling: float, radius: f
 
 
 def path_over_costs(costs: np.ndarray, path: Sequence[Cell], cheapest: Sequence[Cell], told: str) -> Figure:
-    """A floor of costs with the path that was found; where another one is cheaper, that one, too."""
+    """Draw a floor of costs with the path found, and the cheapest path if that is another one."""
     paid, least = (sum(1 + costs[one] / 50 for one in cells[1:] if _inside(one, costs)) for cells in (path, cheapest))
     right = list(path[:1]) == list(cheapest[:1]) and abs(paid - least) < 1e-6
     better = [] if right else [Line(spots(*cheapest), "truth", "the cheapest path", wide=True)]
@@ -51,14 +51,14 @@ def path_over_costs(costs: np.ndarray, path: Sequence[Cell], cheapest: Sequence[
 
 
 def closed_floor(costs: np.ndarray, path: Sequence[Cell], start: Cell, goal: Cell, told: str) -> Figure:
-    """A floor on which no path leads to the goal, with the path that was given."""
+    """Draw a floor without a path to the goal, with the path that was given."""
     figure = path_over_costs(costs, path, [start, goal], told)
     shapes = [one for one in figure.panels[0].shapes if not isinstance(one, Line) or one.label == "your path"]
     return Figure([Panel(shapes, told, _whole(costs), down=True)], f"{told} from above: no path leads to the goal.")
 
 
 def path_on_map(costs: np.ndarray, path: Sequence[Cell]) -> Figure:
-    """Costs of a map, whose rows grow upwards, with a path over them."""
+    """Draw a map's costs, with rows growing upwards, and a path."""
     shapes = [_costs(costs), Line(spots(*path), "guess", "the path", wide=True), *_ends(path)]
     rows, columns = costs.shape
     alt = f"The costs of {rows} x {columns} cells from above, and a path of {max(0, len(path) - 1)} steps over them."
@@ -87,7 +87,7 @@ def _whole(floor: np.ndarray) -> tuple[float, float, float, float]:
 def crew(
     free: np.ndarray, homes: Mapping[str, Cell], loads: Sequence[Cell], paths: Mapping[str, Sequence[Cell]], told: str
 ) -> Figure:
-    """A warehouse with the paths of its robots, side by side where they share an aisle."""
+    """Draw a warehouse with the robots' paths, side by side in shared aisles."""
     shapes: list[Shape] = [Cells((~free).astype(int), ("free", "shelf"))]
     shapes.append(Dots(spots(*loads), "ink", "a load", 3.0))
     for number, (name, path) in enumerate(paths.items(), 1):

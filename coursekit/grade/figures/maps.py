@@ -1,4 +1,4 @@
-"""Maps of chapter 8: the student's own beside the truth, and what an explorer has seen."""
+"""Maps of chapter 8: the student's map beside the truth, and an explorer's view."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ WALL = 65
 
 
 def map_beside_truth(grid: GridMap, outline: np.ndarray) -> Figure:
-    """The map, and beside it the same with what it has too much and too little of the true walls (n, 2) [m]."""
+    """Draw the map, and beside it the same with its false and missing parts of the true walls (n, 2) [m]."""
     from coursekit.nav.map_compare import differences
 
     false, missed = differences(grid, outline)
@@ -36,7 +36,7 @@ def map_beside_truth(grid: GridMap, outline: np.ndarray) -> Figure:
 
 
 def _known(grid: GridMap, missed: np.ndarray) -> View:
-    """The part of a map where something is, with a little around."""
+    """Return a view of the known part of a map, with a margin."""
     known = np.concatenate([np.argwhere(grid.cells >= 0), missed])
     (low, left), (high, right) = (known.min(axis=0), known.max(axis=0)) if len(known) else ((0, 0), grid.cells.shape)
     (x, y), size = grid.origin[:2], grid.resolution
@@ -44,7 +44,7 @@ def _known(grid: GridMap, missed: np.ndarray) -> View:
 
 
 def explored(worlds: Sequence[tuple[str, Unseen, list[Cell]]]) -> Figure:
-    """Each world as it was seen, and the path from goal to goal; floor that was never seen is marked."""
+    """Draw each world as seen, with the path from goal to goal; unseen floor is marked."""
     panels = [_explored(*one) for one in worlds]
     told = [f"{name}: {len(stops) - 1} goals, {_percent(world)} of the floor seen" for name, world, stops in worlds]
     return Figure(panels, f"Maps from above with the explorer's path. {'; '.join(told)}.")

@@ -8,12 +8,12 @@ from collections.abc import Sequence
 from coursekit.view.figure import Arrow, Figure, Line, Panel, Point, Shape
 
 HALF_VIEW, SIGHT = math.radians(30.0), 1.6
-"""A camera's field of view to each side [rad], and how far it is drawn [m]."""
+"""Half of a camera's field of view [rad], and its drawn length [m]."""
 FAR = 20.0
 
 
 def photographed(corners: Sequence[Point], poses: Sequence[tuple[Point, float]], name: str) -> Figure:
-    """The outline [m], and each pose (place, yaw) with what it sees."""
+    """Draw the outline [m], and the field of view of each pose (position, yaw)."""
     shapes: list[Shape] = [Line([*corners, corners[0]], "wall", "the outline", wide=True)]
     near = [one for one in poses if math.dist(one[0], corners[0]) < FAR]
     for place, yaw in near:

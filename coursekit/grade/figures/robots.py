@@ -1,4 +1,4 @@
-"""Robots of chapter 7: one as another sees it, one at work, a table of four, four at work together."""
+"""Robots of chapter 7: one as seen by another, one at work, a table of four, four at work together."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ if TYPE_CHECKING:
     from coursekit.grade.chapters.measures.reports import Report, Spot
 
 EVERY = 15
-"""Of thirty reports a second one in so many is drawn."""
+"""One of this many reports is drawn, at thirty reports a second."""
 FAR = 15.0
-"""An answer further from me does not fit into the picture [m]."""
+"""The maximum distance of a drawn answer from `me` [m]."""
 CYCLES = 30.0
-"""Of the table, in a second."""
+"""The table's cycles per second."""
 SILENT, UNHEARD = 7, 8
 
 
 def seen_by_me(me: Sequence[float], other: Sequence[float], answer: Sequence[float]) -> Figure:
-    """Both robots in the common frame, and where the answer puts the other one, seen from me."""
+    """Draw both robots in the common frame, and the answer for the pose of `other` relative to `me`."""
     c, s = math.cos(me[2]), math.sin(me[2])
     x, y = me[0] + c * answer[0] - s * answer[1], me[1] + s * answer[0] + c * answer[1]
     yaw = me[2] + answer[2]
@@ -38,14 +38,14 @@ def seen_by_me(me: Sequence[float], other: Sequence[float], answer: Sequence[flo
 
 
 def _around(points: Sequence[Sequence[float]]) -> View:
-    """All of them with room around, half as wide again as high at least."""
+    """Return a view of all points with a margin, at least half as wide again as high."""
     (left, right), (low, high) = ((min(one[k] for one in points) - 0.7, max(one[k] for one in points) + 0.7) for k in (0, 1))
     wider = max(0.0, 1.5 * (high - low) - (right - left)) / 2
     return left - wider, right + wider, low, high
 
 
 def worked(told: Sequence[Report], pickups: Sequence[Spot], deliveries: Sequence[Spot]) -> Figure:
-    """The track of a robot that fetches and delivers: without a load, and with one."""
+    """Draw the track of a robot that fetches and delivers: without a load, and with one."""
     shapes: list[Shape] = []
     for loaded, kind, label in ((False, "own", "to a load"), (True, "guess", "with a load")):
         shapes += [Line(part, kind, label, wide=loaded) for part in _parts(told, loaded)]
@@ -58,7 +58,7 @@ def worked(told: Sequence[Report], pickups: Sequence[Spot], deliveries: Sequence
 
 
 def _parts(told: Sequence[Report], loaded: bool) -> list[list[tuple[float, float]]]:
-    """The tracks of stages 0 to 2, or with a load of stages 3 to 5."""
+    """Return the tracks of stages 0 to 2, or with a load those of stages 3 to 5."""
     parts: list[list[tuple[float, float]]] = [[]]
     for stage, place in told:
         if (stage > 2) == loaded and stage < 6:
@@ -75,7 +75,7 @@ def _tasks(told: Sequence[Report]) -> int:
 
 
 def table(shown: Mapping[int, Sequence[int]], spoken: Mapping[int, Sequence[float]]) -> Figure:
-    """The table over time, a row for each robot, with the moments in which a robot reports."""
+    """Draw the table over time, a row for each robot, with the times of the robots' reports."""
     import numpy as np
 
     length = max(map(len, shown.values()))
@@ -97,7 +97,7 @@ def table(shown: Mapping[int, Sequence[int]], spoken: Mapping[int, Sequence[floa
 
 
 def four_robots(tracks: Sequence[Sequence[Spot]]) -> Figure:
-    """The tracks of four robots, and the robots on them."""
+    """Draw the tracks of four robots, and the robots on them."""
     shapes: list[Shape] = []
     for number, track in enumerate(tracks, 1):
         places = [one[:2] for one in track[::EVERY]]

@@ -1,4 +1,4 @@
-"""Beams of chapter 8: rays that were cast, and a scan before and after matching."""
+"""Beams of chapter 8: cast rays, and a scan before and after matching."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 
 MOST_RAYS = 24
 FAR = 10.0
-"""Further from the guess no gap is measured [m]."""
+"""The distance from the guess beyond which no gap is measured [m]."""
 AROUND = 0.8
 """The margin around a scan [m]."""
 
 
 def rays_among(walls: Sequence[Sequence[float]], rays: Sequence[Ray]) -> Figure:
-    """Rays that are right, each up to the first wall."""
+    """Draw correct rays, each up to the first wall."""
     drawn = rays[:MOST_RAYS]
     shapes = [*_walls(walls), *(part for one in drawn for part in _right(one))]
     met = sum(math.isfinite(one.need) for one in drawn)
@@ -31,7 +31,7 @@ def rays_among(walls: Sequence[Sequence[float]], rays: Sequence[Ray]) -> Figure:
 
 
 def wrong_ray(walls: Sequence[Sequence[float]], ray: Ray) -> Figure:
-    """One ray: where it ends, and where the answer ends."""
+    """Draw one ray: its end, and the end of the answer."""
     start = (ray.x, ray.y)
     need = Line([start, ray.end(ray.need)], "truth", "the ray", wide=True)
     got = Line([start, ray.end(ray.got)], "bad", "your answer", dashed=True)
@@ -57,14 +57,14 @@ def _right(ray: Ray) -> list[Shape]:
 
 
 def _around(walls: Sequence[Sequence[float]], rays: Sequence[Ray], room: float = 0.4) -> View:
-    """A view of all walls and the rays' starts."""
+    """Return a view of all walls and the rays' starts."""
     points = [point for one in walls for point in (one[:2], one[2:])] + [(one.x, one.y) for one in rays]
     xs, ys = zip(*points, strict=True)
     return min(xs) - room, max(xs) + room, min(ys) - room, max(ys) + room
 
 
 def matched(puzzle: Puzzle, pose: Pose, told: str, right: bool) -> Figure:
-    """A scan over the true walls: placed at the guess, and where `match` put it."""
+    """Draw a scan over the true walls: at the guess, and at the pose found by `match`."""
     from coursekit.geometry.plane import Pose2D
 
     ends = Pose2D(*puzzle.truth).transform(puzzle.points)

@@ -1,4 +1,4 @@
-"""Where a program sees something in pictures, beside where it is."""
+"""The positions that a program finds in images, beside the true ones."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from coursekit.view.figure import Dots, Figure, Line, Panel, Point, Shape
 
 
 def seen_at(places: Mapping[int, Point], answers: Mapping[int, Point], size: tuple[int, int], near: float) -> Figure:
-    """All pictures in one, `size` pixels wide and high: where the ball is, and the answers, wrong ones beyond `near`."""
+    """Draw all images in one, `size` pixels wide and high: the ball, and the answers, which are wrong beyond `near`."""
     pairs = [(places[number], answer) for number, answer in answers.items() if number in places]
     right, wrong = ([one for one in pairs if (math.dist(*one) <= near) is is_near] for is_near in (True, False))
     shapes: list[Shape] = [Line(one, "bad", "how far off") for one in wrong]

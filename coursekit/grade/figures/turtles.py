@@ -1,4 +1,4 @@
-"""Where a turtle went on turtlesim's paper."""
+"""The track of a turtle on turtlesim's paper."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from itertools import pairwise
 from coursekit.view.figure import Arrow, Dots, Figure, Line, Panel, Shape, View
 
 PAPER = 11.088889
-"""How wide the paper is [m]."""
+"""The width of the paper [m]."""
 
 
 def walked(way: Sequence[Sequence[float]], goal: View | None = None) -> Figure:
-    """The line of a turtle, as x, y [m] and heading [rad]; `goal` is where it should end: left, right, low, high."""
+    """Draw a turtle's track of x, y [m] and heading [rad]; `goal` is the target area: left, right, low, high."""
     shapes: list[Shape] = []
     if goal:
         left, right, low, high = goal

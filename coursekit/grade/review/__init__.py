@@ -1,1 +1,1 @@
-"""Marking by hand in the browser: the pages of the class with fields for points and comments."""
+"""Marking by hand in the browser: the class's pages with fields for points and comments."""

@@ -1,4 +1,4 @@
-"""A teacher's marks of a piece of work: taken into the table and the records, and kept over every later run."""
+"""A teacher's marks by hand: entered into the table and the records, and kept in later runs."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from coursekit.grade.record import COMMENT, ON_EXERCISE, Record
 from coursekit.grade.report import said_of, write_reports
 
 LONGEST = 5000
-"""Letters of a comment."""
+"""The maximum length of a comment [characters]."""
 
 
 class Marks:
-    """The class while it is marked by hand."""
+    """The class during marking by hand."""
 
     def __init__(self, group: Class, outcome: Outcome) -> None:
         self._group, self._outcome = group, outcome
@@ -25,11 +25,11 @@ class Marks:
         self.records = {one.key: one for one in group.shown(outcome.records)}
 
     def exercises(self, key: str) -> list[str]:
-        """The names of what a person was asked."""
+        """Return the names of a person's exercises."""
         return [one.name for verdicts in self.records[key].wanted.values() for one in verdicts]
 
     def points(self, key: str, exercise: str, text: str) -> None:
-        """Give points by hand, or with an empty text have the grader's again.
+        """Set points by hand, or restore the grader's with an empty text.
 
         Raises:
             ValueError: when it is no number; LookupError: when there is no such person or exercise.
@@ -44,7 +44,7 @@ class Marks:
         self._write(record)
 
     def comment(self, key: str, exercise: str, text: str) -> None:
-        """Say something of an exercise, or of all where it is empty."""
+        """Comment on an exercise, or on the whole work if it is empty."""
         record = self._record(key, exercise)
         if len(text) > LONGEST:
             raise ValueError(f"a comment has {LONGEST} letters at the most")
@@ -54,14 +54,14 @@ class Marks:
         self._write(record)
 
     def remark(self, key: str, exercise: str) -> str:
-        """The remark where more points were given than there are."""
+        """Return a remark if more than the maximum points were given."""
         record = self.records[key]
         of = next((one.of for verdicts in record.wanted.values() for one in verdicts if one.name == exercise), 0.0)
         given = record.by_hand.get(exercise, 0.0)
         return f"Saved: {number(given)} of {number(of)}, a bonus" if given > of else ""
 
     def shown(self, key: str, exercise: str) -> dict[str, str]:
-        """A person's state now: the total, the status, and what is said of an exercise, as HTML."""
+        """Return a person's current total and status, and the verdict on an exercise as HTML."""
         record = self.records[key]
         total = record.total()
         told = {"total": "no mark yet" if total is None else number(total), "status": record.status().capitalize()}
@@ -69,15 +69,15 @@ class Marks:
         return told | {"verdict": said_of(verdicts[0], record) if verdicts else ""}
 
     def class_page(self) -> str:
-        """The page of the class as it is now."""
+        """Return the current page of the class."""
         return overview(list(self.records.values()), self._outcome)
 
     def finish(self) -> None:
-        """Write all pages and tables anew."""
+        """Write all pages and tables again."""
         self._group.write(self._outcome)
 
     def order(self) -> Sequence[str]:
-        """Everybody's keys, as in the table: points are given for what was shown or said, too."""
+        """Return all keys in the table's order, including people without files: points may be given for other work."""
         return list(self.records)
 
     def _record(self, key: str, exercise: str) -> Record:

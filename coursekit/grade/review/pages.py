@@ -1,4 +1,4 @@
-"""The pages of the class and of each student with keys, and fields beside each verdict; what is written is saved at once."""
+"""The pages of the class and of each student, with shortcuts and input fields beside verdicts; input is saved at once."""
 
 from __future__ import annotations
 
@@ -32,13 +32,13 @@ _WHOLE = """<form class="marks" data-exercise="">
 
 
 def class_page(marks: Marks) -> str:
-    """The page of the class as it is now, with the keys."""
+    """Return the current page of the class, with the shortcuts."""
     made = marks.class_page()
     return _with(made, {"</head>": f"{_HEAD}</head>", "<body>": f'<body class="reviewing">{_CLASS_BAR}'})
 
 
 def marking_page(marks: Marks, key: str) -> str:
-    """The page of a person, to be marked."""
+    """Return the page for marking a person."""
     record, order = marks.records[key], list(marks.order())
     at = order.index(key) if key in order else 0
     made = page(record, lambda name: _fields(record, name))
@@ -58,7 +58,7 @@ def _with(page: str, places: Mapping[str, str]) -> str:
 
 
 def _fields(record: Record, name: str) -> str:
-    """Points and comment for an exercise; the field is empty where the grader's points hold."""
+    """Return the fields for points and comment of an exercise; empty points keep the grader's."""
     verdict = next(one for one in record.marked().verdicts if one.name == name)
     own = next((v.points for m in record.marks.values() for v in m.verdicts if v.name == name), 0.0)
     return _FIELDS.format(

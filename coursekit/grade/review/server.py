@@ -1,4 +1,4 @@
-"""Serves the pages to this computer's browser only: on loopback, under an address that nobody can guess."""
+"""Serve the pages to this computer's browser only: on loopback, under an unguessable address."""
 
 from __future__ import annotations
 
@@ -29,11 +29,11 @@ _HEADERS = {
     "Cache-Control": "no-store",
 }
 _LONGEST = 64 << 10
-"""Bytes of what a page sends."""
+"""The maximum size of a page's request [bytes]."""
 
 
 class _Safe(RequestHandler):
-    """Answers only to who asks for this computer by its own name: no page of elsewhere can ask under another."""
+    """Answers only requests that use this computer's own name, which prevents access by other sites' pages."""
 
     def initialize(self, marks: Marks) -> None:
         self.marks = marks
@@ -48,7 +48,7 @@ class _Safe(RequestHandler):
 
 
 class _Pages(_Safe):
-    """A person's page, and what is written on it."""
+    """A person's page, and the input on it."""
 
     def get(self, key: str) -> None:
         if key not in self.marks.records:
@@ -75,7 +75,7 @@ class _Class(_Safe):
 
 
 class _Picture(_Safe):
-    """The picture of its points."""
+    """The histogram of the points."""
 
     def get(self) -> None:
         try:
@@ -86,7 +86,7 @@ class _Picture(_Safe):
 
 
 def application(marks: Marks, token: str) -> Application:
-    """The pages under `/TOKEN/`; nothing is found under another address."""
+    """Return the application with the pages under `/TOKEN/`, and nothing elsewhere."""
     facts: dict[str, Any] = {"marks": marks}
     return Application([
         (rf"/{token}/class\.html", _Class, facts),
@@ -109,7 +109,7 @@ async def _serve(marks: Marks, ready: Callable[[str], None]) -> None:
 
 
 def serve(marks: Marks, ready: Callable[[str], None]) -> None:
-    """Serve until Ctrl-C, then write all pages and tables anew; `ready(address)` is called when it can be opened."""
+    """Serve until Ctrl-C, then write all pages and tables; `ready(address)` is called once the server accepts requests."""
     try:
         asyncio.run(_serve(marks, ready))
     except KeyboardInterrupt:

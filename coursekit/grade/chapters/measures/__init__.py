@@ -1,1 +1,1 @@
-"""The judges' measures; like the judges, they are hidden from programs that students run in grading."""
+"""The judges' measurements; like the judges, they are hidden from students' programs during grading."""

@@ -1,4 +1,4 @@
-"""An arm of two parts that lies flat: where its tip is, and what a wrong place tells."""
+"""A planar arm of two parts: the position of its tip, and causes of a wrong one."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from coursekit.grade.plain import close
 
 
 def why_tip(got: Sequence[float], shoulder: float, elbow: float) -> str:
-    """The likely cause of a wrong place of the tip, of an arm of 0.4 and 0.3 m."""
+    """Return the likely cause of a wrong tip position, for an arm of 0.4 and 0.3 m."""
     right = arm_tip(shoulder, elbow, 0.4, 0.3)
     causes = {
         "The angles are in radians already, as sin and cos take them.": arm_tip(
@@ -29,7 +29,7 @@ def why_tip(got: Sequence[float], shoulder: float, elbow: float) -> str:
 
 
 def arm_tip(shoulder: float, elbow: float, upper: float, fore: float) -> tuple[float, float]:
-    """Where the tip is [m] at two angles [rad], as the course's library says."""
+    """Return the tip's position [m] at two angles [rad], as computed by the course's library."""
     from coursekit.urdf import parse
     from coursekit.urdf.kinematics import Kinematics
 

@@ -1,4 +1,4 @@
-"""Measures of a robot's body: its pose, its size, its weight, and whether it stands."""
+"""Measurements of a robot's body: its pose, size, mass and stability."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ if TYPE_CHECKING:
     from coursekit.urdf import Robot
 
 FLOOR = 0.002
-"""The largest gap that counts as touching the floor [m]."""
+"""The maximum gap that counts as contact with the floor [m]."""
 
 
 def poses(robot: Robot, positions: dict[str, float]) -> dict[str, Any]:
-    """Each link's pose in the root, as x, y, z [m] and a quaternion."""
+    """Return each link's pose in the root frame, as x, y, z [m] and a quaternion."""
     from coursekit.urdf.kinematics import Kinematics
 
     return Kinematics(robot).poses(positions)
 
 
 def solids(robot: Robot, positions: dict[str, float]) -> list[np.ndarray]:
-    """The corners of all collision shapes, in the root's frame [m]; Wrong if there are none."""
+    """Return the corners of all collision shapes in the root frame [m]; Wrong if there are none."""
     from coursekit.urdf.shapes import robot_surfaces
 
     found = [surface.vertices for _, surface in robot_surfaces(robot, positions, collision=True)]
@@ -33,7 +33,7 @@ def solids(robot: Robot, positions: dict[str, float]) -> list[np.ndarray]:
 
 
 def extent(robot: Robot, link: str, positions: dict[str, float]) -> tuple[float, ...]:
-    """How long, wide and high a link looks, along the axes of the root [m]."""
+    """Return the visible length, width and height of a link along the root's axes [m]."""
     import numpy as np
 
     from coursekit.urdf.shapes import robot_surfaces
@@ -46,7 +46,7 @@ def extent(robot: Robot, link: str, positions: dict[str, float]) -> tuple[float,
 
 
 def centre_of_mass(robot: Robot, positions: dict[str, float]) -> np.ndarray:
-    """The whole robot's, in the root's frame [m]."""
+    """Return the whole robot's centre of mass in the root frame [m]."""
     import numpy as np
 
     from coursekit.urdf import inertia
@@ -63,7 +63,7 @@ def centre_of_mass(robot: Robot, positions: dict[str, float]) -> np.ndarray:
 
 
 def turned(pose: Any, vector: tuple[float, float, float]) -> tuple[float, float, float]:
-    """A direction of a link, as seen from the root."""
+    """Transform a direction from a link's frame to the root frame."""
     from coursekit.geometry.pose import compose
 
     x, y, z, *_ = compose((0.0, 0.0, 0.0, *pose[3:]), (*vector, 0.0, 0.0, 0.0, 1.0))
@@ -71,12 +71,12 @@ def turned(pose: Any, vector: tuple[float, float, float]) -> tuple[float, float,
 
 
 def inverse(pose: Any) -> tuple[float, ...]:
-    """The turn back."""
+    """Return the inverse rotation."""
     return (0.0, 0.0, 0.0, -pose[3], -pose[4], -pose[5], pose[6])
 
 
 def contacts(robot: Robot, positions: dict[str, float]) -> np.ndarray:
-    """The corners (n, 2) of the shapes that are on the floor, or as low as the lowest [m]."""
+    """Return the corners (n, 2) of the shapes that touch the floor, or are as low as the lowest [m]."""
     import numpy as np
 
     points = np.concatenate(solids(robot, positions))
@@ -85,7 +85,7 @@ def contacts(robot: Robot, positions: dict[str, float]) -> np.ndarray:
 
 
 def outside(robot: Robot, positions: dict[str, float]) -> float:
-    """How far the centre of mass is outside of the contacts' area [m]; negative inside."""
+    """Return how far the centre of mass is outside of the support polygon [m]; negative inside."""
     import numpy as np
     from scipy.spatial import ConvexHull, QhullError
 

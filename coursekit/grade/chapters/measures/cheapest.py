@@ -1,4 +1,4 @@
-"""The cheapest path over a floor of costs, and a path that somebody gave."""
+"""The cheapest path over a floor of costs, and the validation of a given path."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ if TYPE_CHECKING:
 
 Cell = tuple[int, int]
 MOST_TICKS = 5000
-"""So many steps a path may have."""
+"""The maximum number of steps of a path."""
 
 
 def prices(costs: np.ndarray, start: Cell) -> np.ndarray:
-    """The price of the cheapest path to each cell, by relaxing all until nothing changes; infinite where none leads."""
+    """Return the price of the cheapest path to each cell, by relaxation until nothing changes; infinite if unreachable."""
     import numpy as np
 
     price = np.full((costs.shape[0] + 2, costs.shape[1] + 2), np.inf)
@@ -31,7 +31,7 @@ def prices(costs: np.ndarray, start: Cell) -> np.ndarray:
 
 
 def path_back(price: np.ndarray, goal: Cell) -> list[Cell]:
-    """The cheapest path to a goal that can be reached, from where `price` is 0."""
+    """Return the cheapest path to a reachable goal, from the cell where `price` is 0."""
     path = [goal]
     while price[path[-1]] > 0:
         r, c = path[-1]
@@ -42,7 +42,7 @@ def path_back(price: np.ndarray, goal: Cell) -> list[Cell]:
 
 
 def cells_of(got: Any, told: str) -> list[Cell]:
-    """The cells of an answer; Wrong when it is no list of cells."""
+    """Return the cells of an answer; Wrong when it is no list of cells."""
     wanted = f"a list of cells (row, column) for {told}"
     found = items(got, wanted)
     if len(found) > 2 * MOST_TICKS:

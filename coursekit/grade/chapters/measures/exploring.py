@@ -1,4 +1,4 @@
-"""A world of cells that is seen bit by bit: what an explorer is tried in."""
+"""A world of cells revealed bit by bit, for testing an explorer."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ Cell = tuple[int, int]
 
 
 class Unseen:
-    """A world file as cells; `cells` is what was seen so far, `here` where the robot is (row, column).
+    """A world file as cells; `cells` are the cells seen so far, `here` is the robot's cell (row, column).
 
-    It begins where the world says, or, with `part` from 0 to 1, somewhere else on the floor that leads there.
+    It starts at the world's start pose, or, with `part` from 0 to 1, at another cell of the floor connected to it.
     """
 
     def __init__(self, world: Path, sight: float = 4.0, part: float | None = None) -> None:
@@ -48,7 +48,7 @@ class Unseen:
         self.look()
 
     def look(self) -> None:
-        """See what can be seen from here: along each beam free cells, up to the first wall."""
+        """Reveal the cells visible from here: free cells along each beam, up to the first wall."""
         at = np.floor(self._rays + np.array(self.here) + 0.5).astype(int)
         inside = ((at >= 0) & (at < self.cells.shape)).all(axis=-1)
         at = np.where(inside[..., None], at, 0)
@@ -59,27 +59,27 @@ class Unseen:
         self.cells[at[first][:, 0], at[first][:, 1]] = WALL
 
     def can_go(self, goal: Cell) -> bool:
-        """Whether free cells lead there, from neighbour to neighbour."""
+        """Whether neighbouring free cells lead to the goal."""
         areas, _ = ndimage.label(self.cells == FREE)
         return bool(self.cells[goal] == FREE and areas[goal] == areas[self.here])
 
     def go(self, goal: Cell) -> None:
-        """Go there and look."""
+        """Go to the goal and look."""
         self.driven += CELL * math.dist(goal, self.here)
         self.here = goal
         self.look()
 
     def known(self) -> float:
-        """The share of the reachable floor that was seen."""
+        """Return the share of the reachable floor that was seen."""
         return float((self.cells[self._reachable] != UNKNOWN).mean())
 
     def unseen_floor(self) -> np.ndarray:
-        """Where there is floor that could be reached, and was not seen: bool (rows, columns)."""
+        """Return the reachable floor that was not seen: bool (rows, columns)."""
         unseen: np.ndarray = self._reachable & (self.cells == UNKNOWN)
         return unseen
 
     def path(self, stops: list[Cell]) -> list[Cell]:
-        """The cells of a short path over seen floor from each stop to the next."""
+        """Return the cells of a short path over seen floor from each stop to the next."""
         from scipy.sparse.csgraph import breadth_first_order
 
         floor, columns, path = _neighbours(self.cells == FREE), self.cells.shape[1], stops[:1]
@@ -93,7 +93,7 @@ class Unseen:
 
 
 def _neighbours(free: np.ndarray) -> Any:
-    """The sparse matrix that joins each free cell, by its number, with its free neighbours."""
+    """Return the sparse adjacency matrix of free cells, by cell number."""
     from scipy.sparse import coo_matrix
 
     number = np.arange(free.size).reshape(free.shape)

@@ -1,4 +1,4 @@
-"""The lamps of chapter 5: what their parameters are asked to be, and their answers."""
+"""The lamps of chapter 5: requests for their parameters, and the answers."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from coursekit.grade.plain import field, fields, near
 from coursekit.grade.verdict import Wrong
 
 Ask = tuple[str, dict[str, Any], bool]
-"""The words for it, the values of the parameters that are set at once, and whether they should be taken."""
+"""A description, the values of parameters set at once, and whether they should be accepted."""
 DOUBLE, STRING = 3, 4
-"""The types of parameters in rcl_interfaces/msg/ParameterType."""
+"""The parameter types in rcl_interfaces/msg/ParameterType."""
 
 
 def no_colour(chance: Random) -> str:
-    """A colour that the lamps do not have."""
+    """Return a colour that the lamps do not have."""
     return chance.choice(("violet", "blue", "white", "Red", "pink"))
 
 
 def calls_that_set(node: str, asks: Sequence[Ask]) -> list[tuple[float, str, str, Any]]:
-    """One call for each, in order, from 1.1 s on."""
+    """Return one call for each request, in order, from 1.1 s on."""
     service, kind = f"{node}/set_parameters_atomically", "rcl_interfaces/srv/SetParametersAtomically"
     return [(1.1 + 0.05 * index, service, kind, _request(values)) for index, (_, values, _) in enumerate(asks)]
 
@@ -37,7 +37,7 @@ def _request(values: dict[str, Any]) -> dict[str, Any]:
 
 
 def judge_range(answer: Any) -> None:
-    """Wrong when lamp.period is described without its range."""
+    """Raise Wrong when lamp.period is described without its range."""
     wanted = "lamp.period described with a floating_point_range from 0.1 to 2.0"
     descriptor = (field(answer, "descriptors", list, wanted) or [None])[0]
     ranges = field(descriptor, "floating_point_range", list, wanted)
@@ -50,7 +50,7 @@ def judge_range(answer: Any) -> None:
 
 
 def judge_answers(asks: Sequence[Ask], answers: Sequence[Any]) -> None:
-    """Wrong at the first that was taken or refused when it should not be."""
+    """Raise Wrong at the first request that was wrongly accepted or rejected."""
     for (told, _, taken), answer in zip(asks, answers, strict=True):
         _judge_answer(told, answer, taken)
 

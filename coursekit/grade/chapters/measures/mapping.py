@@ -1,4 +1,4 @@
-"""A map that is made with a student's inverse sensor model."""
+"""A map made with a student's inverse sensor model."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ if TYPE_CHECKING:
 
 CELL = 0.05
 PLACES = [(0.0, 0.0), (2.4, -0.4), (4.2, 0.6), (3.6, 2.4), (2.2, 3.4), (0.6, 2.4)]
-"""In robot_world, from where it is mapped."""
+"""Positions in robot_world from which it is mapped."""
 
 
 def added(model: Any, r: float, z: float) -> float:
-    """The model's addition to a cell r metres away when a beam ended at z metres; Wrong when it is no number."""
+    """Return the model's increment for a cell at r metres when a beam ended at z metres; Wrong when it is no number."""
     told = f"inverse_sensor_model({r:g}, {z:g})"
     return number(called(model, r, z, told=told), f"a finite number from {told}")
 
 
 def mapped(model: Any, cut: Any, seed: int) -> GridMap:
-    """The map of a world's cut, seen from PLACES."""
+    """Return the map of a world's cut, as seen from PLACES."""
     import numpy as np
 
     from coursekit.geometry.plane import Pose2D
@@ -41,7 +41,7 @@ def mapped(model: Any, cut: Any, seed: int) -> GridMap:
 
 
 def _add_beam(model: Any, odds: np.ndarray, start: tuple[float, float], angle: float, z: float) -> None:
-    """Ask the model about each cell that a beam crosses, and some behind its end."""
+    """Apply the model to each cell that a beam crosses, and to some cells behind its end."""
     c, s, seen = math.cos(angle), math.sin(angle), set()
     for step in range(int((min(z, 6.0) + 0.3) / 0.025)):
         at = (int((start[1] + step * 0.025 * s) // CELL), int((start[0] + step * 0.025 * c) // CELL))

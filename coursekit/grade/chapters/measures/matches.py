@@ -1,4 +1,4 @@
-"""Scans that nobody has seen, where a student's matcher puts them, and what a wrong place tells."""
+"""New scans, the poses that a student's matcher finds, and causes of wrong poses."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def why_pose(off: float, turned: float, moved: float) -> str:
-    """The likely cause of a pose that is so far off [m, rad] and so far from the guess [m]."""
+    """Return the likely cause of a pose with these errors [m, rad] and this distance from the guess [m]."""
     if moved < 1e-9:
         return "It still stands where the guess was."
     if off > 0.35:
@@ -29,7 +29,7 @@ def why_pose(off: float, turned: float, moved: float) -> str:
 
 
 def puzzle_in(world: Path, chance: Random) -> Puzzle:
-    """A scan that nobody has seen, and that fits in one place only: in a corridor it may fit further on as well."""
+    """Return a new scan that fits in only one place: in a corridor it may also fit further along."""
     from coursekit.grade.matching import Puzzle
 
     while True:
@@ -43,7 +43,7 @@ def puzzle_in(world: Path, chance: Random) -> Puzzle:
 
 @dataclass(frozen=True)
 class Match:
-    """Where a scan was put, and how far that is off [m, rad]."""
+    """The pose found for a scan, and its error [m, rad]."""
 
     puzzle: Puzzle
     pose: Pose
@@ -52,12 +52,12 @@ class Match:
     told: str
 
     def moved(self) -> float:
-        """How far the pose is from the guess [m]."""
+        """Return the distance between pose and guess [m]."""
         return math.dist(self.pose[:2], self.puzzle.guess[:2])
 
 
 def try_match(match: Any, puzzle: Puzzle, told: str) -> Match:
-    """Where the matcher puts a scan; Wrong when it gives no pose."""
+    """Return the matcher's pose for a scan; Wrong when it returns no pose."""
     got = called(match, puzzle.points.copy(), puzzle.gap, puzzle.guess, told=f"match, the scan {told}")
     x, y, heading = numbers(got, 3, "three finite numbers (x, y, heading) from match")
     turned = abs(math.remainder(heading - puzzle.truth[2], math.tau))

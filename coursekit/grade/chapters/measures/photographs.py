@@ -1,4 +1,4 @@
-"""Photographs of an outline from all sides: what appendix B's last exercise asks of poses."""
+"""Photographs of an outline from all sides, for the last exercise of appendix B."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Flat = tuple[float, float]
 
 
 def judge_views(poses: list[tuple[Flat, float]], corners: list[Flat], name: str) -> None:
-    """Raise Wrong unless every side is seen whole, from outside and from not too near; poses are (place, yaw)."""
+    """Raise Wrong unless every side is seen whole, from outside and not too close; poses are (position, yaw)."""
     sides = list(zip(corners, corners[1:] + corners[:1], strict=True))
     away = min(_away(place, *side) for place, _ in poses for side in sides)
     inside = any(all(_height(place, *side) < 0 for side in sides) for place, _ in poses)
@@ -31,20 +31,20 @@ def judge_views(poses: list[tuple[Flat, float]], corners: list[Flat], name: str)
 
 
 def _height(place: Flat, a: Flat, b: Flat) -> float:
-    """How far a place is on the outer side of the line from a to b [m]."""
+    """Return the signed distance of a point from the line a-b, positive on the outer side [m]."""
     along = (b[0] - a[0], b[1] - a[1])
     return ((place[0] - a[0]) * along[1] - (place[1] - a[1]) * along[0]) / math.hypot(*along)
 
 
 def _away(place: Flat, a: Flat, b: Flat) -> float:
-    """The distance of a place from a side [m]."""
+    """Return the distance of a point from a side [m]."""
     along, way = (b[0] - a[0], b[1] - a[1]), (place[0] - a[0], place[1] - a[1])
     part = max(0.0, min(1.0, (way[0] * along[0] + way[1] * along[1]) / (along[0] ** 2 + along[1] ** 2)))
     return math.dist(place, (a[0] + part * along[0], a[1] + part * along[1]))
 
 
 def _fault(place: Flat, yaw: float, a: Flat, b: Flat) -> tuple[int, str] | None:
-    """Why a pose does not show a side, the later in the list the better it is; None when it does."""
+    """Return why a pose does not show a side, with a higher rank for a better pose; None when it does."""
     middle = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
     far, height = math.dist(place, middle), _height(place, a, b)
     if not height > 0:
@@ -60,5 +60,5 @@ def _fault(place: Flat, yaw: float, a: Flat, b: Flat) -> tuple[int, str] | None:
 
 
 def told(numbers: tuple[float, ...]) -> str:
-    """Numbers as a verdict shows them."""
+    """Format numbers for a verdict."""
     return f"({', '.join(f'{number + 0.0:.2f}' for number in numbers)})"

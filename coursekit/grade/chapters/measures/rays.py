@@ -1,4 +1,4 @@
-"""Rays among walls: how far each one goes, and what a wrong answer tells."""
+"""Rays among walls: their lengths, and causes of wrong answers."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     from coursekit.grade.work import Work
 
 Walls = list[tuple[float, ...]]
-"""Each from (x1, y1) to (x2, y2) [m]."""
+"""Wall segments from (x1, y1) to (x2, y2) [m]."""
 FAR = 12.0
-"""So far a ray is drawn that meets nothing [m]."""
+"""The drawn length of a ray that hits nothing [m]."""
 
 
 @dataclass(frozen=True)
 class Ray:
-    """A ray from (x, y) [m] in a direction [rad]: how far it goes, and the answer [m]; infinity where it meets nothing."""
+    """A ray from (x, y) [m] in a direction [rad], with the true and the answered length [m]; infinity if it hits nothing."""
 
     x: float
     y: float
@@ -31,11 +31,11 @@ class Ray:
 
     @property
     def right(self) -> bool:
-        """Whether the answer is right."""
+        """Whether the answer is correct."""
         return self.got == self.need or abs(self.got - self.need) <= 1e-6
 
     def end(self, distance: float) -> tuple[float, float]:
-        """The point so far along the ray [m].
+        """Return the point at a distance along the ray [m].
 
         >>> Ray(1.0, 2.0, 0.0, 3.0, 3.0).end(3.0)
         (4.0, 2.0)
@@ -45,7 +45,7 @@ class Ray:
 
 
 class RayJudge:
-    """Asks the student's `cast_ray`."""
+    """Calls the student's `cast_ray`."""
 
     def __init__(self, work: Work) -> None:
         self._work, self._cast = work, work.function("cast_ray")
@@ -53,7 +53,7 @@ class RayJudge:
     def expect(
         self, need: float, given: tuple[Any, ...], told: str, cause: str = "", share: float = 0.0, hint: int | None = None
     ) -> Ray:
-        """The ray, whose length is right; Wrong unless `given` (walls, x, y, angle, and perhaps the reach) gives `need`."""
+        """Return the ray if `given` (walls, x, y, angle, and perhaps the reach) gives `need`; otherwise raise Wrong."""
         got = called(self._cast, *given, told=f"cast_ray: {told}")
         wanted = f"{'math.inf' if math.isinf(need) else f'{need:.4g} m'} for {told}"
         x, y, angle = given[1:4]
@@ -74,7 +74,7 @@ def _why(got: Any, need: float, walls: Walls, x: float, y: float, angle: float, 
 
 
 def distance(walls: Walls, x: float, y: float, angle: float, reach: float) -> float:
-    """The range of the simulator's LiDAR in a direction [m]; infinity beyond `reach`."""
+    """Return the range of the simulator's LiDAR in a direction [m]; infinity beyond `reach`."""
     import numpy as np
 
     from coursekit.geometry.plane import Pose2D

@@ -1,4 +1,4 @@
-"""A pose seen from another, and what a wrong one tells."""
+"""A relative pose, and causes of a wrong one."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from coursekit.grade.verdict import Wrong
 
 
 def judge_seen(got: tuple[float, ...], me: Sequence[float], other: Sequence[float], told: str) -> None:
-    """Wrong unless `got` is where the other one is, as x, y and yaw seen from me."""
+    """Raise Wrong unless `got` is the pose of `other` relative to `me`, as x, y and yaw."""
     x, y, yaw = got
     wanted = relative(me, other)
     answer, right = (f"({a:.3f}, {b:.3f}, {c:.3f})" for a, b, c in (got, wanted))
@@ -28,7 +28,7 @@ def judge_seen(got: tuple[float, ...], me: Sequence[float], other: Sequence[floa
 
 
 def relative(me: Sequence[float], other: Sequence[float]) -> Spot:
-    """The other one's pose, seen from me."""
+    """Return the pose of `other` relative to `me`."""
     from coursekit.tf import compose, inverse
 
     def pose(one: Sequence[float]) -> Any:

@@ -13,24 +13,24 @@ from coursekit.grade.trial import Seen
 Spot = tuple[float, float, float]
 """x and y [m] and heading [rad]."""
 Report = tuple[int, Spot]
-"""A stage, and where the robot is."""
+"""A stage, and the robot's pose."""
 
 
 def reports(seen: Seen, number: int) -> list[Report]:
-    """The reports of a robot: stage and place, in order."""
+    """Return the reports of a robot, as stage and pose, in order."""
     topic = f"/robot{number}/robot_status"
     told = (message for _, message in heard(seen, topic))
     return [(field(one, "task_stage", int, topic), spot_of(field(one, "pose", dict, topic))) for one in told]
 
 
 def spot_of(pose: Any) -> Spot:
-    """A pose of a message; Wrong when it is none."""
+    """Return the pose in a message; Wrong when it is none."""
     x, y, theta = fields(pose, ("x", "y", "theta"), "a pose")
     return x, y, theta
 
 
 def carried(told: list[Report]) -> list[float]:
-    """How far each load was carried [m]."""
+    """Return the distance over which each load was carried [m]."""
     found: list[float] = []
     picked: Spot | None = None
     for (old, _), (new, place) in itertools.pairwise(told):

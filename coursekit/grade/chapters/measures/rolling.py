@@ -1,4 +1,4 @@
-"""Wheels that roll: how long each one's distance over the floor is, and what another length tells."""
+"""Rolling wheels: their distances over the floor, and causes of wrong ones."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from coursekit.grade.trial import Seen
 from coursekit.grade.verdict import NO_HINT, Wrong
 
 WHEEL, ASIDE = 0.0375, 0.094
-"""Of the course's robot: the wheels' radius, and how far from the middle they run [m]."""
+"""The wheels' radius, and their distance from the centre line, for the course's robot [m]."""
 WHEELS = {f"{side}_{end}_joint" for side in ("left", "right") for end in ("front", "back")}
 
 
 def judge_rolling(seen: Seen, radius: float) -> None:
-    """Wrong unless all wheels unroll the distances of their places on a circle of that radius [m]."""
+    """Raise Wrong unless all wheels unroll the lengths of their paths on a circle of that radius [m]."""
     frames = [one for _, message in heard(seen, "/tf") for one in field(message, "transforms", list, "/tf")]
     states = [message for _, message in heard(seen, "/joint_states")]
     if len(states) < 40 or len(frames) < 40:
@@ -33,7 +33,7 @@ def judge_rolling(seen: Seen, radius: float) -> None:
 
 
 def judge_wheel_s_distance(name: str, radius: float, turn: float, aside: float, unrolled: float) -> None:
-    """Wrong unless a wheel so far aside of the middle unrolls [m] its distance in a turn of the robot [rad]."""
+    """Raise Wrong unless a wheel at this lateral offset unrolls its distance [m] during a robot's rotation [rad]."""
     distance = turn * (radius - aside)
     if not near(unrolled, distance, 1e-3 + 0.005 * abs(distance)):
         middle = near(unrolled, turn * radius, 0.01)
@@ -47,7 +47,7 @@ def judge_wheel_s_distance(name: str, radius: float, turn: float, aside: float, 
 
 
 def _angles(state: Any) -> dict[str, float]:
-    """The wheels' angles by their joints."""
+    """Return the wheels' angles by joint."""
     names, values = field(state, "name", list), field(state, "position", list)
     found = {name: value for name, value in zip(names, values, strict=False) if type(name) is str}
     if not set(found) >= WHEELS:

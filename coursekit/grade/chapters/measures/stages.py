@@ -1,4 +1,4 @@
-"""The steps and stages of a robot of chapter 7: how far, how fast, to where."""
+"""The steps and stages of a robot of chapter 7: distances, speeds and goals."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from coursekit.grade.plain import near
 from coursekit.grade.verdict import NO_HINT, Wrong
 
 STEP, TURN = 0.01, math.radians(1)
-"""The most that a robot moves [m] and turns [rad] in a step."""
+"""The maximum translation [m] and rotation [rad] of a robot per step."""
 
 
 def judge_step(old: int, new: int, before: Spot, after: Spot) -> None:
-    """Wrong unless a step of a stage is no longer than it may be, and of that stage's kind."""
+    """Raise Wrong unless a step is within its limits, and of the kind required by its stage."""
     at = [after[:2]]
     moved, turned = math.dist(before[:2], after[:2]), abs(math.remainder(after[2] - before[2], math.tau))
     if not 0 <= old <= 5 or new not in (old, old + 1):
@@ -32,7 +32,7 @@ def judge_step(old: int, new: int, before: Spot, after: Spot) -> None:
 
 
 def judge_stage(stage: int, begin: Spot, end: Spot, goal: Spot, steps: int) -> None:
-    """Wrong unless a stage ends where it should, in as few steps as that takes."""
+    """Raise Wrong unless a stage ends at its goal, in the minimum number of steps."""
     at = [end[:2]]
     if stage in (1, 4):
         off, whole, what = math.dist(end[:2], goal[:2]), math.dist(begin[:2], goal[:2]) / STEP, "place"

@@ -1,4 +1,4 @@
-"""A warehouse of cells, and whether robots' paths in it can be driven, keep apart and bring all loads home."""
+"""A warehouse of cells, and checks of robots' paths: drivable, without collisions, and delivering all loads."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def warehouse(number: int, chance: Random) -> tuple[np.ndarray, dict[str, Cell], list[Cell]]:
-    """Aisles between shelves; homes at the left, each a bay, and loads in bays of the shelves."""
+    """Return aisles between shelves, with homes in bays at the left, and loads in bays of the shelves."""
     import numpy as np
 
     aisles, width = 2 + number % 2, 16 + number
@@ -33,7 +33,7 @@ def warehouse(number: int, chance: Random) -> tuple[np.ndarray, dict[str, Cell],
 
 
 def expect_drivable(free: np.ndarray, path: list[Cell], home: Cell, told: str) -> None:
-    """Wrong unless a robot can drive this path from its home, cell by cell."""
+    """Raise Wrong unless a robot can drive this path from its home, cell by cell."""
     if not path or path[0] != home:
         raise Wrong(f"a path of {told} that begins at its home {home}", gave=f"{path[:3]}", hint=NO_HINT)
     if len(path) > MOST_TICKS:
@@ -52,7 +52,7 @@ def _at(path: list[Cell], tick: int) -> Cell:
 
 
 def expect_apart(paths: dict[str, list[Cell]], told: str) -> None:
-    """Wrong when two robots are in one cell, or drive through each other."""
+    """Raise Wrong when two robots share a cell, or pass through each other."""
     for tick in range(1, max(map(len, paths.values()))):
         seen: dict[Cell, str] = {}
         moves = {(_at(path, tick - 1), _at(path, tick)): name for name, path in paths.items()}
@@ -69,7 +69,7 @@ def expect_apart(paths: dict[str, list[Cell]], told: str) -> None:
 
 
 def delivered(paths: dict[str, list[Cell]], homes: dict[str, Cell], loads: list[Cell], told: str) -> int:
-    """The tick when the last load is at home."""
+    """Return the tick at which the last load is at home."""
     left, carried, done, last = set(loads), dict.fromkeys(paths, False), 0, 0
     for tick in range(max(map(len, paths.values()))):
         for name, path in paths.items():

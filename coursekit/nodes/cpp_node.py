@@ -1,4 +1,4 @@
-"""The parts that rclcpp gives each of its nodes and rclpy does not, for nodes that replace C++ programs."""
+"""Features of rclcpp nodes that rclpy lacks, for nodes that replace C++ programs."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _EVENTS_QOS = {"depth": 1000, "durability": "volatile", "history": "keep_last", 
 
 
 class CppNode(Node):
-    """Has the QoS of its parameter events as parameters, hears such events, and refuses parameters in rclcpp's words."""
+    """Has the QoS of its parameter events as parameters, subscribes to these events, and refuses parameters like rclcpp."""
 
     def __init__(self, node_name: str, **options: Any) -> None:
         super().__init__(node_name, **options)
@@ -35,7 +35,7 @@ class CppNode(Node):
 
 
 def _reason(parameter: Parameter, descriptor: ParameterDescriptor) -> str:
-    """Why a parameter may not have that value."""
+    """Return why a parameter may not have that value."""
     if descriptor.read_only:
         return f"parameter '{parameter.name}' cannot be set because it is read-only"
     if descriptor.type != parameter.type_.value:

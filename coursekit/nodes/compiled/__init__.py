@@ -1,1 +1,1 @@
-"""Compiled rclcpp programs as processes of the session: what they ask is carried out here, by rclpy."""
+"""Compiled rclcpp programs as processes of the session: rclpy carries out their requests."""

@@ -1,4 +1,4 @@
-"""A compiled program's questions about actions: the servers and clients are rclpy's, their decisions the program's."""
+"""A compiled program's requests about actions: the servers and clients are rclpy's, the decisions the program's."""
 
 from __future__ import annotations
 
@@ -27,20 +27,20 @@ _ACCEPT_CANCEL = 2
 
 
 class _RefusesAll:
-    """Answers as rclcpp's servers do: where no goal may be canceled, the whole request is rejected."""
+    """Responds like rclcpp's servers: if no goal may be canceled, the whole request is rejected."""
 
     def __init__(self, service: Any) -> None:
         self._service = service
 
     def send_response(self, response: Any, header: Any) -> None:
-        """Send the answer."""
+        """Send the response."""
         if response.return_code == CancelGoal.Response.ERROR_NONE and not response.goals_canceling:
             response.return_code = CancelGoal.Response.ERROR_REJECTED
         self._service.send_response(response, header)
 
 
 class CompiledActionServer(ActionServer):
-    """Asks the program whether to take a goal, by its id too, and tells it of those that were taken."""
+    """Asks the program whether to accept a goal, also by its id, and notifies it of accepted goals."""
 
     def __init__(self, host: Host, handlers: tuple[int, int, int], node: Any, kind: Any, name: str, **options: Any) -> None:
         self._host = host
@@ -80,11 +80,11 @@ class CompiledActionServer(ActionServer):
         await super()._cancel_asked(_RefusesAll(service), request, header)
 
     def goal(self, key: bytes) -> Any:
-        """The handle of a goal."""
+        """Return the handle of a goal."""
         return self._goal_handles[key]
 
     def end(self, key: bytes, how: str, result: bytes) -> None:
-        """End a goal: succeed, abort or canceled; whoever asked for its result gets it."""
+        """End a goal (succeed, abort or canceled), and send its result to those who requested it."""
         handle = self._goal_handles[key]
         getattr(handle, how)()
         response = self._action_type.Impl.GetResultService.Response(status=handle.status)
@@ -92,7 +92,7 @@ class CompiledActionServer(ActionServer):
         self._result_futures[key].set_result(response)
 
     def drop(self, key: bytes) -> None:
-        """The program has let go of a goal: one that has not ended is canceled, as nobody works for it."""
+        """Handle a goal dropped by the program: an active one is canceled, because nothing executes it."""
         handle = self._goal_handles.get(key)
         if handle is None or not handle.is_active:
             return
@@ -121,13 +121,13 @@ def _server(host: Host, frame: Unpacker) -> tuple[CompiledActionServer, bytes]:
 
 
 def do_goal_status(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The status of a goal: a number of action_msgs/msg/GoalStatus."""
+    """Return the status of a goal: a number of action_msgs/msg/GoalStatus."""
     server, key = _server(host, frame)
     return packed(server.goal(key).status)
 
 
 def do_goal_execute(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Begin a goal that was deferred."""
+    """Start a deferred goal."""
     server, key = _server(host, frame)
     server.goal(key)._update_state(GoalEvent.EXECUTE)
 
@@ -139,14 +139,14 @@ def do_goal_end(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_goal_dropped(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """The program's handle of a goal is gone."""
+    """Handle a goal whose handle in the program is gone."""
     server = host.things.get(frame.integer())
     if server is not None:
         server.drop(frame.blob())
 
 
 def do_feedback(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Tell the clients of a goal how it goes."""
+    """Publish feedback to the clients of a goal."""
     server, key = _server(host, frame)
     server.goal(key).publish_feedback(deserialize(frame.blob(), server.action_type.Feedback))
 
@@ -155,7 +155,7 @@ def do_feedback(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 class _Sent:
-    """A goal on its way. Feedback that is taken before the answer waits: the program does not know its goal yet."""
+    """A sent goal. Feedback that arrives before the response is held back: the program does not know its goal yet."""
 
     def __init__(self, tell_answer: Callable[[Any], None], tell_feedback: Callable[[Any], None]) -> None:
         self._tell_answer = tell_answer
@@ -165,7 +165,7 @@ class _Sent:
         self._lock = Lock()
 
     def heard(self, message: Any) -> None:
-        """Feedback came."""
+        """Handle feedback."""
         with self._lock:
             if not self._answered:
                 self._early.append(message)
@@ -173,7 +173,7 @@ class _Sent:
         self._tell_feedback(message)
 
     def answered(self, future: Any) -> None:
-        """The answer came: tell it, then the feedback that waited, in its order."""
+        """Handle the response: pass it on, then the held feedback in order."""
         self._tell_answer(future)
         while early := self._waiting():
             for message in early:
@@ -187,7 +187,7 @@ class _Sent:
 
 
 class CompiledActionClient(ActionClient):
-    """Knows its goals by their ids, until their results are there."""
+    """Tracks its goals by id, until their results arrive."""
 
     def __init__(self, host: Host, handlers: tuple[int, int, int, int], *names: Any, **options: Any) -> None:
         super().__init__(*names, **options)
@@ -196,7 +196,7 @@ class CompiledActionClient(ActionClient):
         self.goals: dict[bytes, Any] = {}
 
     def send(self, number: int, goal: bytes) -> None:
-        """Send a goal; the program hears of the answer by its number."""
+        """Send a goal; the program receives the response under its number."""
         sent = _Sent(partial(self._tell_answer, number), self._tell_feedback)
         future = self.send_goal_async(deserialize(goal, self._action_type.Goal), feedback_callback=sent.heard)
         future.add_done_callback(sent.answered)
@@ -213,7 +213,7 @@ class CompiledActionClient(ActionClient):
         self.host.call(self.feedback_handler, packed(bytes(message.goal_id.uuid)) + serialize(message.feedback))
 
     def get_result(self, key: bytes) -> None:
-        """Ask for a goal's result; the program hears of it."""
+        """Request a goal's result for the program."""
         self.goals[key].get_result_async().add_done_callback(partial(self._tell_result, key))
 
     def _tell_result(self, key: bytes, future: Any) -> None:
@@ -222,7 +222,7 @@ class CompiledActionClient(ActionClient):
         self.host.call(self.result_handler, packed(key, response.status) + serialize(response.result))
 
     def cancel(self, number: int, key: bytes, stamp_ns: int) -> None:
-        """Ask to cancel one goal, or those before a time, or all; the program hears of the answer by its number."""
+        """Request to cancel one goal, those before a time, or all; the program receives the response under its number."""
         request = CancelGoal.Request()
         request.goal_info.goal_id.uuid = list(key)
         request.goal_info.stamp = Time(nanoseconds=stamp_ns).to_msg()
@@ -241,7 +241,7 @@ def do_action_client(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_action_ready(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Whether a client's server is there."""
+    """Whether a client's server is available."""
     return packed(int(host.things[frame.integer()].server_is_ready()))
 
 
@@ -257,16 +257,16 @@ def do_send_goal(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_get_result(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Ask for a goal's result."""
+    """Request a goal's result."""
     host.things[frame.integer()].get_result(frame.blob())
 
 
 def do_cancel_goals(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Ask to cancel goals."""
+    """Request to cancel goals."""
     host.things[frame.integer()].cancel(frame.integer(), frame.blob(), frame.integer())
 
 
 def do_client_goal_status(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The last that was heard of a goal."""
+    """Return the last known status of a goal."""
     client, key = host.things[frame.integer()], frame.blob()
     return packed(client.goals[key].status if key in client.goals else GoalStatus.STATUS_UNKNOWN)

@@ -1,4 +1,4 @@
-"""A compiled program's questions to rosbag2: rosbag2_py writes and reads for it."""
+"""A compiled program's requests to rosbag2, carried out by rosbag2_py."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 def do_bag_writer(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Make a writer, one that compresses where it is told a format."""
+    """Make a writer; a compressing one if a format is given."""
     form, mode = frame.text(), compression_mode_from_string(frame.text())
     return packed(host.keep(SequentialCompressionWriter(CompressionOptions(form, mode)) if form else SequentialWriter()))
 
@@ -45,7 +45,7 @@ def do_bag_open(host: Host, _channel: Channel, frame: Unpacker) -> None:
     """Open a bag for writing or reading."""
     bag, uri, folder = _bag(host, frame), frame.text(), host.process.cwd
     options = StorageOptions(
-        uri=os.path.join(folder, uri),  # the thread that asks may be in another
+        uri=os.path.join(folder, uri),  # the requesting thread may be in another folder
         storage_id=frame.text(),
         max_bagfile_size=frame.integer(),
         max_bagfile_duration=frame.integer(),
@@ -64,7 +64,7 @@ def do_bag_open(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_bag_close(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """End a bag; harmless when it is ended."""
+    """Close a bag; does nothing if it is closed."""
     _bag(host, frame).close()
 
 
@@ -73,17 +73,17 @@ def _topic(frame: Unpacker) -> TopicMetadata:
 
 
 def do_bag_create_topic(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Enter a topic."""
+    """Add a topic."""
     _bag(host, frame).create_topic(_topic(frame))
 
 
 def do_bag_remove_topic(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Take a topic out."""
+    """Remove a topic."""
     _bag(host, frame).remove_topic(_topic(frame))
 
 
 def do_bag_snapshot(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Write what is remembered."""
+    """Write the snapshot buffer."""
     return packed(int(_bag(host, frame).take_snapshot()))
 
 
@@ -98,7 +98,7 @@ def do_bag_has_next(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_bag_read_next(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The next message: its topic, its bytes and when it was received."""
+    """Return the next message: its topic, data and reception time."""
     return packed(*_bag(host, frame).read_next())
 
 
@@ -109,12 +109,12 @@ def do_bag_filter(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_bag_seek(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Go on at a time."""
+    """Continue at a time."""
     _bag(host, frame).seek(frame.integer())
 
 
 def do_bag_facts(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """A bag's metadata."""
+    """Return a bag's metadata."""
     facts = _bag(host, frame).get_metadata()
     start, size = facts.starting_time_ns, facts.bag_size
     parts = [packed(facts.version, size, facts.storage_identifier, facts.duration_ns, start, facts.message_count)]

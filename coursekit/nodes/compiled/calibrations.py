@@ -1,4 +1,4 @@
-"""A compiled program's questions about cameras' calibrations: their YAML is read and written as in Python."""
+"""A compiled program's requests about camera calibrations: their YAML is read and written as in Python."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def do_calibration_read(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Whether a text holds a calibration; then the camera's name, and the calibration."""
+    """Return whether a text is a calibration, then the camera's name and the calibration."""
     try:
         name, info = calibration_of(frame.text())
         return packed(1, name, info)
@@ -24,6 +24,6 @@ def do_calibration_read(_host: Host, _channel: Channel, frame: Unpacker) -> byte
 
 
 def do_calibration_text(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """A camera's calibration as text."""
+    """Return a camera's calibration as text."""
     name = frame.text()
     return packed(calibration_text(frame.message(CameraInfo), name))

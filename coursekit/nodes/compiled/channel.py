@@ -1,4 +1,4 @@
-"""The connection of one thread of a compiled program, and the execution context that stands for that thread."""
+"""The connection to one thread of a compiled program, and the execution context that represents the thread."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host
 
 _LIMIT = 1 << 30
-"""Bytes of the largest frame: no message is larger, and a false length must not take all memory."""
+"""The maximum size of a frame [bytes]: no message is larger, and a false length must not use all memory."""
 
 
 class Gone(Exception):
@@ -20,11 +20,11 @@ class Gone(Exception):
 
 
 class CallbackFailed(Exception):
-    """A callback threw: the program has left the question during which it was called."""
+    """A callback threw an exception: the program has abandoned the request during which it was called."""
 
 
 class Channel:
-    """While the thread computes the execution context waits here, so on the virtual clock nothing else happens."""
+    """While the thread computes, the execution context waits here, so nothing else happens on the virtual clock."""
 
     def __init__(self, host: Host, connection: socket.socket) -> None:
         self._host = host
@@ -33,35 +33,35 @@ class Channel:
         self.ended = host.clock.new_event()
 
     def serve(self) -> None:
-        """Stand for the thread until it ends."""
+        """Represent the thread until it ends."""
         host = self._host
         host.of_context[host.session.execution_context()] = self
         try:
-            self._send(b"A")  # it may begin
+            self._send(b"A")  # permits it to start
             self._serve_until_return()
         except Gone:
             pass
         finally:
             host.of_context.pop(host.session.execution_context(), None)
-            host.output.drain()  # what it has written last comes before what others write now
+            host.output.drain()  # its last output precedes that of others
             self.close()
             self.ended.set()
 
     def begin_worker(self) -> None:
-        """Let a thread that the session asked for begin: from now on it only waits for calls."""
+        """Start a thread requested by the session: from now on it only waits for calls."""
         self._send(b"A")
 
     def call(self, handler: int, data: bytes = b"") -> Unpacker:
-        """Have the thread run a callback; what it returns. Raises CallbackFailed, Gone."""
+        """Run a callback in the thread and return its result. Raises CallbackFailed, Gone."""
         self._send(b"C", packed(handler) + data)
         return self._serve_until_return()
 
     def close(self) -> None:
-        """End the connection, and with it a thread that waits for calls."""
+        """Close the connection, which ends a thread that waits for calls."""
         self._connection.close()
 
     def _serve_until_return(self) -> Unpacker:
-        """Carry out what the thread asks, until it says that a callback has returned."""
+        """Carry out the thread's requests until it reports that a callback has returned."""
         while True:
             kind, frame = self._receive()
             if kind == b"R":
@@ -72,7 +72,7 @@ class Channel:
             try:
                 answer = self._host.carry_out(self, name, frame)
             except CallbackFailed:
-                continue  # the question was left with an exception
+                continue  # the request was abandoned with an exception
             except Gone:
                 raise
             except Exception as error:
@@ -116,7 +116,7 @@ class Channel:
 
 
 def _name(kind: bytes, frame: Unpacker) -> str:
-    """The question; Gone for anything else: such a program does not know what it says any more."""
+    """Return the request's name; Gone for anything else, which a working program never sends."""
     try:
         if kind in (b"Q", b"N"):
             return frame.text()

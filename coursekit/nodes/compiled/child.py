@@ -1,4 +1,4 @@
-"""A compiled program as the system has it: started, given signals, ended, and asked for its exit code."""
+"""A compiled program as a system process: start, signals, end and exit code."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from coursekit.systems import children, which
 from coursekit.systems.signal_names import signal_called
 
 _ENDED_BY_CTRL_C = 0xC000013A
-"""The exit code of a program of Windows that Ctrl-C has ended."""
+"""The exit code of a Windows program ended by Ctrl-C."""
 
 
 class Child:
-    """The program, started in the environment and folder of the session's process that it runs for.
+    """The program, started with the environment and folder of its process in the session.
 
-    `address` is where it finds its host. `tell_signal` gives it a signal over its connection: on Windows a program without
-    a console hears of none.
+    `address` is the host's address. `tell_signal` sends it a signal over its connection: on Windows a program without
+    a console receives none.
     """
 
     def __init__(self, words: Sequence[str], address: str, process: Process, tell_signal: Callable[[int], bool]) -> None:
@@ -34,15 +34,15 @@ class Child:
         self.output = ChildOutput(self._child, process.out.write)
         self._tell_signal = tell_signal
         self._signalled = 0
-        """The last signal that it was given."""
+        """The last signal sent."""
 
     def wait(self) -> int:
-        """Wait for its end; its exit code, or minus the signal that ended it."""
+        """Wait for its end. Returns its exit code, or minus the signal that ended it."""
         code = self._child.wait()
         return -self._signalled if which.WINDOWS and code == _ENDED_BY_CTRL_C and self._signalled else code
 
     def send(self, signum: int) -> None:
-        """Give it a signal; nothing when it has ended."""
+        """Send it a signal; does nothing when it has ended."""
         self._signalled = signum
         if which.WINDOWS and self._tell_signal(signum):
             return
@@ -50,6 +50,6 @@ class Child:
             children.send_signal(self._child, signum)
 
     def kill(self) -> None:
-        """End it at once, and what it has started: a debugger's program is one."""
+        """Kill it and its child processes, such as a debugger's program."""
         if self._child.poll() is None:
             children.send_signal(self._child, signal_called("SIGKILL"))

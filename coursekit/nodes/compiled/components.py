@@ -1,4 +1,4 @@
-"""A compiled program's components that it cannot load itself: each runs as a program of its own."""
+"""Components that a compiled program cannot load itself: each runs as its own program."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 class ComponentOfProgram(LoadedComponent):
-    """Ends with the program that asked for it."""
+    """Ends together with the program that requested it."""
 
     def __init__(self, host: Host, path: Path, given: Given) -> None:
         graph = host.session.graph(host.context_called(0).get_domain_id())
@@ -30,18 +30,18 @@ class ComponentOfProgram(LoadedComponent):
         self.process.on_exit(self._ended)
 
     def _ended(self, process: Any) -> None:
-        """One that crashed takes the program along, as one in a library does."""
+        """Handle a component's end; a crash aborts the program, as with a component in a library."""
         if process.exit_code and not self._unloaded and not self._host.over:
             self._host.process.send_signal(signal_names.ABORT)
 
     def unload(self) -> None:
-        """End it, as Ctrl-C does."""
+        """End the component, as Ctrl-C does."""
         self._unloaded = True
         super().unload()
 
 
 def do_component(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Run a component, whose node is given words of a command line and parameters."""
+    """Run a component, whose node gets command-line arguments and parameters."""
     path = Path(frame.text())
     words = [frame.text() for _ in range(frame.integer())]
     parameters = [Parameter.from_parameter_msg(frame.message(ParameterMessage)) for _ in range(frame.integer())]

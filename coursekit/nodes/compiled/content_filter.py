@@ -1,4 +1,4 @@
-"""Content filters of subscriptions: expressions of DDS, such as `data < %0 OR data > %1`, say which messages are heard."""
+"""Content filters of subscriptions: DDS expressions such as `data < %0 OR data > %1` select messages."""
 
 from __future__ import annotations
 
@@ -15,17 +15,17 @@ _WORD = re.compile(
 _COMPARE: dict[str, Callable[[Any, Any], Any]] = {"=": eq, "<>": ne, "!=": ne, "<": lt, "<=": le, ">": gt, ">=": ge}
 _KEYWORDS = {"AND", "OR", "NOT", "BETWEEN", "LIKE", "TRUE", "FALSE"}
 _LIMIT = 100
-"""Parameters of one expression at most, as DDS has it."""
+"""The maximum number of parameters of one expression in DDS."""
 Test = Callable[[Any], bool]
 Value = Callable[[Any], Any]
 
 
 class FilterError(ValueError):
-    """An expression that DDS would refuse."""
+    """An expression that DDS would reject."""
 
 
 def compile_filter(expression: str, parameters: list[str]) -> Test:
-    """The function that says of a message whether it is heard. FilterError for what is no expression.
+    """Return the function that decides whether a message passes. FilterError for an invalid expression.
 
     >>> from std_msgs.msg import Int32
     >>> test = compile_filter("data BETWEEN %0 AND %1 OR data = -1", ["3", "5"])
@@ -41,7 +41,7 @@ def compile_filter(expression: str, parameters: list[str]) -> Test:
 
 
 def _words(expression: str) -> list[tuple[str, str]]:
-    """The words of an expression with their kinds."""
+    """Return the tokens of an expression with their kinds."""
     words, at = [], 0
     text = expression.rstrip()
     while at < len(text):
@@ -58,19 +58,19 @@ def _words(expression: str) -> list[tuple[str, str]]:
 
 
 class _Reader:
-    """Reads words from left to right; AND binds more tightly than OR."""
+    """Parses tokens from left to right; AND binds more tightly than OR."""
 
     def __init__(self, words: list[tuple[str, str]], parameters: list[str]) -> None:
         self._words = words
         self._parameters = parameters
 
     def expect_end(self) -> None:
-        """FilterError where words are left."""
+        """Raise FilterError if tokens are left."""
         if self._words:
             raise FilterError(f"'{self._words[0][1]}' is not expected there.")
 
     def either(self) -> Test:
-        """Conditions with OR between them."""
+        """Parse conditions joined by OR."""
         tests = [self._all()]
         while self._next_is("OR"):
             tests.append(self._all())
@@ -137,7 +137,7 @@ class _Reader:
 
 
 def _literal(text: str) -> tuple[str, str]:
-    """A parameter's value as a word; only constants are allowed."""
+    """Return a parameter's value as a token; only constants are allowed."""
     words = _words(text)
     if len(words) != 1 or words[0][0] not in ("text", "number", "keyword"):
         raise FilterError(f"The parameter {text!r} is no number and no text in quotes.")
@@ -155,7 +155,7 @@ def _constant(kind: str, word: str) -> Any:
 
 
 def _field(path: str) -> Value:
-    """The function that reads a field such as `header.stamp.sec` or `ranges[3]`."""
+    """Return the function that reads a field such as `header.stamp.sec` or `ranges[3]`."""
     steps = re.findall(r"[A-Za-z_]\w*|\[\d+\]", path)
 
     def read(message: Any) -> Any:
@@ -167,6 +167,6 @@ def _field(path: str) -> Value:
 
 
 def _like(text: str, pattern: str) -> bool:
-    """Whether a text is like a pattern, in which % stands for any characters and _ for one."""
+    """Whether a text matches a pattern, in which % matches any characters and _ one character."""
     parts = [".*" if one in "%*" else "." if one in "_?" else re.escape(one) for one in pattern]
     return re.fullmatch("".join(parts), text, re.DOTALL) is not None

@@ -1,4 +1,4 @@
-"""Where a compiled program's threads connect to the session: a Unix socket, or on Windows a loopback port with a token."""
+"""The address to which a compiled program's threads connect: a Unix socket, or on Windows a loopback port with a token."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from coursekit.systems import which
 
 _WAITING = 64
 _TOKEN_S = 5.0
-"""Real seconds in which whoever connects to a port has to say the token."""
+"""The timeout for a new connection to send the token [s, real time]."""
 
 
 class UnixDoor:
@@ -27,11 +27,11 @@ class UnixDoor:
         self.listening.listen(_WAITING)
 
     def accept(self) -> socket.socket:
-        """The next connection; OSError when the door is closed."""
+        """Return the next connection; OSError when closed."""
         return self.listening.accept()[0]
 
     def close(self) -> None:
-        """Let nobody in any more; who waits in `accept` hears of it."""
+        """Accept no more connections, and end a waiting `accept`."""
         with contextlib.suppress(OSError):
             self.listening.shutdown(socket.SHUT_RDWR)
         self.listening.close()
@@ -39,7 +39,7 @@ class UnixDoor:
 
 
 class LoopbackDoor:
-    """A port of this computer: only who says the token first comes in."""
+    """A port of this computer: a connection must first send the token."""
 
     def __init__(self) -> None:
         self._token = secrets.token_hex(16).encode()
@@ -48,7 +48,7 @@ class LoopbackDoor:
         self.address = f"{self.listening.getsockname()[1]}:{self._token.decode()}"
 
     def accept(self) -> socket.socket:
-        """The next connection that says the token; OSError when the door is closed."""
+        """Return the next connection with the token; OSError when closed."""
         while True:
             connection, _ = self.listening.accept()
             if not self._open:
@@ -60,10 +60,10 @@ class LoopbackDoor:
             connection.close()
 
     def close(self) -> None:
-        """Let nobody in any more; who waits in `accept` hears of it."""
+        """Accept no more connections, and end a waiting `accept`."""
         self._open = False
         with contextlib.suppress(OSError), socket.create_connection(self.listening.getsockname(), timeout=_TOKEN_S):
-            pass  # on Windows that alone ends an `accept` of another thread
+            pass  # on Windows only this ends an `accept` in another thread
         self.listening.close()
 
     def _knows_token(self, connection: socket.socket) -> bool:
@@ -77,5 +77,5 @@ class LoopbackDoor:
 
 
 def open_door() -> UnixDoor | LoopbackDoor:
-    """A door as this system has it, and as its compiled programs know it."""
+    """Return the kind of door that this system and its compiled programs support."""
     return LoopbackDoor() if which.WINDOWS else UnixDoor()

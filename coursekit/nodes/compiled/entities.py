@@ -1,4 +1,4 @@
-"""A compiled program's questions about nodes, timers and services."""
+"""A compiled program's requests about nodes, timers and services."""
 
 from __future__ import annotations
 
@@ -35,11 +35,11 @@ _SYSTEM_TIME, _STEADY_TIME = 2, 3
 
 
 def do_drop(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """The program has destroyed something."""
+    """Handle the destruction of an object in the program."""
     thing = host.things.pop(frame.integer(), None)
     if isinstance(thing, CompiledNode):
         thing.destroy_node()
-    elif isinstance(thing, tuple):  # (node, how to destroy it, it)
+    elif isinstance(thing, tuple):  # (node, name of its destroy method, entity)
         node, how, entity = thing
         getattr(node, how)(entity)
         if statistics := getattr(getattr(entity, "hearing", None), "statistics", None):
@@ -84,7 +84,7 @@ def do_node(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_callback_group(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Make a callback group, which is served with its node, or apart."""
+    """Make a callback group, which is served with its node, or separately."""
     node, reentrant, automatic = host.things[frame.integer()], frame.integer(), frame.integer()
     group = ReentrantCallbackGroup() if reentrant else MutuallyExclusiveCallbackGroup()
     if not automatic:
@@ -93,12 +93,12 @@ def do_callback_group(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_ros_now(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The time of a node that follows /clock."""
+    """Return the time of a node that follows /clock."""
     return packed(host.things[frame.integer()].get_clock().now().nanoseconds)
 
 
 def do_ros_sleep(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Sleep by the time of a node that follows /clock; 0 when its context ended, or it ceased to follow."""
+    """Sleep on the clock of a node that follows /clock; returns 0 if its context ended, or it no longer follows."""
     node, span = host.things[frame.integer()], Duration(nanoseconds=frame.integer())
     return packed(int(node.get_clock().sleep_for(span, context=node.context)))
 
@@ -152,12 +152,12 @@ def do_timer_cancel(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_timer_reset(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Have a timer begin anew."""
+    """Restart a timer."""
     host.things[frame.integer()][2].reset()
 
 
 def do_timer_canceled(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Whether a timer is stopped."""
+    """Whether a timer is canceled."""
     return packed(int(host.things[frame.integer()][2].is_canceled()))
 
 
@@ -173,7 +173,7 @@ def do_timer_left(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_timer_call(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Count a call of a timer, whose callback the program runs itself; 0 for one that is stopped."""
+    """Count a call of a timer, whose callback the program runs itself; 0 for a canceled one."""
     core = host.things[frame.integer()][2]._sources()[0]
     if not core.canceled:
         core.call()
@@ -184,7 +184,7 @@ def do_timer_call(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_service(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Make a service; its callback answers at once, or later by `send_response`."""
+    """Make a service; its callback responds directly, or later by `send_response`."""
     node, kind, name = living_node(host, frame, "service"), load(frame.text()), frame.text()
     handler, group = frame.integer(), host.things.get(frame.integer())
     service = node.create_service(kind, name, _unused, qos_profile=qos.profile(frame), callback_group=group)
@@ -206,7 +206,7 @@ def _answer(host: Host, handler: int, service: Any, request: Any, header: Any) -
 
 
 def do_send_response(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Answer a request that was put off."""
+    """Respond to a deferred request."""
     service, number = host.things[frame.integer()][2], frame.integer()
     header = service.unanswered.pop(number, None)
     if header is not None:
@@ -214,7 +214,7 @@ def do_send_response(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_take_request(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The next request that waits, without the callback: 0 where there is none. It is answered by `send_response`."""
+    """Take the next queued request without the callback, 0 if there is none. The response is sent by `send_response`."""
     service = host.things[frame.integer()][2]
     taken = service.handle.core.take()
     if taken is None:
@@ -236,7 +236,7 @@ def do_client(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_send_request(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Send a request; its answer goes to the client's handler."""
+    """Send a request; the response goes to the client's handler."""
     client, number = host.things[frame.integer()][2], frame.integer()
     own = client.handle.core.peek_number()
     client.numbers[own] = number
@@ -250,7 +250,7 @@ def do_send_request(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_take_response(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The next response that waits, without the request's callback: 0 where there is none."""
+    """Take the next queued response without the request's callback, 0 if there is none."""
     client = host.things[frame.integer()][2]
     taken = client.handle.core.take()
     if taken is None:
@@ -261,7 +261,7 @@ def do_take_response(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_service_ready(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Whether a client's service is there."""
+    """Whether a client's service is available."""
     return packed(int(host.things[frame.integer()][2].service_is_ready()))
 
 

@@ -1,4 +1,4 @@
-"""A compiled program's questions about executors."""
+"""A compiled program's requests about executors."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def do_executor(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Make an executor with so many threads."""
+    """Make an executor with a number of threads."""
     threads, context = frame.integer(), living_context(host, frame)
     executor: Any
     executor = SingleThreadedExecutor(context=context) if threads == 1 else MultiThreadedExecutor(threads, context=context)
@@ -34,24 +34,24 @@ def do_executor(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_add_node(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Have an executor serve a node."""
+    """Add a node to an executor."""
     host.things[frame.integer()].add_node(host.things[frame.integer()])
 
 
 def do_remove_node(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Have an executor serve a node no more."""
+    """Remove a node from an executor."""
     host.things[frame.integer()].remove_node(host.things[frame.integer()])
 
 
 def do_add_callback_group(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Have an executor serve one group of a node, apart from the node's own."""
+    """Add one group of a node to an executor, separately from the node."""
     executor, group, node = (host.things[frame.integer()] for _ in range(3))
     node.set_apart(group, executor)
     executor.apart = {**getattr(executor, "apart", {}), group: node}
 
 
 def do_remove_callback_group(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Have an executor serve a group no more."""
+    """Remove a group from an executor."""
     executor, group = (host.things[frame.integer()] for _ in range(2))
     node = executor.apart.pop(group, None)
     if node is not None:
@@ -64,13 +64,13 @@ def do_spin(host: Host, _channel: Channel, frame: Unpacker) -> None:
     executor.cancelled = False
     try:
         while executor.context.ok() and not executor.cancelled:
-            executor._spin_once(None, executor.is_cancelled)  # one that has nothing to do is cancelled too
+            executor._spin_once(None, executor.is_cancelled)  # an idle executor can be cancelled too
     except (ShutdownException, ExternalShutdownException):
         pass
 
 
 def do_spin_once(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Wait for one callback and run it, at most so long (negative: without end), or until the executor is cancelled."""
+    """Wait for one callback and run it, until a timeout (negative: none) or until the executor is cancelled."""
     executor, nanoseconds = host.things[frame.integer()], frame.integer()
     try:
         executor._spin_once(None if nanoseconds < 0 else nanoseconds / 1e9, executor.is_cancelled)
@@ -80,7 +80,7 @@ def do_spin_once(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_spin_some(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Run each that is ready once, at most so long (0: without end); with the last word 1 all that is and becomes ready."""
+    """Run each ready callback once, up to a time limit (0: none); with a final 1 also those that become ready."""
     executor, limit, everything = host.things[frame.integer()], frame.integer(), frame.integer()
     end = host.clock.steady() + limit
     left = executor._queue.count_ready()
@@ -91,7 +91,7 @@ def do_spin_some(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def _run_one(executor: Executor) -> bool:
-    """Run one callback that is ready now; False where there is none."""
+    """Run one ready callback; False if there is none."""
     try:
         task, _entity, _node = executor.wait_for_ready_callbacks(timeout_sec=0)
     except (TimeoutException, ShutdownException, ExternalShutdownException):
@@ -101,7 +101,7 @@ def _run_one(executor: Executor) -> bool:
 
 
 def _run(task: Any) -> None:
-    """Run a callback; what it raises is raised."""
+    """Run a callback and raise its exception."""
     task()
     error = task.exception()
     if error is not None:
@@ -109,23 +109,23 @@ def _run(task: Any) -> None:
 
 
 class Work:
-    """A callback that has begun its group's execution, and that the program has not run yet."""
+    """A callback whose group counts as executing, but which the program has not run yet."""
 
     def __init__(self, executor: Any, task: Any, entity: Any) -> None:
         self._executor, self._task, self._entity = executor, task, entity
 
     def run(self) -> None:
-        """Run it."""
+        """Run the callback."""
         _run(self._task)
 
     def drop(self) -> None:
-        """It will not be run: its group is free for others."""
+        """Do not run the callback: release its group."""
         if self._entity is not None:
             self._executor._ended(self._entity)
 
 
 def do_next_work(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Wait for a callback, at most so long (negative: without end); its number, 0 for none."""
+    """Wait for a callback with a timeout (negative: none). Returns its number, 0 for none."""
     executor, nanoseconds = host.things[frame.integer()], frame.integer()
     patience = None if nanoseconds < 0 else nanoseconds / 1e9
     try:
@@ -139,12 +139,12 @@ def do_next_work(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_run_work(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Run such a callback."""
+    """Run a callback obtained from `next_work`."""
     host.things.pop(frame.integer()).run()
 
 
 def do_cancel(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Have a spin of this executor return."""
+    """Make the executor's spin return."""
     executor = host.things[frame.integer()]
     executor.cancelled = True
     executor.wake()

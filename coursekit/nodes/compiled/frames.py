@@ -1,4 +1,4 @@
-"""Frames of the link between the session and a compiled program; `cpp/src/link.cpp` describes them."""
+"""Frames of the connection between the session and a compiled program; `cpp/src/link.cpp` describes them."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from coursekit.interfaces.cdr import deserialize, serialize
 
 
 class FrameError(ValueError):
-    """A frame ends before what it says it holds."""
+    """A frame is shorter than its content requires."""
 
 
 class Unpacker:
-    """Reads what C++'s Packer has packed.
+    """Reads data packed by the C++ Packer.
 
     >>> frame = Unpacker(packed(7, "seven"))
     >>> frame.integer(), frame.text()
@@ -23,32 +23,32 @@ class Unpacker:
     def __init__(self, data: bytes, at: int = 0) -> None:
         self._data = data
         self.at = at
-        """How much has been read."""
+        """The number of bytes read so far."""
 
     def integer(self) -> int:
-        """The next eight bytes."""
+        """Read the next eight bytes."""
         value: int = struct.unpack("<q", self._take(8))[0]
         return value
 
     def real(self) -> float:
-        """The next eight bytes, as a number with a fraction."""
+        """Read the next eight bytes as a float."""
         value: float = struct.unpack("<d", self._take(8))[0]
         return value
 
     def blob(self) -> bytes:
-        """The next bytes, after their length."""
+        """Read the next bytes with their length."""
         return self._take(self.integer())
 
     def text(self) -> str:
-        """The next text; bytes that are no UTF-8 are replaced."""
+        """Read the next text; invalid UTF-8 is replaced."""
         return self.blob().decode(errors="replace")
 
     def message(self, cls: Any) -> Any:
-        """The next message."""
+        """Read the next message."""
         return deserialize(self.blob(), cls)
 
     def rest(self) -> bytes:
-        """All that has not been read."""
+        """Return all unread data."""
         return self._data[self.at :]
 
     def _take(self, size: int) -> bytes:
@@ -59,7 +59,7 @@ class Unpacker:
 
 
 def packed(*values: Any) -> bytes:
-    """Pack integers, texts, bytes and messages as C++'s Unpacker reads them."""
+    """Pack integers, texts, bytes and messages for the C++ Unpacker."""
     parts = []
     for value in values:
         if isinstance(value, int):

@@ -1,4 +1,4 @@
-"""A compiled program's questions about the graph: its nodes and ends, and whether they have changed."""
+"""A compiled program's requests about the graph: its nodes, endpoints and changes."""
 
 from __future__ import annotations
 
@@ -19,17 +19,17 @@ if TYPE_CHECKING:
 
 
 def do_resolve_topic(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """A topic's name in full, as a node uses it; also without its remapping."""
+    """Return a topic's full name as used by a node, optionally without remapping."""
     return packed(host.things[frame.integer()].resolve_topic_name(frame.text(), only_expand=bool(frame.integer())))
 
 
 def do_resolve_service(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """A service's name in full, as a node uses it; also without its remapping."""
+    """Return a service's full name as used by a node, optionally without remapping."""
     return packed(host.things[frame.integer()].resolve_service_name(frame.text(), only_expand=bool(frame.integer())))
 
 
 def do_expand_name(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The name in full that a topic or service would have in a node of that name and namespace."""
+    """Return the full name of a topic or service in a node of that name and namespace."""
     name, node, space, is_service = frame.text(), frame.text(), frame.text(), bool(frame.integer())
     validate_node_name(node)
     validate_namespace(space)
@@ -57,7 +57,7 @@ def do_services(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_ends_of(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """What one node publishes, hears, serves or calls, with the types: which of them a word says, such as "service"."""
+    """Return a node's endpoints with their types; a word such as "service" selects the kind."""
     node, which, name, namespace = host.things[frame.integer()], frame.text(), frame.text(), frame.text()
     return _names_and_types(getattr(node, f"get_{which}_names_and_types_by_node")(name, namespace))
 
@@ -67,12 +67,12 @@ def _names_and_types(found: list[tuple[str, list[str]]]) -> bytes:
 
 
 def do_count_publishers(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """How many publish on a topic."""
+    """Return the number of publishers of a topic."""
     return packed(host.things[frame.integer()].count_publishers(frame.text()))
 
 
 def do_count_subscribers(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """How many listen to a topic."""
+    """Return the number of subscriptions to a topic."""
     return packed(host.things[frame.integer()].count_subscribers(frame.text()))
 
 
@@ -95,12 +95,12 @@ def _endpoints(found: list[Any]) -> bytes:
 
 
 def do_graph_changes(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """A number that grows when nodes, topics or services come or go."""
+    """Return a counter of changes of nodes, topics or services."""
     return packed(host.things[frame.integer()]._rclpy_graph.version)
 
 
 def do_wait_for_graph(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Wait until that number has grown, at most so long (negative: without end); the number."""
+    """Wait until that counter has grown, with a timeout (negative: none). Returns the counter."""
     graph, seen, nanoseconds = host.things[frame.integer()]._rclpy_graph, frame.integer(), frame.integer()
     end = None if nanoseconds < 0 else host.clock.steady() + nanoseconds
     waiter = host.clock.new_waiter()

@@ -1,8 +1,8 @@
 """A compiled rclcpp program as a process of the session: `host.py PROGRAM ARGUMENTS...`.
 
-The program is a child of the system. Each of its threads has one connection and, here, one execution context that stands
-for it. While the thread computes, the context waits for it. While the thread sleeps or spins, the context does so in its
-stead.
+The program is a child of the system. Each of its threads has one connection and, here, one execution context that
+represents it. While the thread computes, the context waits for it. While the thread sleeps or spins, the context does
+so instead.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ VIRTUAL, STOPPING, SIMULATED = 1, 2, 4
 _LAST_WORDS_S = 1.0
 _COMPUTE_LIMIT_S = 60.0
 _IDLE_WEIGHT = 250
-"""Questions that one which finds nothing counts as: a loop of them takes a second of virtual time in 4000 turns."""
+"""The weight of a request without a result: a loop of them passes a second of virtual time in 4000 iterations."""
 _TOO_LONG = (
     "[coursekit] {name} has computed for {limit:g} s without asking rclcpp for anything, and was killed: virtual time "
     "does not advance meanwhile. Let its loops sleep or spin; COURSEKIT_COMPUTE_LIMIT=SECONDS gives it longer.\n"
@@ -79,7 +79,7 @@ _NOT_VALID = (
     "failed to create guard condition: the given context is not valid, either rcl_init() was not called or rcl_shutdown() "
     "was called., at ./src/rcl/guard_condition.c:67"
 )
-"""What rclcpp says of nodes and executors that are made before init() or after shutdown()."""
+"""rclcpp's messages for nodes and executors made before init() or after shutdown()."""
 _ROOMS = (
     program, entities, topics, graph, parameters, executing, waiting, waitables, lifecycle, listening, actions, transforms,
     vision, bags, plugins, robots, calibrations, components,
@@ -88,7 +88,7 @@ OPERATIONS = {name[3:]: do for room in _ROOMS for name, do in vars(room).items()
 
 
 class Host:
-    """One compiled program: its child, its channels, and what it has made in the session."""
+    """One compiled program: its child process, its channels, and its objects in the session."""
 
     def __init__(self, path: str, argv: list[str]) -> None:
         self.path, self.argv = path, argv
@@ -98,32 +98,32 @@ class Host:
         assert process is not None, "a compiled program runs in a process of the session"
         self.process = process
         self.node_clocks: list[Any] = []
-        """The clocks of the program's nodes, of which some may follow /clock."""
+        """The clocks of the program's nodes, some of which may follow /clock."""
         self.stopping = False
-        """Whether Ctrl-C or `kill` came."""
+        """Whether Ctrl-C or `kill` was received."""
         self.things: dict[int, Any] = {}
         """The program's objects, by number."""
         self.of_context: dict[Any, Channel] = {}
         self.threads: dict[int, Channel] = {}
-        """The channels of threads that the program made on the virtual clock, by its own numbers."""
+        """The channels of threads made by the program on the virtual clock, by its own numbers."""
         self.blocked: dict[int, list[Any]] = {}
         """The threads that wait on the virtual clock for a mutex or condition variable, by its address."""
         self.typed = b""
-        """The typed characters that were not read yet."""
+        """The typed characters not read yet."""
         self.over = False
         """Whether the program has ended."""
         self.waiting: list[ReadyQueue] = []
-        """The queues of wait sets that wait now."""
+        """The queues of the currently waiting wait sets."""
         self.contexts: dict[int, Context] = {}
-        """The contexts that the program made beside the default one, by its own numbers."""
+        """The contexts made by the program in addition to the default one, by its own numbers."""
         self.own_gids: set[bytes] = set()
-        """The publishers of this program, for subscriptions that ignore them."""
+        """This program's publishers, for subscriptions that ignore them."""
         self.staying_gids: set[bytes] = set()
-        """Those of them whose messages may stay in the program."""
+        """Those publishers whose messages may stay in the program."""
         self.news = listening.News(self)
         self.context = contextvars.copy_context()
         self.caught: set[int] = set()
-        """The signals that end what the program waits for, and not the program."""
+        """Signals that interrupt the program's waiting, and do not end the program."""
         self._lock = threading.Lock()
         self._channels: list[Channel] = []
         self._workers = Workers(self.clock, lambda: self.accept()[1])
@@ -137,7 +137,7 @@ class Host:
     # -- the child
 
     def run(self) -> int:
-        """Run it to its end; its exit code, negative where a signal ended it."""
+        """Run the program to its end. Returns its exit code, negative if a signal ended it."""
         self._door = open_door()
         try:
             self._child = Child([self.path, *self.argv], self._door.address, self.process, self._workers.tell_signal)
@@ -150,7 +150,7 @@ class Host:
             self._door.close()
 
     def _stand_for_it(self) -> int:
-        """On the virtual clock: one thing at a time, so the order of all that happens is fixed."""
+        """Represent the program on the virtual clock: one action at a time, in a fixed order."""
         if self.output.wait_for(self._door.listening):
             self.accept()[1].serve()
         self.over = True
@@ -166,7 +166,7 @@ class Host:
         ended.wait()
         self.over = True
         self._wake()
-        for channel in list(self._channels):  # what it said last is still to be carried out
+        for channel in list(self._channels):  # its last requests must still be carried out
             channel.ended.wait(_LAST_WORDS_S)
         self._door.close()
         self._workers.end()
@@ -178,7 +178,7 @@ class Host:
         ended.set()
 
     def accept(self) -> tuple[bytes, Channel]:
-        """The next connection: its purpose and its channel."""
+        """Return the next connection: its purpose and its channel."""
         connection = self._door.accept()
         purpose = connection.recv(1)
         if purpose == b"C":
@@ -200,20 +200,20 @@ class Host:
 
     def _on_signal(self, signum: int, _frame: Any) -> None:
         if signum in self.caught:
-            self.context.copy().run(program.tell_signal, self, signum)  # first, as on a robot: what it wakes prints too
+            self.context.copy().run(program.tell_signal, self, signum)  # first, as on a robot: woken threads print too
         self.stopping = True
         self._wake()
         self._child.send(signum)
-        self.context.copy().run(shutdown_all)  # a signal may be delivered by a thread that is not of this process
+        self.context.copy().run(shutdown_all)  # the delivering thread may not belong to this process
 
     def _wake(self) -> None:
-        """Have whoever waits in the program's stead look at what has happened."""
+        """Wake threads that wait on behalf of the program."""
         self.process.stdin.wake()
         for queue in list(self.waiting):
             queue.wake()
 
     def wait_for(self, connection: socket.socket) -> None:
-        """Wait, really, while the program computes: virtual time does not advance. One that never stops is ended."""
+        """Wait in real time while the program computes: virtual time does not advance. An endless computation is ended."""
         limit = float(self.process.env.get("COURSEKIT_COMPUTE_LIMIT") or _COMPUTE_LIMIT_S)
         try:
             self.output.wait_for(connection, limit)
@@ -222,15 +222,15 @@ class Host:
             self._child.kill()
             raise Gone from None
 
-    # -- what it asks
+    # -- requests
 
     def carry_out(self, channel: Channel, name: str, frame: Unpacker) -> bytes:
-        """Do what the program asks; the packed answer."""
+        """Carry out a request. Returns the packed response."""
         answer: bytes | None = OPERATIONS[name](self, channel, frame)
         return answer or b""
 
     def refusal(self, error: Exception) -> tuple[str, str]:
-        """The name of rclcpp's exception for one of rclpy's, and its text."""
+        """Return the name and text of rclcpp's exception for one of rclpy's."""
         name = type(error).__name__
         if isinstance(error, NotInitializedException):
             return _ERRORS.get(name, name), _NOT_VALID
@@ -238,15 +238,15 @@ class Host:
         return _ERRORS.get(name, name), re.sub(r"^[Ff]ailed to create(?= (action )?\w+: )", "could not create", text)
 
     def context_called(self, number: int) -> Context:
-        """The program's context of that number; 0 is the default one."""
+        """Return the program's context of that number; 0 is the default one."""
         return self.contexts.setdefault(number, Context()) if number else get_default_context()
 
     def look_in_vain(self) -> None:
-        """The program has asked for what is not there: on the virtual clock a loop of such questions lets time pass."""
+        """Handle a request without a result: on the virtual clock, a loop of them lets time pass."""
         self.clock.poll(_IDLE_WEIGHT)
 
     def keep(self, thing: Any) -> int:
-        """Remember what the program has made; its number."""
+        """Register an object made by the program. Returns its number."""
         with self._lock:
             number = len(self.things) + 1
             while number in self.things:
@@ -255,7 +255,7 @@ class Host:
             return number
 
     def call(self, handler: int, data: bytes = b"") -> Unpacker:
-        """Call one of the program's callbacks in the thread that the running context stands for, else in a worker's."""
+        """Call a callback of the program in the thread of the running context, else in a worker thread."""
         channel = self.of_context.get(self.session.execution_context())
         if channel is not None:
             return channel.call(handler, data)
@@ -269,7 +269,7 @@ class Host:
 
 
 def main(argv: list[str]) -> int:
-    """Run a compiled program in a process of the session; its exit code."""
+    """Run a compiled program in a process of the session. Returns its exit code."""
     for word in argv:
         if os.path.isfile(word) and is_compiled_here(Path(word)) and is_of_another_age(Path(word)):
             print(_ANOTHER_AGE.format(name=os.path.basename(word)), file=sys.stderr)

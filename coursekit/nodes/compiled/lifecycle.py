@@ -1,4 +1,4 @@
-"""A compiled program's managed nodes: rclpy's state machine and services, the program's callbacks."""
+"""A compiled program's managed nodes: rclpy's state machine and services with the program's callbacks."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ _BY_ID = 1
 
 
 class CompiledLifecycleNode(LifecycleNodeMixin, CompiledNode):
-    """Its transitions are the program's functions; what it says of errors is in rclcpp's words."""
+    """Its transitions call the program's functions; error messages are rclcpp's."""
 
     def __init__(self, node_name: str, **options: Any) -> None:
         CompiledNode.__init__(self, node_name, **options)
 
     def begin(self, host: Host, handler: int, communicates: bool) -> None:
-        """Be managed from now on; `handler` is called for each transition."""
+        """Become a managed node; `handler` is called for each transition."""
         self._host, self._handler = host, handler
         LifecycleNodeMixin.__init__(self, enable_communication_interface=communicates)
 
@@ -56,15 +56,15 @@ class CompiledLifecycleNode(LifecycleNodeMixin, CompiledNode):
 
     @property
     def state_id(self) -> int:
-        """The number of the state in which it is."""
+        """The number of the current state."""
         return self._state_machine.current_state[0]
 
     def change(self, transition_id: int) -> int:
-        """Go through a transition; 97 for success, 98 for failure, 99 for an error."""
+        """Perform a transition; 97 for success, 98 for failure, 99 for an error."""
         return int(self._rclpy_change_if_possible(transition_id))
 
     def change_by_name(self, label: str) -> int:
-        """Go through a transition, as `change`; 0 where the state has none of that name."""
+        """Perform a transition like `change`; 0 if the state has none of that name."""
         try:
             return self.change(self._state_machine.get_transition_by_label(label))
         except RCLError:
@@ -72,7 +72,7 @@ class CompiledLifecycleNode(LifecycleNodeMixin, CompiledNode):
             return 0
 
     def transitions(self, all_of_them: bool) -> list[Transition]:
-        """The transitions out of the state, or all."""
+        """Return the transitions from the current state, or all."""
         return self._state_machine.transition_graph if all_of_them else self._state_machine.available_transitions
 
 
@@ -80,7 +80,7 @@ _ERROR_PROCESSING = 15
 
 
 def do_lifecycle(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Have a node be managed: by callbacks, and by services or without them."""
+    """Make a node managed: with callbacks, and with or without services."""
     node: CompiledLifecycleNode = host.things[frame.integer()]
     node.begin(host, frame.integer(), bool(frame.integer()))
 
@@ -91,7 +91,7 @@ def do_lifecycle_state(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_lifecycle_change(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Go through a transition, by its number or its name; how its callback ended."""
+    """Perform a transition, by number or name. Returns the callback's result."""
     node, how = host.things[frame.integer()], frame.integer()
     return packed(node.change(frame.integer()) if how == _BY_ID else node.change_by_name(frame.text()))
 
@@ -102,7 +102,7 @@ def do_lifecycle_states(_host: Host, _channel: Channel, _frame: Unpacker) -> byt
 
 
 def do_lifecycle_transitions(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The transitions that a node can go through now, or all there are."""
+    """Return the transitions that a node can perform now, or all."""
     found = host.things[frame.integer()].transitions(bool(frame.integer()))
     words = [word for one in found for word in (one.transition_id, one.label, one.start, one.goal)]
     return packed(len(found), *words)

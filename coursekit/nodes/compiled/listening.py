@@ -1,4 +1,4 @@
-"""A compiled program's listeners for news: they hear at once that something has come, before anybody takes it."""
+"""A compiled program's arrival callbacks: they are called when data arrives, before it is taken."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host
 
 _ITSELF, _IN_PROGRAM = -1, -2
-"""The kinds of news of an entity: arrivals, and those that stay in the program. Other numbers are its events."""
+"""The kinds of events of an entity: arrivals, and those within the program. Other numbers are QoS events."""
 _EVENTS = (DEADLINE, LIVELINESS, INCOMPATIBLE, MESSAGE_LOST)
 """By rcl's numbers, of publishers as of subscriptions."""
 
 
 class News:
-    """Tells the program, in the order in which things came, and beside all else: who publishes is not held up."""
+    """Notifies the program in order of arrival, in a separate thread: publishers are not delayed."""
 
     def __init__(self, host: Host) -> None:
         self._host = host
@@ -36,11 +36,11 @@ class News:
         self._telling = False
 
     def tell(self, handler: int, count: int, logger: str) -> None:
-        """Have a callback of the program called with how many have come; what it throws goes to that logger."""
+        """Call a callback of the program with the number of arrivals; its exceptions go to that logger."""
         with self._lock:
             self._untold.append((handler, packed(count, logger)))
             begins, self._telling = not self._telling, True
-        if begins:  # of this program, whoever has sent what came
+        if begins:  # in this program, whichever one has published
             self._host.context.copy().run(self._host.session.spawn, self._tell_all)
 
     def _tell_all(self) -> None:
@@ -55,13 +55,13 @@ class News:
 
 
 class Listener:
-    """Called with all that comes to a source."""
+    """Called with all arrivals at a source."""
 
     def __init__(self, host: Host, node: Any, entity: Any) -> None:
         self._host, self._entity = host, entity
         self.logger: str = node.get_logger().name
         self.handlers: dict[int, int] = {}
-        """The program's callbacks: for what comes, and for what of it stays in the program."""
+        """The program's callbacks: for arrivals, and for those within the program."""
 
     def __call__(self, came: Any) -> None:
         kind = self.kind_of(came)
@@ -70,7 +70,7 @@ class Listener:
             self._host.news.tell(handler, 1, self.logger)
 
     def kind_of(self, came: Any) -> int | None:
-        """Whether that stays in the program; None where its subscription does not hear it at all."""
+        """Return the kind of an arrival; None if its subscription ignores it."""
         hearing = getattr(self._entity, "hearing", None)
         if hearing is None:
             return _ITSELF
@@ -81,7 +81,7 @@ class Listener:
 
 
 def do_stays(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """A publisher's or subscription's messages may stay in the program."""
+    """Allow a publisher's or subscription's messages to stay in the program."""
     entity = host.things[frame.integer()][2]
     if hasattr(entity, "hearing"):
         entity.hearing.stays = True
@@ -90,7 +90,7 @@ def do_stays(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_on_new(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Tell a callback, 0 for none, of what waits and of what comes from now on."""
+    """Set the callback for queued and new arrivals, 0 for none."""
     thing, kind, handler = host.things[frame.integer()], frame.integer(), frame.integer()
     node, entity, source = _source_of(thing, kind)
     listener = source.listener
@@ -105,7 +105,7 @@ def do_on_new(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def _source_of(thing: Any, kind: int) -> tuple[Any, Any, Source]:
-    """The node, the entity, and what is listened to."""
+    """Return the node, the entity, and the source of arrivals."""
     if isinstance(thing, ActionClient):
         clients = (thing._goal_client, thing._result_client, thing._cancel_client)
         entity = (*clients, thing._feedback_subscription, thing._status_subscription)[kind]
@@ -121,7 +121,7 @@ def _source_of(thing: Any, kind: int) -> tuple[Any, Any, Source]:
 
 
 def _waiting(source: Any, listener: Listener, kind: int) -> int:
-    """How many have come that nobody has taken."""
+    """Return the number of untaken arrivals."""
     if isinstance(source, Status):
         return max(abs(source.change), 1) if source.changed else 0
     if isinstance(source, Subscription):

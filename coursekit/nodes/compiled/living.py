@@ -1,4 +1,4 @@
-"""Nodes and contexts that live: rclcpp refuses to make anything before init() and after shutdown()."""
+"""Access to valid nodes and contexts: rclcpp refuses to make objects before init() and after shutdown()."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ if TYPE_CHECKING:
 
 
 class RCLError(Exception):
-    """What rclcpp throws under that name."""
+    """rclcpp's exception of that name."""
 
 
 def living_node(host: Host, frame: Unpacker, what: str) -> Any:
-    """The node that a question names, to make something on it; RCLError where its context has ended."""
+    """Return the node of a request for making an entity; RCLError if its context has ended."""
     node = host.things[frame.integer()]
     if not node.context.ok():
         raise RCLError(f"could not create {what}: rcl node's context is invalid, at ./src/rcl/node.c:428")
@@ -27,7 +27,7 @@ def living_node(host: Host, frame: Unpacker, what: str) -> Any:
 
 
 def living_context(host: Host, frame: Unpacker) -> Context:
-    """The context that a question names, to make an executor in it; NotInitializedException where it does not live."""
+    """Return the context of a request for making an executor; NotInitializedException if it is not valid."""
     context = host.context_called(frame.integer())
     if not context.ok():
         raise NotInitializedException("cannot create executor")

@@ -1,4 +1,4 @@
-"""The node that stands for one of a compiled program: executors may serve its callback groups apart."""
+"""The node that represents one of a compiled program: executors may serve its callback groups separately."""
 
 from __future__ import annotations
 
@@ -10,22 +10,22 @@ from coursekit.nodes.cpp_node import CppNode
 
 
 class CompiledNode(CppNode):
-    """Has groups that an executor serves without the node, or that none serves before it is given to one."""
+    """Has groups that an executor serves without the node, or that are not served before an executor gets them."""
 
     def __init__(self, node_name: str, **options: Any) -> None:
         self._apart: dict[CallbackGroup, Any] = {}
-        """Groups apart from the node, and the executors that serve them."""
+        """Groups separate from the node, and the executors that serve them."""
         super().__init__(node_name, **options)
 
     def set_apart(self, group: CallbackGroup, executor: Any = None) -> None:
-        """Have an executor serve a group, or none."""
+        """Assign a group to an executor, or to none."""
         self._apart[group] = executor
         for entity in self._rclpy_entities():
             if entity.callback_group is group:
                 _serve(entity, executor)
 
     def serve(self, entity: Any) -> None:
-        """Have the executor that serves an entity's group look at what makes the entity ready."""
+        """Attach an entity to the executor of its group."""
         group = entity.callback_group
         _serve(entity, self._apart.get(group, self.executor))
 

@@ -1,4 +1,4 @@
-"""A compiled program's output, passed on in the order in which it was printed."""
+"""A compiled program's output, passed on in the order of printing."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ import socket
 import subprocess
 import threading
 from collections.abc import Callable
-from time import monotonic as _now  # the real one: in a process that of `time` is the session's
+from time import monotonic as _now  # the real one: in a process, `time` uses the session's clock
 from typing import Any
 
 from coursekit.systems.pipes import never_wait, read_now, wait_readable
 
 
 class ChildOutput:
-    """The child's two pipes; whoever hears of the child first passes on what it has printed so far."""
+    """The child's two pipes; whichever thread notices first passes on all output so far."""
 
     def __init__(self, child: subprocess.Popen[bytes], write: Callable[[str, str], None]) -> None:
         assert child.stdout is not None and child.stderr is not None
@@ -24,7 +24,7 @@ class ChildOutput:
             never_wait(pipe)
 
     def drain(self) -> None:
-        """Pass on what is there."""
+        """Pass on the available output."""
         with self._lock:
             for pipe in list(self._streams):
                 while self._pass_on(pipe):
@@ -42,9 +42,9 @@ class ChildOutput:
         return True
 
     def wait_for(self, awaited: Any, seconds: float | None = None) -> bool:
-        """Wait, really, until something comes there, and pass on output meanwhile; False when both pipes are closed.
+        """Wait in real time for input there, passing on output meanwhile; False when both pipes are closed.
 
-        TimeoutError when so many seconds have passed.
+        TimeoutError after `seconds`.
         """
         end = None if seconds is None else _now() + seconds
         while True:

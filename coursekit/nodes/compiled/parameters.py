@@ -1,4 +1,4 @@
-"""A compiled program's questions about its nodes' parameters."""
+"""A compiled program's requests about its nodes' parameters."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _ARRAYS = {
 
 
 def do_declare(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Declare a parameter, with a value or with a type alone; its value."""
+    """Declare a parameter, with a value or only with a type. Returns its value."""
     node, name, kind = host.things[frame.integer()], frame.text(), frame.integer()
     value, descriptor = frame.message(ParameterValue), frame.message(ParameterDescriptor)
     ignore = bool(frame.integer())
@@ -46,7 +46,7 @@ def do_declare(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def told(error: ParameterException) -> str:
-    """rclcpp's word in place of rclpy's tuple.
+    """Return rclcpp's message in place of rclpy's tuple.
 
     >>> told(ParameterUninitializedException("speed"))
     "parameter 'speed' is not initialized"
@@ -63,7 +63,7 @@ def told(error: ParameterException) -> str:
 
 
 def _declare_empty(node: Any, given: Parameter, descriptor: ParameterDescriptor, ignore: bool) -> bytes:
-    """Declare an array without elements: of what it is an array its value cannot tell in Python."""
+    """Declare an empty array, whose element type is unknown from its Python value."""
     kind = None if descriptor.dynamic_typing else given.type_
     declared = node.declare_parameter(given.name, kind, descriptor, ignore)
     if declared.type_ == Parameter.Type.NOT_SET:
@@ -76,7 +76,7 @@ def _declare_empty(node: Any, given: Parameter, descriptor: ParameterDescriptor,
 
 
 def do_parameter_file(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The parameters of a file, by the patterns of nodes; of one node where it is named."""
+    """Return the parameters in a file by node patterns, or of one node if it is named."""
     path, node = frame.text(), frame.text()
     try:
         found = parameter_file.read(os.path.join(host.process.cwd, path))
@@ -93,7 +93,7 @@ def do_parameter_file(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_parameter_value(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The value that a text in YAML gives a parameter."""
+    """Return the parameter value of a YAML text."""
     try:
         value = parameter_file.parse_value(frame.text())
     except ValueError as error:
@@ -102,7 +102,7 @@ def do_parameter_value(_host: Host, _channel: Channel, frame: Unpacker) -> bytes
 
 
 def do_undeclare(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Forget a parameter."""
+    """Undeclare a parameter."""
     host.things[frame.integer()].undeclare_parameter(frame.text())
 
 
@@ -117,7 +117,7 @@ def do_get_parameter(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_find_parameter(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Whether a parameter is declared, and it."""
+    """Return whether a parameter is declared, and the parameter."""
     node, name = host.things[frame.integer()], frame.text()
     if not node.has_parameter(name):
         return packed(0)
@@ -125,7 +125,7 @@ def do_find_parameter(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_set_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Set parameters one by one, or all or none."""
+    """Set parameters individually or atomically."""
     node, together = host.things[frame.integer()], frame.integer()
     wanted = [Parameter.from_parameter_msg(frame.message(ParameterMessage)) for _ in range(frame.integer())]
     results = [node.set_parameters_atomically(wanted)] if together else node.set_parameters(wanted)
@@ -138,7 +138,7 @@ def do_describe_parameter(host: Host, _channel: Channel, frame: Unpacker) -> byt
 
 
 def do_list_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The names of parameters below some prefixes."""
+    """Return the names of parameters below some prefixes."""
     node, depth = host.things[frame.integer()], frame.integer()
     prefixes = [frame.text() for _ in range(frame.integer())]
     names = [name for name in node._rclpy_listed_names() if is_listed(name, prefixes, depth)]
@@ -147,7 +147,7 @@ def do_list_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_on_set_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Have a callback judge what parameters are to become."""
+    """Add a callback that validates new parameter values."""
     node, handler = host.things[frame.integer()], frame.integer()
 
     def judge(wanted: list[Parameter]) -> Any:
@@ -159,7 +159,7 @@ def do_on_set_parameters(host: Host, _channel: Channel, frame: Unpacker) -> byte
 
 
 def do_remove_on_set_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Ask that callback no more; 0 where it was not asked."""
+    """Remove that callback; 0 if it was not registered."""
     entry = host.things.pop(frame.integer(), None)
     if entry is None:
         return packed(0)

@@ -1,4 +1,4 @@
-"""A compiled program's questions about plugins: those that workspaces declare in XML, as pluginlib reads them."""
+"""A compiled program's requests about plugins declared in XML by workspaces, as read by pluginlib."""
 
 from __future__ import annotations
 
@@ -19,32 +19,32 @@ if TYPE_CHECKING:
 
 
 class InvalidManifest(Exception):
-    """A description of plugins is no such XML."""
+    """A plugin description is not valid XML of this kind."""
 
 
 class Plugin(NamedTuple):
-    """A class that a library offers."""
+    """A class provided by a library."""
 
     name: str
     type: str
     library: str
-    """The path of its library; what the description calls it, where there is no such file."""
+    """The path of its library, or the name in the description if there is no such file."""
     description: str
     package: str
     manifest: str
 
 
 def do_plugins(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The plugins declared under a package's name for a base class."""
+    """Return the plugins for a base class of a package."""
     package, base = frame.text(), frame.text()
-    get_package_prefix(package)  # PackageNotFoundError where there is none
+    get_package_prefix(package)  # raises PackageNotFoundError for an unknown package
     found = list(declared(package, base))
     words = [word for one in found for word in (*one, int(os.path.isabs(one.library)))]
     return packed(len(found), *words)
 
 
 def declared(package: str, base: str) -> Iterator[Plugin]:
-    """The plugins of all packages for a base class that `package` defines."""
+    """Yield the plugins of all packages for a base class defined by `package`."""
     kind = f"{package}__pluginlib__plugin"
     for owner in sorted(get_resources(kind)):
         content, prefix = get_resource(kind, owner)

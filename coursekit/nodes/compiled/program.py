@@ -1,4 +1,4 @@
-"""A compiled program's questions about itself: init, time, threads, logging."""
+"""A compiled program's requests about itself: init, time, threads, logging."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ if TYPE_CHECKING:
 
 _INFO = 20
 _LINE = 256
-"""Whoever asks for fewer bytes wants single keys."""
+"""Reads of fewer bytes are for single keys."""
 
 
 def do_init(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Start rclpy with the program's words."""
+    """Initialise rclpy with the program's arguments."""
     context, domain = host.context_called(frame.integer()), frame.integer()
     words = [frame.text() for _ in range(frame.integer())]
     rclpy.init(args=words[1:], context=context, domain_id=None if domain < 0 else domain)
@@ -30,24 +30,24 @@ def do_init(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_domain(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The ROS domain of a context."""
+    """Return the ROS domain of a context."""
     return packed(host.context_called(frame.integer()).get_domain_id())
 
 
 def do_catch_signals(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """The program lets Ctrl-C and `kill` end its spinning, or no more."""
+    """Set whether Ctrl-C and `kill` end the program's spinning."""
     interrupt, terminate = frame.integer(), frame.integer()
     host.caught = {number for number, caught in ((signal.SIGINT, interrupt), (signal.SIGTERM, terminate)) if caught}
 
 
 def tell_signal(host: Host, number: int) -> None:
-    """The line that rclcpp's handler of signals writes."""
+    """Write the log line of rclcpp's signal handler."""
     text, caller = f"signal_handler(signum={number})", ("signal_handler.cpp", "signal_handler", 0)
     logging_state().write(_INFO, "rclcpp", text, caller, host.clock.now())
 
 
 def do_shutdown(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """End a context."""
+    """Shut down a context."""
     number = frame.integer()
     if number or any(context.ok() for context in host.contexts.values()):
         rclpy.try_shutdown(context=host.context_called(number))
@@ -56,7 +56,7 @@ def do_shutdown(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_sleep(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Sleep in the thread's stead; 0 when Ctrl-C came, or the context whose number is told (not -1) ended meanwhile."""
+    """Sleep for the thread; 0 if Ctrl-C was received, or the given context (not -1) ended meanwhile."""
     until, number = host.clock.steady() + frame.integer(), frame.integer()
     context = None if number < 0 else host.context_called(number)
     waiter = host.clock.new_waiter()
@@ -64,7 +64,7 @@ def do_sleep(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
         _sleep(host, waiter, until, lambda: True)
         return packed(int(not host.stopping))
 
-    def wake() -> None:  # a function of its own: contexts hold methods only weakly, and waiters cannot be held so
+    def wake() -> None:  # a separate function: contexts hold methods weakly, and waiters cannot be referenced weakly
         waiter.notify()
 
     context.on_shutdown(wake)
@@ -79,7 +79,7 @@ def _sleep(host: Host, waiter: Any, until: int, goes_on: Callable[[], bool]) -> 
 
 
 def do_read(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Wait for standard input, at most so long (negative: without end); 0 when Ctrl-C came, else 1 and the bytes."""
+    """Wait for standard input with a timeout (negative: none); 0 if Ctrl-C was received, else 1 and the bytes."""
     size, by_keys, patience = frame.integer(), frame.integer(), frame.integer()
     keys = host.process.stdin
     while not host.typed and not host.over:
@@ -96,7 +96,7 @@ def do_read(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_has_input(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Whether something can be read from standard input within the time (negative: whenever it comes)."""
+    """Whether standard input is readable within the timeout (negative: none)."""
     patience = frame.integer()
     if patience == 0:
         host.look_in_vain()
@@ -106,7 +106,7 @@ def do_has_input(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_want_keys(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """The program has set its terminal so that each key comes at once; with 1 Ctrl-C is one of them."""
+    """Handle a terminal set to single keys; with 1 Ctrl-C is also a key."""
     keys = host.process.stdin
     keys.ctrl_c_is_a_key = bool(frame.integer())
     if not keys.by_keys:
@@ -115,20 +115,20 @@ def do_want_keys(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_thread(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """The program made a thread on the virtual clock: it gets its execution context, and begins when that has its turn."""
+    """Handle a thread made on the virtual clock: it gets an execution context, and starts when that is scheduled."""
     host.threads[frame.integer()] = channel = host.accept()[1]
     host.session.spawn(channel.serve)
 
 
 def do_join(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Wait for the end of a thread: Ctrl-C does not end that, and the thread may only end when it is asked."""
+    """Wait for the end of a thread, regardless of Ctrl-C: the thread may only end on request."""
     ended = host.threads[frame.integer()].ended
     while not ended.wait():
         pass
 
 
 def do_block(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Wait for a mutex or a condition variable; 0 when the time ran out."""
+    """Wait for a mutex or a condition variable; 0 after the timeout."""
     address, until = frame.integer(), frame.integer()
     waiter = host.clock.new_waiter()
     waiters = host.blocked.setdefault(address, [])
@@ -139,14 +139,14 @@ def do_block(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_unblock(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Wake who waits for a mutex or a condition variable: one, or all."""
+    """Wake one or all threads that wait for a mutex or a condition variable."""
     waiters, everyone = host.blocked.get(frame.integer(), []), frame.integer()
     for waiter in waiters[: None if everyone else 1]:
         waiter.notify()
 
 
 def do_log(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Write a line of a logger, if its level lets it through."""
+    """Write a line of a logger, if its level permits it."""
     name, level, text = frame.text(), frame.integer(), frame.text()
     caller = (frame.text(), frame.text(), frame.integer())
     state = logging_state()
@@ -164,10 +164,10 @@ def do_log_level(_host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def do_logger_level(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The level that was set for a logger itself."""
+    """Return the level set for a logger itself."""
     return packed(int(logging_state().level(frame.text())))
 
 
 def do_effective_level(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The level that lets a logger's lines through."""
+    """Return the effective level of a logger."""
     return packed(int(logging_state().effective_level(frame.text())))

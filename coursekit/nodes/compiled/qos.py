@@ -1,4 +1,4 @@
-"""QoS of a compiled program's publishers and subscriptions: profiles, events, and policies that parameters override."""
+"""QoS of a compiled program's publishers and subscriptions: profiles, events, and policies overridden by parameters."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def profile(frame: Unpacker) -> QoSProfile:
-    """The profile that a frame goes on with."""
+    """Read a profile from a frame."""
     history, depth, reliability, durability, deadline, lifespan, liveliness, lease = (frame.integer() for _ in range(8))
     return QoSProfile(
         history=history,
@@ -34,7 +34,7 @@ def profile(frame: Unpacker) -> QoSProfile:
 
 
 def packed_profile(qos: QoSProfile) -> bytes:
-    """A profile as C++'s QoS::unpack reads it."""
+    """Pack a profile for the C++ function QoS::unpack."""
     return packed(
         int(qos.history),
         qos.depth,
@@ -48,7 +48,7 @@ def packed_profile(qos: QoSProfile) -> bytes:
 
 
 def publisher_events(host: Host, frame: Unpacker) -> PublisherEventCallbacks:
-    """The callbacks of a publisher's events; rclcpp's own warnings are among the program's."""
+    """Read the callbacks of a publisher's events; rclcpp's own warnings are among the program's callbacks."""
     deadline, liveliness, incompatible = (_telling(host, frame.integer()) for _ in range(3))
     return PublisherEventCallbacks(
         deadline=deadline, liveliness=liveliness, incompatible_qos=incompatible, use_default_callbacks=False
@@ -56,7 +56,7 @@ def publisher_events(host: Host, frame: Unpacker) -> PublisherEventCallbacks:
 
 
 def subscription_events(host: Host, frame: Unpacker) -> SubscriptionEventCallbacks:
-    """The callbacks of a subscription's events."""
+    """Read the callbacks of a subscription's events."""
     deadline, liveliness, incompatible, lost = (_telling(host, frame.integer()) for _ in range(4))
     return SubscriptionEventCallbacks(
         deadline=deadline,
@@ -75,12 +75,12 @@ def _telling(host: Host, handler: int) -> Callable[[Any], None] | None:
 
 
 def packed_event(info: Any) -> bytes:
-    """What an event tells, as the program's handlers of events read it."""
+    """Pack an event's data for the program's event handlers."""
     return packed(*map(int, astuple(info)))
 
 
 def overriding(host: Host, frame: Unpacker) -> QoSOverridingOptions | None:
-    """Which policies parameters may override, and who judges the result; None for none."""
+    """Read which policies parameters may override, and the validating callback; None for no policies."""
     name, kinds = frame.text(), [QoSPolicyKind(frame.integer()) for _ in range(frame.integer())]
     judge = frame.integer()
 

@@ -1,4 +1,4 @@
-"""A compiled program's questions about robots' descriptions: they are read here; `cpp/src/urdf.cpp` reads the answer."""
+"""A compiled program's requests about robot descriptions: they are parsed here; `cpp/src/urdf.cpp` reads the result."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host
 
 SPHERE, BOX, CYLINDER, MESH = range(4)
-"""urdfdom's numbers of shapes."""
+"""urdfdom's shape numbers."""
 JOINTS = ("unknown", "revolute", "continuous", "prismatic", "floating", "planar", "fixed")
-"""urdfdom's numbers of joint types."""
+"""urdfdom's joint type numbers."""
 _WITHOUT_AXIS = ("floating", "fixed")
 _NO_COLOUR = (0.0, 0.0, 0.0, 1.0)
 
 
 def do_urdf(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The robot that a text describes, after what urdfdom says of its faults; only that where it describes none."""
+    """Return urdfdom's messages about a description's faults, then the robot if there is one."""
     try:
         robot = parse(frame.text())
     except UrdfError as error:

@@ -1,4 +1,4 @@
-"""Topic statistics of a subscription: how old its messages are and how far apart they come, published every so often."""
+"""Topic statistics of a subscription: the age and period of its messages, published periodically."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rclpy.qos import qos_profile_system_default
 from statistics_msgs.msg import MetricsMessage, StatisticDataPoint, StatisticDataType
 
 _MS = 1e6
-"""Nanoseconds of a millisecond."""
+"""Nanoseconds per millisecond."""
 _KINDS = (
     StatisticDataType.STATISTICS_DATA_TYPE_AVERAGE,
     StatisticDataType.STATISTICS_DATA_TYPE_MAXIMUM,
@@ -18,11 +18,11 @@ _KINDS = (
     StatisticDataType.STATISTICS_DATA_TYPE_SAMPLE_COUNT,
     StatisticDataType.STATISTICS_DATA_TYPE_STDDEV,
 )
-"""In the order in which libstatistics_collector writes them."""
+"""In the order used by libstatistics_collector."""
 
 
 class Samples:
-    """Numbers of one window of time.
+    """The numbers of one time window.
 
     >>> samples = Samples()
     >>> for number in (2.0, 4.0): samples.add(number)
@@ -34,11 +34,11 @@ class Samples:
         self._values: list[float] = []
 
     def add(self, value: float) -> None:
-        """Count a value."""
+        """Add a value."""
         self._values.append(value)
 
     def summary(self) -> list[float]:
-        """Average, greatest, least, how many, standard deviation; NaN where there is no value."""
+        """Return average, maximum, minimum, count and standard deviation; NaN without values."""
         count = len(self._values)
         if not count:
             return [math.nan, math.nan, math.nan, 0.0, math.nan]
@@ -48,7 +48,7 @@ class Samples:
 
 
 class TopicStatistics:
-    """Hears of each message of a subscription."""
+    """Collects statistics of a subscription's messages."""
 
     def __init__(self, node: Any, clock: Any, topic: str, period: float) -> None:
         self._node, self._clock = node, clock
@@ -62,7 +62,7 @@ class TopicStatistics:
         self._ages, self._periods = Samples(), Samples()
 
     def hear(self, message: Any) -> None:
-        """Count a message that has come."""
+        """Count a received message."""
         now = self._clock.now()
         if self._last is not None:
             self._periods.add((now - self._last) / _MS)
@@ -86,6 +86,6 @@ class TopicStatistics:
         return result
 
     def destroy(self) -> None:
-        """End it."""
+        """End the statistics."""
         self._node.destroy_timer(self._timer)
         self._node.destroy_publisher(self._publisher)

@@ -1,4 +1,4 @@
-"""A compiled program's questions about its publishers and subscriptions."""
+"""A compiled program's requests about its publishers and subscriptions."""
 
 from __future__ import annotations
 
@@ -22,23 +22,23 @@ if TYPE_CHECKING:
 
 
 class Hearing:
-    """The way of each message of a subscription: its filter, its statistics, the program's callback."""
+    """The processing of a subscription's messages: its filter, its statistics, the program's callback."""
 
     def __init__(self, host: Host, kind: Any, handler: int, ignored: Collection[bytes]) -> None:
         self._host, self._kind, self._handler, self._ignored = host, kind, handler, ignored
         self.filter: Test | None = None
         self.statistics: TopicStatistics | None = None
         self.stays = False
-        """Whether what publishers of the program send may stay in it."""
+        """Whether messages of the program's own publishers may stay in it."""
 
     def wants(self, data: bytes, gid: bytes) -> bool:
-        """Whether a message is to be heard: it is not filtered out, nor one of this program's that are ignored."""
+        """Whether a message passes: it is neither filtered out nor from an ignored publisher of this program."""
         if gid in self._ignored:
             return False
         return self.filter is None or self.filter(deserialize(data, self._kind))
 
     def heard(self, data: bytes, info: Any) -> None:
-        """Have the program hear a message."""
+        """Pass a message to the program."""
         if not self.wants(data, info["publisher_gid"]):
             return
         if self.statistics is not None:
@@ -49,7 +49,7 @@ class Hearing:
 
 
 def packed_info(sent: int, received: int, gid: Any) -> bytes:
-    """The content of C++'s MessageInfo."""
+    """Pack the content of the C++ class MessageInfo."""
     return packed(sent, received, bytes(gid))
 
 
@@ -73,24 +73,24 @@ def do_publisher(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_publish(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Publish a message's bytes."""
+    """Publish a serialized message."""
     publisher = host.things[frame.integer()][2]
     if publisher._context_ok():
         publisher.publish(frame.rest())
 
 
 def do_subscription_count(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """How many hear a publisher."""
+    """Return the number of subscriptions of a publisher."""
     return packed(host.things[frame.integer()][2].get_subscription_count())
 
 
 def do_assert_liveliness(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Say that a publisher lives."""
+    """Assert a publisher's liveliness."""
     host.things[frame.integer()][2].assert_liveliness()
 
 
 def do_type(_host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Whether there is a type of messages of that name; an error that says so where there is none."""
+    """Check that a message type of that name exists; raises an error otherwise."""
     load(frame.text())
 
 
@@ -120,14 +120,14 @@ def do_subscription(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_content_filter(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Have a subscription hear only the messages for which an expression holds; an empty one lets all pass."""
+    """Restrict a subscription to messages that satisfy an expression; an empty one passes all."""
     subscription, expression = host.things[frame.integer()][2], frame.text()
     parameters = [frame.text() for _ in range(frame.integer())]
     subscription.hearing.filter = compile_filter(expression, parameters) if expression else None
 
 
 def do_take(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The next message that waits, without its callback: 0 where there is none."""
+    """Take the next queued message without its callback, 0 if there is none."""
     subscription = host.things[frame.integer()][2]
     while (entry := subscription._core.take()) is not None:
         data, gid = as_bytes(entry[0]), entry[2].gid
@@ -137,11 +137,11 @@ def do_take(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_publisher_count(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """How many a subscription hears."""
+    """Return the number of publishers of a subscription."""
     return packed(host.things[frame.integer()][2].get_publisher_count())
 
 
 def do_qos_check(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Whether what is published with one profile reaches who asks for the other, and why not."""
+    """Return whether two profiles are compatible, and why not."""
     verdict, reason = qos_check_compatible(qos.profile(frame), qos.profile(frame))
     return packed(int(verdict), reason)

@@ -1,4 +1,4 @@
-"""A compiled program's questions to tf2."""
+"""A compiled program's requests to tf2."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ if TYPE_CHECKING:
 
 
 def do_tf_buffer(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Make a buffer that keeps transforms so long; for a node it answers `tf2_frames`."""
+    """Make a buffer with a cache time; with a node it serves `tf2_frames`."""
     return packed(host.keep(Buffer(Duration(nanoseconds=frame.integer()), host.things.get(frame.integer()))))
 
 
 def do_tf_listener(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Fill a buffer with what is broadcast, in a thread and a node of its own, so that a callback may wait for it."""
+    """Fill a buffer from broadcasts, with its own thread and node, so that a callback may wait for it."""
     buffer, static_only = host.things[frame.integer()], bool(frame.integer())
     return packed(host.keep(TransformListener(buffer, None, spin_thread=True, static_only=static_only)))
 
@@ -34,13 +34,13 @@ def _buffer(host: Host, frame: Unpacker) -> tuple[Any, Duration]:
 
 
 def do_tf_lookup(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The transform from a source to a target, waited for."""
+    """Wait for the transform from a source to a target."""
     buffer, timeout = _buffer(host, frame)
     return packed(buffer.lookup_transform(frame.text(), frame.text(), _time(frame), timeout))
 
 
 def do_tf_lookup_full(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The transform between two times, by a frame that did not move in between."""
+    """Wait for the transform between two times, through a frame fixed in between."""
     buffer, timeout = _buffer(host, frame)
     return packed(
         buffer.lookup_transform_full(frame.text(), _time(frame), frame.text(), _time(frame), frame.text(), timeout)
@@ -48,14 +48,14 @@ def do_tf_lookup_full(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_tf_can(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Whether there is a transform, waited for, and why not."""
+    """Wait for a transform and return whether it exists, and why not."""
     buffer, timeout = _buffer(host, frame)
     can, why = buffer.can_transform(frame.text(), frame.text(), _time(frame), timeout, return_debug_tuple=True)
     return packed(int(can), why)
 
 
 def do_tf_can_full(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Whether there is a transform between two times, waited for, and why not."""
+    """Wait for a transform between two times and return whether it exists, and why not."""
     buffer, timeout = _buffer(host, frame)
     asked = (frame.text(), _time(frame), frame.text(), _time(frame), frame.text())
     can, why = buffer.can_transform_full(*asked, timeout, return_debug_tuple=True)
@@ -63,54 +63,54 @@ def do_tf_can_full(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_tf_chain(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The names of the frames on the way from a source to a target."""
+    """Return the names of the frames on the path from a source to a target."""
     buffer, _timeout = _buffer(host, frame)
     names = buffer._chain(frame.text(), _time(frame), frame.text(), _time(frame), frame.text())
     return packed(len(names), *names)
 
 
 def do_tf_parent(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The name of the frame that one is in; empty for none."""
+    """Return the name of a frame's parent; empty for none."""
     tree = safe_load(host.things[frame.integer()].all_frames_as_yaml())
     return packed((tree or {}).get(frame.text().lstrip("/"), {}).get("parent", ""))
 
 
 def do_tf_dot(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The tree as graphviz draws it, at a time or, with 0, at none."""
+    """Return the tree in graphviz format, at a time, or without one for 0."""
     buffer, time = host.things[frame.integer()], frame.integer()
     return packed(buffer._allFramesAsDot(Time(nanoseconds=time) if time else None))
 
 
 def do_tf_server(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Answer BufferClients out of a buffer, by an action of a node."""
+    """Serve BufferClients from a buffer, through an action of a node."""
     buffer, node, name = host.things[frame.integer()], host.things[frame.integer()], frame.text()
     return packed(host.keep(BufferServer(buffer, node, name, Duration(nanoseconds=frame.integer()))))
 
 
 def do_tf_set(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Put a transform into a buffer."""
+    """Set a transform in a buffer."""
     buffer, authority, is_static = host.things[frame.integer()], frame.text(), frame.integer()
     put = buffer.set_transform_static if is_static else buffer.set_transform
     put(frame.message(TransformStamped), authority)
 
 
 def do_tf_clear(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Empty a buffer."""
+    """Clear a buffer."""
     host.things[frame.integer()].clear()
 
 
 def do_tf_text(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """All frames, in words."""
+    """Return all frames as text."""
     return packed(host.things[frame.integer()].all_frames_as_string())
 
 
 def do_tf_yaml(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """All frames, as YAML."""
+    """Return all frames as YAML."""
     return packed(host.things[frame.integer()].all_frames_as_yaml())
 
 
 def do_tf_names(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """The names of all frames."""
+    """Return the names of all frames."""
     names = host.things[frame.integer()]._getFrameStrings()
     return packed(len(names), *names)
 

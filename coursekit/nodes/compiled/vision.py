@@ -1,6 +1,6 @@
-"""A compiled program's questions to OpenCV where the computer has none for C++: Python's cv2 answers.
+"""A compiled program's requests to OpenCV on a computer without OpenCV for C++, carried out by Python's cv2.
 
-`cpp/opencv/opencv2/core/remote.hpp` has the other end: an argument, and an answer, is its kind and then itself.
+`cpp/opencv/opencv2/core/remote.hpp` is the other end: arguments and results are sent as a kind followed by the value.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ if TYPE_CHECKING:
 
 NONE, INTEGER, REAL, TEXT, MAT, LIST, TUPLE, KEYWORD = range(8)
 _DTYPES = ("uint8", "int8", "uint16", "int16", "int32", "float32", "float64")
-"""By OpenCV's numbers of depths."""
+"""By OpenCV's depth numbers."""
 _OTHERS = {"bool": "uint8", "int64": "int32", "uint32": "int32", "float16": "float32"}
-"""The types in place of those that a Mat of Humble's OpenCV does not have."""
+"""Replacements of types that a Mat of Humble's OpenCV lacks."""
 
 
 def _argument(frame: Unpacker) -> Any:
-    """The next argument, without its name."""
+    """Read the next argument, without its name."""
     kind = frame.integer()
     if kind == INTEGER:
         return frame.integer()
@@ -51,7 +51,7 @@ def _array(frame: Unpacker) -> Any:
 
 
 def arguments(frame: Unpacker) -> tuple[list[Any], dict[str, Any]]:
-    """Arguments by place and by name.
+    """Read positional and named arguments.
 
     >>> arguments(Unpacker(packed(2, INTEGER, 5, KEYWORD, "fx", NONE)))
     ([5], {'fx': None})
@@ -70,7 +70,7 @@ def arguments(frame: Unpacker) -> tuple[list[Any], dict[str, Any]]:
 
 
 def answer(value: Any) -> bytes:
-    """A result as C++ reads it.
+    """Pack a result for C++.
 
     >>> answer(7) == packed(INTEGER, 7)
     True
@@ -98,7 +98,7 @@ def _matrix(array: Any) -> bytes:
 
 def do_cv_call(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Call a function of cv2."""
-    import cv2  # only where a program needs it
+    import cv2  # only if a program needs it
 
     function = getattr(cv2, frame.text())
     by_place, by_name = arguments(frame)
@@ -106,7 +106,7 @@ def do_cv_call(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_cv_make(host: Host, channel: Channel, frame: Unpacker) -> bytes:
-    """Make an object of cv2's; its number."""
+    """Make a cv2 object. Returns its number."""
     import cv2
 
     kind = getattr(cv2, frame.text())

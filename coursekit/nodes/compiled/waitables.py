@@ -1,4 +1,4 @@
-"""A compiled program's waitables: an executor waits for the same entities, and has them executed."""
+"""A compiled program's waitables: an executor waits for their entities, and executes them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class CompiledWaitable:
-    """Stands for a waitable of the program: it may be ready when one of the entities is that it waits for."""
+    """Represents a waitable of the program: it may be ready when one of its entities is."""
 
     def __init__(self, host: Host, node: Any, group: Any, handler: int) -> None:
         self._host, self._node, self._handler = host, node, handler
@@ -25,7 +25,7 @@ class CompiledWaitable:
         """The entities, by the program's numbers."""
 
     def wait_for(self, numbers: list[int]) -> bool:
-        """Wait for these of the program's entities from now on; whether they are others than before."""
+        """Set the entities to wait for. Returns whether they have changed."""
         if numbers == list(self._waited_for):
             return False
         for source in self._sources():
@@ -59,7 +59,7 @@ def _numbers(frame: Unpacker) -> list[int]:
 
 
 def do_waitable(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Have a node's executor serve a waitable."""
+    """Attach a waitable to a node's executor."""
     node, group, handler = host.things[frame.integer()], host.things.get(frame.integer()), frame.integer()
     waitable = CompiledWaitable(host, node, group or node.default_callback_group, handler)
     waitable.wait_for(_numbers(frame))

@@ -1,4 +1,4 @@
-"""A compiled program's guard conditions and wait sets: which of its entities are ready."""
+"""A compiled program's guard conditions and wait sets."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class AwaitedEvent:
-    """An event of one of the program's ends that is waited for beside its callback."""
+    """An event of one of the program's endpoints that is waited for in addition to its callback."""
 
     def __init__(self, event: Any) -> None:
         self.event = event
@@ -26,14 +26,14 @@ class AwaitedEvent:
 
 
 def do_event(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """One kind of event of a publisher or subscription, to be waited for."""
+    """Return one kind of event of a publisher or subscription, for waiting."""
     end, kind = entity_of(host.things[frame.integer()]), frame.integer()
     handler = next(one for one in end.event_handlers if one.event_type == kind)
     return packed(host.keep(AwaitedEvent(handler._event)))
 
 
 def do_take_event(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """What such an event tells; it has not happened any more then."""
+    """Take an event's data, which resets the event."""
     return qos.packed_event(host.things[frame.integer()].event.take_event())
 
 
@@ -43,12 +43,12 @@ def do_guard_condition(host: Host, _channel: Channel, _frame: Unpacker) -> bytes
 
 
 def do_trigger(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Raise a guard condition."""
+    """Trigger a guard condition."""
     host.things[frame.integer()].trigger()
 
 
 def do_wait(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Wait until entities are ready, at most so long (negative: without end); a 1 for each that is, else 0."""
+    """Wait until entities are ready, with a timeout (negative: none). Returns 1 for each ready one, else 0."""
     nanoseconds = frame.integer()
     entities = [entity_of(host.things[frame.integer()]) for _ in range(frame.integer())]
     sources = [entity._sources()[0] for entity in entities]
@@ -61,12 +61,12 @@ def do_wait(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def entity_of(thing: Any) -> Any:
-    """The program's objects, without how to destroy them."""
+    """Return the program's object without its destroy method."""
     return thing[2] if isinstance(thing, tuple) else thing
 
 
 def _wait(host: Host, sources: list[Any], end: int | None) -> list[bool]:
-    """Which sources have work; while this waits for them they are served by no executor."""
+    """Return which sources have work; during the wait no executor serves them."""
     queue = ReadyQueue(host.clock)
     served = [(source, source.sink, source.item) for source in sources]
     host.waiting.append(queue)

@@ -1,4 +1,4 @@
-"""The threads of a compiled program in which the session's callbacks run: each does one after another."""
+"""The threads of a compiled program that run the session's callbacks, one at a time each."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from coursekit.nodes.compiled.channel import Channel, Gone
 
 
 class _Wish:
-    """A callback waits for a thread of the program to run in."""
+    """A request for a thread of the program."""
 
     def __init__(self, came: Any) -> None:
         self.came = came
@@ -19,7 +19,7 @@ class _Wish:
 
 
 class Workers:
-    """Idle threads, and those that are on their way; `accept` waits on the virtual clock for the next one."""
+    """Idle and starting threads; `accept` waits on the virtual clock for the next one."""
 
     def __init__(self, clock: Any, accept: Callable[[], Channel]) -> None:
         self._clock, self._accept = clock, accept
@@ -28,14 +28,14 @@ class Workers:
         self._all: list[Channel] = []
         self._idle: list[Channel] = []
         self._wishes: list[_Wish] = []
-        """The callers that wait on the wall clock for a thread that is starting."""
+        """The callers that wait on the wall clock for a starting thread."""
 
     def ask_by(self, control: socket.socket) -> None:
-        """The program makes a thread for each W that this connection brings."""
+        """Set the control connection: the program makes a thread for each W sent on it."""
         self._control = control
 
     def tell_signal(self, number: int) -> bool:
-        """Tell the program of a signal; whether it can be told, by then."""
+        """Send a signal to the program. Returns whether the connection exists by then."""
         control = self._control
         try:
             return control is not None and control.send(bytes([number])) == 1
@@ -43,7 +43,7 @@ class Workers:
             return False
 
     def take(self) -> Channel:
-        """A thread that waits for calls; a new one where all are busy. Raises Gone when the program has ended."""
+        """Return a thread that waits for calls, a new one if all are busy. Raises Gone when the program has ended."""
         with self._lock:
             if self._idle:
                 return self._idle.pop()
@@ -63,11 +63,11 @@ class Workers:
         return wish.channel
 
     def put_back(self, channel: Channel) -> None:
-        """The thread has done what it was taken for."""
+        """Return a thread to the idle ones."""
         self._idle.append(channel)
 
     def welcome(self, channel: Channel) -> None:
-        """A thread has come: it goes to who has waited longest for one."""
+        """Assign a new thread to the longest waiting request."""
         self._begin(channel)
         with self._lock:
             if not self._wishes:
@@ -78,11 +78,11 @@ class Workers:
         wish.came.set()
 
     def end(self) -> None:
-        """The program has ended: nobody waits any more."""
+        """End all waiting: the program has ended."""
         with self._lock:
             wishes, self._wishes, control, self._control = self._wishes, [], self._control, None
         for wish in wishes:
-            wish.came.set()  # in vain
+            wish.came.set()  # without a thread
         for channel in self._all:
             channel.close()
         if control is not None:

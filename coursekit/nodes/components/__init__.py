@@ -1,1 +1,1 @@
-"""Containers: nodes that load components when asked. Here each component runs as a process of its own."""
+"""Containers: nodes that load components on request. Here each component runs as its own process."""

@@ -1,4 +1,4 @@
-"""`ros2 run rclcpp_components component_container`: loads, lists and unloads components when asked."""
+"""`ros2 run rclcpp_components component_container`: loads, lists and unloads components on request."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ class ComponentManager(Node):
         return current().graph(self.context.get_domain_id())
 
     def _ended(self, number: int) -> None:
-        """A component ended by itself; one that crashed takes the container along, as in ROS 2."""
+        """Handle a component that ended by itself; a crashed one aborts the container, as in ROS 2."""
         component = self._loaded.pop(number, None)
         if component is not None and component.process.exit_code and self._process is not None:
             self._process.send_signal(signal_names.ABORT)
@@ -105,5 +105,5 @@ class ComponentManager(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Serve until Ctrl-C."""
+    """Run the container until Ctrl-C."""
     return run(ComponentManager, args)

@@ -1,4 +1,4 @@
-"""A component that was loaded: the process that runs it and the node that came with it."""
+"""A loaded component: its process and its node."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from coursekit.processes.components import Given, give_to_first_node
 from coursekit.processes.executables import make_process
 from coursekit.processes.session import current
 
-PATIENCE = 10.0  # seconds until a component has its node
+PATIENCE = 10.0  # seconds until a component must have its node
 _LEVELS = {10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fatal"}
 
 
 def given_by(request: LoadNode.Request) -> Given:
-    """The options of a component's node, for a request."""
+    """Return the node options for a request."""
     return Given(arguments_of(request), [Parameter.from_parameter_msg(one) for one in request.parameters])
 
 
 def arguments_of(request: LoadNode.Request) -> list[str]:
-    """The options of the component's node, as words of a command line.
+    """Return the options of the component's node as command-line arguments.
 
     >>> arguments_of(LoadNode.Request(node_name="tom", remap_rules=["chatter:=chat"]))
     ['--ros-args', '-r', '__node:=tom', '-r', 'chatter:=chat']
@@ -42,8 +42,8 @@ def arguments_of(request: LoadNode.Request) -> list[str]:
 class LoadedComponent:
     """Starts a component's program as a part of the container: its output and command line are the container's.
 
-    The component's node obeys what it is given, other nodes of the program the container's command line, as in ROS 2.
-    Raises RuntimeError when the program ends, or has no node after ten seconds.
+    As in ROS 2, the component's node uses the given options, and other nodes of the program the container's command
+    line. Raises RuntimeError when the program ends, or has no node after ten seconds.
     """
 
     def __init__(self, path: Path, given: Given, graph: Any, words: Sequence[str] = (), log_level: int = 0) -> None:

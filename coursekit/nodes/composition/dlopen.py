@@ -1,4 +1,4 @@
-"""`ros2 run composition dlopen_composition LIBRARY...`: one process with the nodes of the libraries that are named."""
+"""`ros2 run composition dlopen_composition LIBRARY...`: one process with the nodes of the given libraries."""
 
 from __future__ import annotations
 
@@ -25,11 +25,11 @@ _CLASSES: dict[str, tuple[str, Callable[[], Node]]] = {
     "server": ("composition::Server", Server),
     "client": ("composition::Client", Client),
 }
-"""The module in place of each of the demo's libraries: they are Python here, so no library is opened."""
+"""The Python class for each of the demo's libraries, so no library is opened."""
 
 
 def component_of(library: str) -> tuple[str, Callable[[], Node]] | None:
-    """The class of component in a library of the demo, told by its file's name, and what makes one; None for another.
+    """Return the component class of a demo library by its file name, and its constructor; None for others.
 
     >>> component_of("/opt/ros/humble/lib/libserver_component.so")
     ('composition::Server', <class 'coursekit.nodes.composition.nodes.Server'>)

@@ -23,7 +23,7 @@ class Server(Node):
 
 
 class Client(Node):
-    """Asks for 2 + 3 every two seconds."""
+    """Requests 2 + 3 every two seconds."""
 
     def __init__(self) -> None:
         super().__init__("Client")

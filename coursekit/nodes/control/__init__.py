@@ -1,1 +1,1 @@
-"""ros2_control: hardware that a description names, controllers that move it, and the manager of both."""
+"""ros2_control: hardware from a description, controllers that move it, and the controller manager."""

@@ -1,4 +1,4 @@
-"""How programs ask a controller manager."""
+"""Requests to a controller manager."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from rclpy.duration import Duration
 
 
 class NoManager(Exception):
-    """The controller manager does not answer; the text says so as ROS does."""
+    """The controller manager does not respond; the message is ROS's."""
 
 
 class Asker:
-    """Asks the services of one manager."""
+    """Calls the services of one manager."""
 
     def __init__(self, node: Any, manager: str, wait: float = 10.0) -> None:
         self.node, self.manager, self.wait = node, manager.rstrip("/"), wait
 
     def ask(self, kind: Any, service: str, **fields: Any) -> Any:
-        """The answer of a service. Raises NoManager."""
+        """Call a service and return its response. Raises NoManager."""
         name = f"{self.manager}/{service}"
         client = self.node.create_client(kind, name)
         if not client.wait_for_service(timeout_sec=self.wait or None):
@@ -37,23 +37,23 @@ class Asker:
         return future.result()
 
     def controllers(self) -> list[Any]:
-        """All that are loaded."""
+        """Return the loaded controllers."""
         return list(self.ask(ListControllers, "list_controllers").controller)
 
     def load(self, name: str) -> bool:
-        """Load one."""
+        """Load a controller."""
         return bool(self.ask(LoadController, "load_controller", name=name).ok)
 
     def configure(self, name: str) -> bool:
-        """Configure one."""
+        """Configure a controller."""
         return bool(self.ask(ConfigureController, "configure_controller", name=name).ok)
 
     def unload(self, name: str) -> bool:
-        """Unload one."""
+        """Unload a controller."""
         return bool(self.ask(UnloadController, "unload_controller", name=name).ok)
 
     def switch(self, stop: list[str], start: list[str], strict: bool = True, timeout: float = 5.0) -> bool:
-        """Stop some and start others."""
+        """Stop some controllers and start others."""
         request = SwitchController.Request
         return bool(
             self.ask(

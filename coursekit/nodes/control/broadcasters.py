@@ -1,4 +1,4 @@
-"""Broadcasters: controllers that only read, and tell."""
+"""Broadcasters: controllers that only read states and publish them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class JointStateBroadcaster(Controller):
     """joint_state_broadcaster/JointStateBroadcaster."""
 
     def configure(self) -> None:
-        """All states of all joints, unless `joints` and `interfaces` name some."""
+        """Read parameters: all states of all joints, unless `joints` and `interfaces` select some."""
         self._joints, self._kinds = self.parameter("joints", []), self.parameter("interfaces", [])
         self._extra = self.parameter("extra_joints", [])
         own = "~/" if self.parameter("use_local_topics", False) else ""
@@ -28,14 +28,14 @@ class JointStateBroadcaster(Controller):
             self.log.info("'joints' or 'interfaces' parameter is empty. All available state interfaces will be published")
 
     def state_names(self) -> list[str]:
-        """The values that it publishes."""
+        """Return the states to publish."""
         names = self.interfaces.states()
         if not (self._joints and self._kinds):
             return names
         return [f"{joint}/{kind}" for joint in self._joints for kind in self._kinds]
 
     def activate(self) -> None:
-        """Sort states by joints."""
+        """Group the states by joint."""
         self._table: dict[str, list[str]] = {}
         for name in self.state_names():
             joint, _, kind = name.partition("/")
@@ -43,7 +43,7 @@ class JointStateBroadcaster(Controller):
         self._told = [joint for joint, kinds in self._table.items() if set(kinds) & set(self._names.values())]
 
     def update(self, now_ns: int, dt: float) -> None:
-        """Tell."""
+        """Publish the states."""
         msg, state = JointState(name=[*self._told, *self._extra]), self.interfaces.state
         msg.header.stamp = stamp(now_ns)
         fields = [[state(f"{joint}/{self._names[kind]}") for joint in self._told] for kind in TOLD]
@@ -70,18 +70,18 @@ class ImuBroadcaster(Controller):
     )
 
     def configure(self) -> None:
-        """Which sensor, in which frame."""
+        """Read the sensor's name and frame."""
         self._sensor, self._frame = self.parameter("sensor_name", ""), self.parameter("frame_id", "")
         if not self._sensor or not self._frame:
             raise ControlError(f"'{'frame_id' if self._sensor else 'sensor_name'}' parameter cannot be empty")
         self._out = self.node.create_publisher(Imu, "~/imu", 10)
 
     def state_names(self) -> list[str]:
-        """Its ten numbers."""
+        """Return its ten states."""
         return [f"{self._sensor}/{part}" for part in self.PARTS]
 
     def update(self, now_ns: int, dt: float) -> None:
-        """Tell."""
+        """Publish the states."""
         msg = Imu()
         msg.header.stamp, msg.header.frame_id = stamp(now_ns), self._frame
         for part in self.PARTS:
@@ -94,7 +94,7 @@ class WrenchBroadcaster(Controller):
     """force_torque_sensor_broadcaster/ForceTorqueSensorBroadcaster."""
 
     def configure(self) -> None:
-        """Which sensor (or which states), in which frame."""
+        """Read the sensor's name (or its states) and frame."""
         sensor, self._frame = self.parameter("sensor_name", ""), self.parameter("frame_id", "")
         self._names = {
             (kind, axis): self.parameter(f"interface_names.{kind}.{axis}", f"{sensor}/{kind}.{axis}" if sensor else "")
@@ -107,11 +107,11 @@ class WrenchBroadcaster(Controller):
         self._out = self.node.create_publisher(WrenchStamped, "~/wrench", 10)
 
     def state_names(self) -> list[str]:
-        """Its numbers."""
+        """Return its states."""
         return [name for name in self._names.values() if name]
 
     def update(self, now_ns: int, dt: float) -> None:
-        """Tell."""
+        """Publish the states."""
         msg = WrenchStamped()
         msg.header.stamp, msg.header.frame_id = stamp(now_ns), self._frame
         for (kind, axis), name in self._names.items():
@@ -123,7 +123,7 @@ class RangeBroadcaster(Controller):
     """range_sensor_broadcaster/RangeSensorBroadcaster."""
 
     def configure(self) -> None:
-        """Which sensor, in which frame, and what it can see."""
+        """Read the sensor's name, frame and field of view."""
         self._sensor, self._frame = self.parameter("sensor_name", ""), self.parameter("frame_id", "")
         if not self._sensor:
             raise ControlError("'sensor_name' parameter has to be specified.")
@@ -135,11 +135,11 @@ class RangeBroadcaster(Controller):
         self._out = self.node.create_publisher(Range, "~/range", 10)
 
     def state_names(self) -> list[str]:
-        """Its number."""
+        """Return its state."""
         return [f"{self._sensor}/range"]
 
     def update(self, now_ns: int, dt: float) -> None:
-        """Tell."""
+        """Publish the state."""
         msg = Range(radiation_type=self._kind, range=self.interfaces.state(f"{self._sensor}/range"))
         for name, size in self._sizes.items():
             setattr(msg, name, size)

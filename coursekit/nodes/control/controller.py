@@ -16,7 +16,7 @@ from rclpy.timer import Timer
 
 
 class ControlError(Exception):
-    """A controller that cannot do what is asked; the text is what its log says."""
+    """A controller that cannot do what is requested; the message goes to its log."""
 
 
 class Interfaces:
@@ -26,7 +26,7 @@ class Interfaces:
         self._commands, self._states = commands, states
 
     def state(self, name: str) -> float:
-        """A state by its full name; nan where there is none."""
+        """Return a state by its full name; nan if there is none."""
         table = self._states.get(name)
         return math.nan if table is None else table[name]
 
@@ -35,7 +35,7 @@ class Interfaces:
         self._commands[name][name] = value
 
     def commanded(self, name: str) -> float:
-        """The command as it is now."""
+        """Return the current command."""
         return self._commands[name][name]
 
     def states(self) -> list[str]:
@@ -54,11 +54,11 @@ class Controller:
         self.node, self.interfaces, self.rate = node, interfaces, rate
         self.log = node.get_logger()
         self.now_ns = 0
-        """The time of the step that is done, or was done last [ns]."""
+        """The time of the current or last step [ns]."""
         self._born_with = [id(one) for one in self._opened()]
 
     def parameter(self, name: str, usual: Any) -> Any:
-        """The value of a parameter, declared when it is first asked for; ControlError for one of another type."""
+        """Return a parameter, declared on first use; ControlError for a wrong type."""
         try:
             if not self.node.has_parameter(name):
                 if usual == []:
@@ -68,32 +68,32 @@ class Controller:
                 else:
                     self.node.declare_parameter(name, usual)
             value = self.node.get_parameter_or(name).value
-        except Exception as error:  # its type is another: rclpy has four ways to say so
+        except Exception as error:  # a wrong type: rclpy has four exceptions for it
             raise ControlError(f"parameter '{name}': {error}") from None
         return usual if value is None else list(value) if isinstance(usual, list) else value
 
     def command_names(self) -> list[str]:
-        """The full names of the commands that it claims."""
+        """Return the full names of the commands that it claims."""
         return []
 
     def state_names(self) -> list[str]:
-        """The full names of the states that it needs."""
+        """Return the full names of the states that it needs."""
         return []
 
     def configure(self) -> None:
-        """Read parameters, open topics. Raises ControlError."""
+        """Read parameters, create topics. Raises ControlError."""
 
     def activate(self) -> None:
-        """Begin. Raises ControlError."""
+        """Start. Raises ControlError."""
 
     def deactivate(self) -> None:
         """Stop."""
 
     def update(self, now_ns: int, dt: float) -> None:
-        """One step."""
+        """Do one step."""
 
     def cleanup(self) -> None:
-        """Close what `configure` opened: it can be configured anew."""
+        """Close what `configure` created, so that the controller can be configured again."""
         for one in [each for each in self._opened() if id(each) not in self._born_with]:
             if isinstance(one, Publisher):
                 self.node.destroy_publisher(one)
@@ -111,12 +111,12 @@ class Controller:
         return [*node.publishers, *node.subscriptions, *node.services, *node.timers, *node.waitables]
 
     def close(self) -> None:
-        """It is unloaded."""
+        """Handle the unloading."""
         self.node.destroy_node()
 
 
 def stamp(now_ns: int) -> Time:
-    """Nanoseconds as a message."""
+    """Convert nanoseconds to a message."""
     return Time(sec=now_ns // 1_000_000_000, nanosec=now_ns % 1_000_000_000)
 
 

@@ -1,4 +1,4 @@
-"""`<ros2_control>` of a robot's description: which joints, sensors and numbers a piece of hardware has."""
+"""`<ros2_control>` in a robot description: the joints, sensors and interfaces of hardware."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ KINDS = ("joint", "sensor", "gpio")
 
 @dataclass(frozen=True)
 class Interface:
-    """A number that is written or read; `initial` is nan where none is told."""
+    """A number that is written or read; `initial` is nan if not set."""
 
     name: str
     initial: float = math.nan
@@ -43,15 +43,15 @@ class HardwareInfo:
     components: tuple[Component, ...]
     parameters: dict[str, str] = field(default_factory=dict)
     mimics: dict[str, tuple[str, float, float]] = field(default_factory=dict)
-    """By joint: the one that it follows, the factor, the offset."""
+    """By joint: the joint that it mimics, the factor, the offset."""
 
     def interfaces(self, which: str) -> dict[str, Interface]:
-        """All "commands" or "states" by their full names, such as `wheel/velocity`."""
+        """Return all "commands" or "states" by their full names, such as `wheel/velocity`."""
         return {f"{part.name}/{one.name}": one for part in self.components for one in getattr(part, which)}
 
 
 def read_hardware(text: str, file: str = "") -> tuple[Robot, list[HardwareInfo]]:
-    """The robot and its hardware. Raises UrdfError with line and cure.
+    """Parse the robot and its hardware. Raises UrdfError with line and remedy.
 
     >>> robot = "<robot name='r'><link name='l'/><ros2_control name='h' type='system'><hardware><plugin>p</plugin>"
     >>> robot += "</hardware><joint name='j'><command_interface name='position'/></joint></ros2_control></robot>"

@@ -1,4 +1,4 @@
-"""diff_drive_controller/DiffDriveController: commands as wheel speeds, wheel speeds as odometry."""
+"""diff_drive_controller/DiffDriveController: converts commands to wheel speeds, and wheel speeds to odometry."""
 
 from __future__ import annotations
 
@@ -40,14 +40,14 @@ DEFAULTS: dict[str, Any] = {
     for kind in ("velocity", "acceleration", "jerk")
     for name, usual in ((f"has_{kind}_limits", False), (f"max_{kind}", math.nan), (f"min_{kind}", math.nan))
 }
-"""All parameters of the controller, and what they are where nobody gives them."""
+"""All parameters of the controller, with their defaults."""
 
 
 class DiffDriveController(Controller):
-    """Two sides of wheels; hardware that is simulated has its own, which drives the robot itself."""
+    """Drives two sides of wheels; simulated hardware has its own class, which drives the robot itself."""
 
     def configure(self) -> None:
-        """Read parameters, open topics."""
+        """Read parameters, create topics."""
         self._told = {name: self.parameter(name, usual) for name, usual in DEFAULTS.items()}
         self.left, self.right = self._told["left_wheel_names"], self._told["right_wheel_names"]
         if not self.left or len(self.left) != len(self.right):
@@ -72,7 +72,7 @@ class DiffDriveController(Controller):
         self._last: list[float] | None = None
 
     def _limiter(self, kind: str, axis: str) -> SpeedLimiter:
-        """The limits of one speed; limits that cannot be told are told of, and are none, as on a robot."""
+        """Return the limits of one speed; invalid limits are reported and ignored, as on a robot."""
         try:
             return SpeedLimiter(self._told.get, f"{kind}.{axis}")
         except ControlError as error:
@@ -106,7 +106,7 @@ class DiffDriveController(Controller):
             self._wish, self._heard_ns = (twist.linear.x, twist.angular.z), self._said_at(msg)
 
     def _said_at(self, msg: Twist | TwistStamped) -> int:
-        """When a command was given: one that is old when it comes counts no more."""
+        """Return when a command was given: one that is too old at arrival is ignored."""
         if not isinstance(msg, TwistStamped):
             return self.now_ns
         said_ns = int(msg.header.stamp.sec) * 1_000_000_000 + int(msg.header.stamp.nanosec)
@@ -116,11 +116,11 @@ class DiffDriveController(Controller):
         return said_ns or self.now_ns
 
     def command_names(self) -> list[str]:
-        """Speeds."""
+        """Return the wheels' velocity commands."""
         return [f"{joint}/velocity" for joint in (*self.left, *self.right)]
 
     def state_names(self) -> list[str]:
-        """The joints' values that odometry uses."""
+        """Return the joint states used by odometry."""
         return [f"{joint}/{self._feedback}" for joint in (*self.left, *self.right)]
 
     def deactivate(self) -> None:
@@ -132,7 +132,7 @@ class DiffDriveController(Controller):
             one.restart()
 
     def update(self, now_ns: int, dt: float) -> None:
-        """Command the wheels; tell the way."""
+        """Command the wheels; publish odometry."""
         if self._patience and (now_ns - self._heard_ns) * 1e-9 > self._patience:
             self._wish = (0.0, 0.0)
         way = (self._wish[0] * dt, self._wish[1] * dt) if self._open_loop else self._rolled(dt)
@@ -152,7 +152,7 @@ class DiffDriveController(Controller):
             self._limited.publish(msg)
 
     def _rolled(self, dt: float) -> tuple[float, float]:
-        """How far it went and turned in this step."""
+        """Return the distance and rotation in this step."""
         sides = [
             sum(self.interfaces.state(f"{joint}/{self._feedback}") for joint in joints) / len(joints) * radius
             for joints, radius in zip((self.left, self.right), self._radii, strict=True)

@@ -1,4 +1,4 @@
-"""Controllers that pass numbers on: a topic of numbers, one for each joint."""
+"""Controllers that forward numbers: a topic with one number for each joint."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class ForwardCommandController(Controller):
     interface = ""
 
     def configure(self) -> None:
-        """Which joints, and what of them."""
+        """Read the joints and their interface."""
         joints = self.parameter("joints", [])
         kind = self.interface or self.parameter("interface_name", "")
         if not joints:
@@ -39,22 +39,22 @@ class ForwardCommandController(Controller):
         self._wanted = list(msg.data)
 
     def command_names(self) -> list[str]:
-        """One for each joint."""
+        """Return one command for each joint."""
         return self._names
 
     def activate(self) -> None:
-        """Earlier commands do not count."""
+        """Discard earlier commands."""
         self._wanted = None
         self.log.info("activate successful")
 
     def deactivate(self) -> None:
-        """Speeds and efforts end."""
+        """Stop velocities and efforts."""
         self._wanted = None
         for name in self._names if self._stops else ():
             self.interfaces.command(name, 0.0)
 
     def update(self, now_ns: int, dt: float) -> None:
-        """Pass on."""
+        """Forward the commands."""
         for name, value in zip(self._names, self._wanted or (), strict=False):
             self.interfaces.command(name, value)
 
@@ -63,7 +63,7 @@ class MultiInterfaceForwardCommandController(ForwardCommandController):
     """forward_command_controller/MultiInterfaceForwardCommandController: several numbers of one joint."""
 
     def configure(self) -> None:
-        """Which joint, and what of it."""
+        """Read the joint and its interfaces."""
         joint, kinds = self.parameter("joint", ""), self.parameter("interface_names", [])
         if not joint:
             raise ControlError("'joint' parameter is empty")

@@ -12,10 +12,10 @@ from .controller import ControlError, Controller
 
 
 class GripperActionController(Controller):
-    """Goes to a position; `stalled` says that it pushes and does not move."""
+    """Moves to a position; `stalled` means that it pushes without moving."""
 
     def configure(self) -> None:
-        """Read parameters, open the action."""
+        """Read parameters, create the action."""
         self.joint = self.parameter("joint", "")
         if not self.joint:
             raise ControlError("Could not find joint name on param server")
@@ -36,20 +36,20 @@ class GripperActionController(Controller):
         )  # fmt: skip
 
     def command_names(self) -> list[str]:
-        """Its position."""
+        """Return the position command."""
         return [f"{self.joint}/position"]
 
     def state_names(self) -> list[str]:
-        """Its position and speed."""
+        """Return the position and velocity states."""
         return [f"{self.joint}/position", f"{self.joint}/velocity"]
 
     def activate(self) -> None:
-        """Stay."""
+        """Hold the current position."""
         self._target = self.interfaces.state(f"{self.joint}/position")
         self._active = True
 
     def deactivate(self) -> None:
-        """A goal is aborted."""
+        """Abort the current goal."""
         self._active = False
         self._finish("abort", False)
 
@@ -73,7 +73,7 @@ class GripperActionController(Controller):
         return result
 
     def update(self, now_ns: int, dt: float) -> None:
-        """Go on, and see whether it is there."""
+        """Move on, and check whether the goal is reached."""
         self.interfaces.command(f"{self.joint}/position", self._target)
         if self._done is None:
             return
@@ -98,7 +98,7 @@ class GripperActionController(Controller):
             done.set_result((how, told))
 
     def close(self) -> None:
-        """End the action, too."""
+        """Destroy the action too."""
         self._finish("abort", False)
         if hasattr(self, "_server"):
             self._server.destroy()

@@ -1,4 +1,4 @@
-"""Hardware: numbers that controllers write (`commands`) and read (`states`)."""
+"""Hardware: interfaces that controllers write (`commands`) and read (`states`)."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ STANDARD = ("position", "velocity", "acceleration", "effort")
 
 
 class Hardware:
-    """A piece of hardware; all its interfaces are known by their full names, such as `wheel/velocity`."""
+    """A piece of hardware; all interfaces are named by their full names, such as `wheel/velocity`."""
 
     def __init__(self, info: HardwareInfo) -> None:
         self.info = info
@@ -21,19 +21,19 @@ class Hardware:
         self.active = True
 
     def read(self, dt: float) -> None:
-        """Take in how things are."""
+        """Update the states."""
 
     def write(self, dt: float) -> None:
-        """Let the commands work."""
+        """Apply the commands."""
 
     def released(self, names: list[str]) -> None:
-        """These commands are no controller's any more: they hold nothing."""
+        """Handle commands released by their controller: they become nan."""
         for name in names:
             self.commands[name] = math.nan
 
 
 class GenericSystem(Hardware):
-    """mock_components/GenericSystem: what is commanded is so at once; joints that mimic follow."""
+    """mock_components/GenericSystem: commands become states immediately; mimic joints follow."""
 
     def __init__(self, info: HardwareInfo) -> None:
         super().__init__(info)
@@ -44,7 +44,7 @@ class GenericSystem(Hardware):
         self._deaf = told.get("disable_commands", told.get("fake_sensor_commands_disabled", "")).lower() in ("true", "1")
 
     def read(self, dt: float) -> None:
-        """Every command is the state of its name; with `calculate_dynamics` velocities move positions."""
+        """Copy commands to states; with `calculate_dynamics` velocities change positions."""
         if not self._deaf:
             for name, value in self.commands.items():
                 if not math.isnan(value) and name in self.states:
@@ -69,5 +69,5 @@ class GenericSystem(Hardware):
 
 
 MOCKS = ("mock_components/GenericSystem", "fake_components/GenericSystem")
-"""Classes of hardware that is none; the second is their older name."""
+"""Classes of mock hardware; the second is the older name."""
 __all__ = ["MOCKS", "STANDARD", "GenericSystem", "Hardware"]

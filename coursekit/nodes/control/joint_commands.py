@@ -1,4 +1,4 @@
-"""The commands of joints that follow a trajectory: the wanted state as it is, or by the error."""
+"""The commands of joints that follow a trajectory: the desired state itself, or a controller of the error."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .trajectory_parameters import TrajectoryParameters
 
 
 class JointCommands:
-    """The commands of a trajectory's joints; velocities and efforts alone are commanded in a closed loop."""
+    """The commands of a trajectory's joints; velocities or efforts alone are controlled in a closed loop."""
 
     def __init__(self, told: TrajectoryParameters) -> None:
         self._told = told
@@ -40,7 +40,7 @@ class JointCommands:
 
 
 def difference(desired: Point, actual: Point) -> Point:
-    """Desired less actual; angles by the shorter way."""
+    """Return desired minus actual state; angles by the shorter rotation."""
     off = np.array([math.remainder(float(one), 2 * math.pi) for one in desired.positions - actual.positions])
     speeds = None if desired.velocities is None or actual.velocities is None else desired.velocities - actual.velocities
     return Point(0.0, off, speeds)

@@ -1,4 +1,4 @@
-"""Limits of a speed, its acceleration and its jerk, by the parameters of diff_drive_controller."""
+"""Limits of a speed, its acceleration and its jerk, as in diff_drive_controller's parameters."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ NOTHING = (-math.inf, math.inf)
 
 
 class SpeedLimiter:
-    """Keeps one speed within limits; `ask(name, default)` gives the values of parameters below `prefix`.
+    """Keeps one speed within limits; `ask(name, default)` returns parameters below `prefix`.
 
     >>> told = {"linear.x.has_velocity_limits": True, "linear.x.max_velocity": 0.5}
     >>> SpeedLimiter(told.get, "linear.x").limit(2.0, 0.02)
     0.5
 
     Raises:
-        ControlError: when a limit is wanted but its `max_` is not given.
+        ControlError: when a limit is enabled without its `max_` value.
     """
 
     def __init__(self, ask: Callable[[str, Any], Any], prefix: str) -> None:
@@ -29,7 +29,7 @@ class SpeedLimiter:
         self._last = self._before = 0.0
 
     def limit(self, wish: float, dt: float) -> float:
-        """The speed that may follow the last two after `dt` seconds."""
+        """Return the limited speed after the last two speeds and `dt` seconds."""
         speed, change = wish, self._last - self._before
         if self._jerk != NOTHING:
             least, most = (2 * one * dt * dt for one in self._jerk)
@@ -42,12 +42,12 @@ class SpeedLimiter:
         return speed
 
     def restart(self) -> None:
-        """It stands."""
+        """Reset to standstill."""
         self._last = self._before = 0.0
 
 
 def _limits(ask: Callable[[str, Any], Any], prefix: str, kind: str) -> tuple[float, float]:
-    """The least and the most; all that is not asked for is allowed."""
+    """Return the minimum and maximum; infinite if not limited."""
     wanted = ask(f"{prefix}.has_{kind}_limits", False)
     most, least = (float(_or_nan(ask(f"{prefix}.{end}_{kind}", math.nan))) for end in ("max", "min"))
     if not wanted:

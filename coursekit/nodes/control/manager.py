@@ -1,4 +1,4 @@
-"""The controller manager: loads, configures and switches controllers, and lets them work on the hardware."""
+"""The controller manager: loads, configures and switches controllers, and runs them on the hardware."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .types import TYPES
 
 
 class Manager:
-    """Controllers and hardware; `node` is that of the manager, `arguments` are those of its controllers' nodes."""
+    """Controllers and hardware; `node` is the manager's node, `arguments` are for the controllers' nodes."""
 
     def __init__(
         self, node: Node, executor: Any, arguments: Sequence[str] = (), makers: Mapping[str, Maker] = TYPES
@@ -46,7 +46,7 @@ class Manager:
         return float(rate)
 
     def add(self, hardware: Hardware) -> None:
-        """Take in a piece of hardware; its interfaces can be claimed from now on."""
+        """Add a piece of hardware; its interfaces can then be claimed."""
         with self.lock:
             self.hardware.append(hardware)
             self._commands.update(dict.fromkeys(hardware.commands, hardware.commands))
@@ -54,10 +54,10 @@ class Manager:
         self.log.info(f"Loading hardware '{hardware.info.name}' ")
         self.log.info(f"Successful initialization of hardware '{hardware.info.name}'")
 
-    # -- what services ask for; each says whether it worked
+    # -- service requests; each returns its success
 
     def load(self, name: str) -> bool:
-        """Load a controller whose type the parameters name."""
+        """Load a controller, whose type is in the parameters."""
         with self.lock:
             self.log.info(f"Loading controller '{name}'")
             if name in self.loaded:
@@ -83,7 +83,7 @@ class Manager:
         return str(self.node.get_parameter(name).value or "") if self.node.has_parameter(name) else ""
 
     def configure(self, name: str) -> bool:
-        """Bring a loaded controller to inactive; one that is so already is cleaned up, and reads its parameters again."""
+        """Configure a loaded controller; an inactive one is cleaned up, and reads its parameters again."""
         with self.lock:
             self.log.info(f"Configuring controller '{name}'")
             one = self.loaded.get(name)
@@ -141,7 +141,7 @@ class Manager:
         one.state, one.claimed = "inactive", []
 
     def unload(self, name: str) -> bool:
-        """Take a controller out; it must not be active."""
+        """Unload a controller; it must not be active."""
         with self.lock:
             one = self.loaded.get(name)
             if one is None or one.state == "active":
@@ -156,7 +156,7 @@ class Manager:
     # -- work
 
     def update(self, now_ns: int, dt: float) -> None:
-        """One step: read, let the active controllers work, write."""
+        """Do one step: read, update the active controllers, write."""
         with self.lock:
             self.now_ns = now_ns
             for hardware in self.hardware:
@@ -169,7 +169,7 @@ class Manager:
                 hardware.write(dt)
 
     def restart(self, now_ns: int) -> None:
-        """Time began anew: active controllers do, too."""
+        """Restart the active controllers after a reset of time."""
         with self.lock:
             self.now_ns = now_ns
             for one in [each for each in self.loaded.values() if each.state == "active"]:
@@ -177,7 +177,7 @@ class Manager:
                 self._activate(one)
 
     def close(self) -> None:
-        """All nodes leave the graph."""
+        """Remove all nodes from the graph."""
         with self.lock:
             for one in list(self.loaded.values()):
                 if one.state == "active":
@@ -190,7 +190,7 @@ class Manager:
 
 
 def _type_in(file: str, name: str) -> str:
-    """The type that a parameter file of the controller itself names."""
+    """Return the type in the controller's own parameter file."""
     if not file:
         return ""
     try:

@@ -26,7 +26,7 @@ STATES = {1: "unconfigured", 2: "inactive", 3: "active", 4: "finalized"}
 
 
 class ManagerServices:
-    """They answer under `~/`."""
+    """The services under `~/`."""
 
     def __init__(self, manager: Manager) -> None:
         self._manager = manager

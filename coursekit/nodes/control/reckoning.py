@@ -1,4 +1,4 @@
-"""The way that wheels tell, as odometry and tf: what all controllers of vehicles publish."""
+"""Odometry of wheels as message and tf, as published by all vehicle controllers."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .controller import stamp
 
 
 class Reckoning:
-    """Adds up a way; `frames` are those of the odometry and of the robot.
+    """Integrates a path; `frames` are the odometry frame and the robot's frame.
 
     `spreads` are the diagonals of the covariances of pose and twist; speeds are means of the last `window` steps.
     """
@@ -38,7 +38,7 @@ class Reckoning:
         self._speeds: deque[tuple[float, float]] = deque(maxlen=max(window, 1))
 
     def go(self, now_ns: int, dt: float, way: float, bend: float) -> None:
-        """It went so far [m] and turned so much [rad] in a step; tell it when it is time."""
+        """Add a distance [m] and a rotation [rad] of one step; publish when due."""
         self._theta += bend / 2
         self._x, self._y = self._x + way * math.cos(self._theta), self._y + way * math.sin(self._theta)
         self._theta += bend / 2
@@ -49,7 +49,7 @@ class Reckoning:
             self._tell(now_ns, ahead, turn)
 
     def restart(self) -> None:
-        """The way begins anew, here."""
+        """Reset the pose to the origin."""
         self._x = self._y = self._theta = 0.0
         self._speeds.clear()
 

@@ -1,4 +1,4 @@
-"""`ros2 run controller_manager ros2_control_node`: the controller manager, with hardware that is none."""
+"""`ros2 run controller_manager ros2_control_node`: the controller manager with mock hardware."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from .manager_services import ManagerServices
 
 
 def own_arguments(argv: list[str]) -> list[str]:
-    """The ROS arguments of a program that its controllers' nodes get: all but the node's own name.
+    """Return the ROS arguments for the controllers' nodes: all of the program's except its node name.
 
     >>> own_arguments(["x", "--ros-args", "-r", "__node:=cm", "--params-file", "a.yaml", "--"])
     ['--params-file', 'a.yaml']
@@ -38,7 +38,7 @@ def own_arguments(argv: list[str]) -> list[str]:
 
 
 class ControlNode:
-    """The node, its manager, and the description that it waits for."""
+    """The node and its manager, which wait for a robot description."""
 
     def __init__(self) -> None:
         self.node = Node(
@@ -68,7 +68,7 @@ class ControlNode:
         self.node.create_timer(1.0 / self.manager.rate, self._step)
 
     def describe(self, text: str) -> None:
-        """Take in the hardware of a description; the first one counts."""
+        """Add the hardware of a description; only the first one counts."""
         if self.manager.hardware:
             return
         log = self.node.get_logger()
@@ -96,7 +96,7 @@ class ControlNode:
 
 
 def main(args: list[str] | None = None) -> Any:
-    """Control until Ctrl-C."""
+    """Run the controller manager until Ctrl-C."""
     rclpy.init(args=args)
     control = ControlNode()
     with to_the_end():

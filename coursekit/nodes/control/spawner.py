@@ -19,7 +19,7 @@ from .asking import Asker, NoManager
 
 
 def arguments(argv: list[str]) -> argparse.Namespace:
-    """The parsed command line; a fault ends the program with status 2."""
+    """Parse the command line; an error ends the program with status 2."""
     parser = argparse.ArgumentParser(prog="spawner", description="Load, configure and activate controllers.")
     parser.add_argument("controller_names", nargs="+", help="List of controllers")
     parser.add_argument("-c", "--controller-manager", default="controller_manager", help="Name of the manager's ROS node")
@@ -40,7 +40,7 @@ def arguments(argv: list[str]) -> argparse.Namespace:
 
 
 class Spawner:
-    """Brings controllers as far as the arguments say."""
+    """Brings controllers to the state set by the arguments."""
 
     def __init__(self, node: Node, told: argparse.Namespace) -> None:
         self.node, self.told, self.log = node, told, node.get_logger()
@@ -51,7 +51,7 @@ class Spawner:
         self.asker = Asker(node, name, told.controller_manager_timeout)
 
     def run(self) -> int:
-        """0, or 1 where a step failed."""
+        """Run all steps. Returns 0, or 1 after a failed step."""
         if not self._wait():
             return 1
         names = list(dict.fromkeys(self.told.controller_names))
@@ -126,7 +126,7 @@ class Spawner:
         return True
 
     def unload(self) -> int:
-        """Take the controllers out again."""
+        """Unload the controllers."""
         names = self.told.controller_names
         self.log.info("Deactivating and unloading controllers...")
         if not self.told.inactive and not self.asker.switch(names, []):
@@ -141,9 +141,9 @@ class Spawner:
 
 
 def main(args: list[str] | None = None) -> Any:
-    """Spawn, and tell by the exit code whether it worked."""
+    """Spawn the controllers. Returns the exit code."""
     words = remove_ros_args(args if args is not None else sys.argv)[1:]
-    told = arguments([word for word in words if word])  # launch files' conditions leave empty words
+    told = arguments([word for word in words if word])  # conditions in launch files leave empty arguments
     for file in told.param_file or ():
         if not os.path.isfile(file):
             print(f"FileNotFoundError: [Errno 2] No such file or directory: '{file}'", file=sys.stderr)

@@ -1,4 +1,4 @@
-"""The steering controllers: commands as speeds of driven wheels and angles of steered ones, and odometry from both."""
+"""The steering controllers: commands become speeds of driven wheels and angles of steered ones; odometry uses both."""
 
 from __future__ import annotations
 
@@ -14,16 +14,17 @@ from .reckoning import Reckoning
 
 
 class SteeringController(Controller):
-    """One axle that drives, one that steers; each with a wheel in the middle, or with the right and the left one.
+    """A driven and a steered axle; each with a wheel in the middle, or with a right and a left one.
 
-    A subclass names its parameters of lengths, and how many wheels are on each axle. Right comes first, as in Humble.
+    A subclass sets the names of its length parameters, and the number of wheels on each axle. Right comes first, as
+    in Humble.
     """
 
     lengths: tuple[str, ...] = ()
     driven = steered = 2
 
     def configure(self) -> None:
-        """Read parameters, open topics."""
+        """Read parameters, create topics."""
         front = bool(self.parameter("front_steering", True))
         wheels = {end: self.parameter(f"{end}_wheels_names", []) for end in ("rear", "front")}
         felt = {end: self.parameter(f"{end}_wheels_state_names", []) or wheels[end] for end in wheels}
@@ -68,24 +69,24 @@ class SteeringController(Controller):
             self._wish, self._heard_ns = (twist.linear.x, twist.angular.z), self.now_ns
 
     def command_names(self) -> list[str]:
-        """Speeds of driven wheels, angles of steered ones."""
+        """Return speeds of driven wheels, angles of steered ones."""
         return [*(f"{joint}/velocity" for joint in self.drives), *(f"{joint}/position" for joint in self.steers)]
 
     def state_names(self) -> list[str]:
-        """What odometry is made of."""
+        """Return the states used by odometry."""
         return [*(f"{joint}/{self._kind}" for joint in self._felt[0]), *(f"{joint}/position" for joint in self._felt[1])]
 
     def deactivate(self) -> None:
-        """Stop; the wheels stay turned."""
+        """Stop; the wheels keep their steering angle."""
         self._wish = (0.0, 0.0)
         for joint in self.drives:
             self.interfaces.command(f"{joint}/velocity", 0.0)
 
     def update(self, now_ns: int, dt: float) -> None:
-        """Command the wheels; tell the way."""
+        """Command the wheels; publish odometry."""
         late = self._patience and (now_ns - self._heard_ns) * 1e-9 > self._patience
         ahead, turn = (0.0, 0.0) if late else self._wish
-        if not late:  # a robot that is told nothing leaves its wheels turned
+        if not late:  # without commands the wheels keep their steering angle
             self._angle = math.atan(turn * self._base / ahead) if ahead and turn else 0.0
         self._command(ahead / self._radius, self._angle)
         bend = math.tan(self._angle) / self._base
@@ -93,7 +94,7 @@ class SteeringController(Controller):
         self._reckoning.go(now_ns, dt, *way)
 
     def _command(self, speed: float, angle: float) -> None:
-        """Each wheel goes around the same point, on the line of the axle that does not steer."""
+        """Command the wheels: all rotate about one point, on the line of the unsteered axle."""
         bend = math.tan(angle) / self._base
         for joint, side in zip(self.drives, _sides(self.drives), strict=True):
             self.interfaces.command(f"{joint}/velocity", speed * (1 + side * bend * self._track[0] / 2))
@@ -102,7 +103,7 @@ class SteeringController(Controller):
             self.interfaces.command(f"{joint}/position", own)
 
     def _rolled(self, dt: float) -> tuple[float, float]:
-        """How far it went and turned in this step."""
+        """Return the distance and rotation in this step."""
         wheels = [self.interfaces.state(f"{joint}/{self._kind}") for joint in self._felt[0]]
         angles = [self.interfaces.state(f"{joint}/position") for joint in self._felt[1]]
         if any(map(math.isnan, (*wheels, *angles))):
@@ -115,13 +116,13 @@ class SteeringController(Controller):
         return way, way * sum(map(self._bend, angles, _sides(angles))) / len(angles)
 
     def _bend(self, angle: float, side: int) -> float:
-        """One over the radius of the circle on which a steered wheel of this angle puts the robot [1/m]."""
+        """Return the curvature of the robot's path for a steered wheel at this angle [1/m]."""
         slope = math.tan(angle)
         return slope / (self._base - side * slope * self._track[1] / 2)
 
 
 def _sides(wheels: list[Any]) -> tuple[int, ...]:
-    """1 for a wheel on the right, -1 on the left, 0 in the middle."""
+    """Return 1 for a wheel on the right, -1 on the left, 0 in the middle."""
     return (1, -1) if len(wheels) == 2 else (0,)
 
 
@@ -139,7 +140,7 @@ class BicycleSteeringController(SteeringController):
 
 
 class TricycleSteeringController(SteeringController):
-    """Two wheels that drive, one that steers."""
+    """Two driven wheels, one steered wheel."""
 
     lengths = ("wheelbase", "wheel_track", "front_wheels_radius", "rear_wheels_radius")
     steered = 1

@@ -1,4 +1,4 @@
-"""Which controllers can be started and stopped together: they must be there, and their interfaces free."""
+"""Which controllers can be started and stopped together: they must exist, and their interfaces must be free."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .controller import Controller, Interfaces
 
 @dataclass
 class Loaded:
-    """A controller that is loaded, and how far it is."""
+    """A loaded controller, and its state."""
 
     name: str
     type: str
@@ -23,13 +23,13 @@ class Loaded:
 
 
 class Switching:
-    """One switch; where it is `strict`, all of it can be done or none."""
+    """One switch; a `strict` one is done completely or not at all."""
 
     def __init__(self, loaded: Mapping[str, Loaded], interfaces: Interfaces, log: Any, strict: bool) -> None:
         self._loaded, self._interfaces, self._log, self._strict = loaded, interfaces, log, strict
 
     def plan(self, start: Sequence[str], stop: Sequence[str]) -> tuple[list[Loaded], list[Loaded]] | None:
-        """Those to start and those to stop; None where it cannot be done, which is logged."""
+        """Return those to start and those to stop; None, with a log message, if it is impossible."""
         stopping = self._fitting(stop, "active", "deactivate")
         starting = self._fitting(start, "inactive", "activate")
         if stopping is None or starting is None:
@@ -53,7 +53,7 @@ class Switching:
         return found
 
     def _free(self, starting: list[Loaded], held: set[str]) -> list[Loaded] | None:
-        """Those whose interfaces are there and no other's."""
+        """Return those whose interfaces exist and are free."""
         found = []
         for one in starting:
             wanted = one.controller.command_names()

@@ -1,4 +1,4 @@
-"""How far joints may be off, on the way and at the goal."""
+"""Tolerances of joints, on the path and at the goal."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .trajectory_messages import seconds
 
 @dataclass
 class Tolerances:
-    """0 is without end; `path` and `goal` of positions, `stopped` of speeds at the goal, `goal_time` [s]."""
+    """0 is unlimited; `path` and `goal` for positions, `stopped` for speeds at the goal, `goal_time` [s]."""
 
     path: Array
     goal: Array
@@ -27,15 +27,15 @@ class Tolerances:
             self.path_speed = np.zeros_like(self.path)
 
     def on_path(self, error: Array, speed: Array | None) -> bool:
-        """Whether the errors on the way are small enough."""
+        """Whether the errors on the path are within tolerance."""
         return _within(error, self.path) and (speed is None or _within(speed, self.path_speed))
 
     def at_goal(self, error: Array, speed: Array | None) -> bool:
-        """Whether the errors at the goal are small enough."""
+        """Whether the errors at the goal are within tolerance."""
         return _within(error, self.goal) and (speed is None or _within(speed, self.stopped))
 
     def asked(self, goal: Any, joints: Sequence[str]) -> Tolerances:
-        """The same, with what an action's goal asks for: 0 leaves it as it is, below 0 is without end."""
+        """Return a copy with the tolerances of an action goal: 0 leaves a value unchanged, below 0 is unlimited."""
         made = Tolerances(self.path.copy(), self.goal.copy(), self.stopped.copy(), self.path_speed.copy(), self.goal_time)
         for told, positions, speeds in (
             (goal.path_tolerance, made.path, made.path_speed), (goal.goal_tolerance, made.goal, made.stopped),
@@ -56,7 +56,7 @@ def _set(values: Array, place: int, told: float) -> None:
 
 
 def _within(error: Array, most: Array) -> bool:
-    """A nan is an error without end."""
+    """Whether errors are within limits; nan is an infinite error."""
     return bool(np.all((most <= 0.0) | (np.abs(error) <= most)))
 
 

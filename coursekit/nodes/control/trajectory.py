@@ -1,4 +1,4 @@
-"""Trajectories of joints: points in time, and what is between them."""
+"""Joint trajectories: points in time, and interpolation between them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Point:
-    """Where joints shall be `time` seconds after the start; None for what is not told."""
+    """The desired joint states `time` seconds after the start; None for unspecified values."""
 
     time: float
     positions: Array
@@ -22,9 +22,10 @@ class Point:
 
 
 def between(one: Point, other: Point, time: float) -> Point:
-    """The joints at a time between two points: as smooth as what both points tell.
+    """Interpolate the joints between two points, as smoothly as both points specify.
 
-    Positions only make a line, velocities a cubic, accelerations a quintic polynomial, as in joint_trajectory_controller.
+    Positions alone give a line, velocities a cubic, accelerations a quintic polynomial, as in
+    joint_trajectory_controller.
 
     >>> between(Point(0.0, np.zeros(1)), Point(2.0, np.ones(1)), 0.5).positions
     array([0.25])
@@ -39,7 +40,7 @@ def between(one: Point, other: Point, time: float) -> Point:
 
 
 def _curve(one: Point, other: Point, span: float) -> Array:
-    """Coefficients, lowest first, one column for each joint."""
+    """Return coefficients, lowest first, one column for each joint."""
     count = 1
     if one.velocities is not None and other.velocities is not None:
         count = 3 if one.accelerations is not None and other.accelerations is not None else 2
@@ -54,7 +55,7 @@ def _curve(one: Point, other: Point, span: float) -> Array:
 
 
 def _derivative(power: int, order: int, at: float) -> float:
-    """The value of a power's derivative."""
+    """Return the value of a power's derivative."""
     if power < order:
         return 0.0
     factor = 1.0
@@ -65,7 +66,7 @@ def _derivative(power: int, order: int, at: float) -> float:
 
 @dataclass
 class Trajectory:
-    """Points to go through from `start_ns` on; before the first one from where the joints were at `begin`."""
+    """Points to pass from `start_ns` on; before the first one, from the joints' states at `begin`."""
 
     points: list[Point]
     start_ns: int
@@ -76,11 +77,11 @@ class Trajectory:
 
     @property
     def end_ns(self) -> int:
-        """When it is over."""
+        """Return the end time."""
         return self.start_ns + round(self.points[-1].time * 1e9)
 
     def sample(self, now_ns: int) -> tuple[Point, bool]:
-        """Where the joints shall be, and whether the last point is reached."""
+        """Return the desired joint states, and whether the last point is reached."""
         time = (now_ns - self.start_ns) * 1e-9
         last = self.points[-1]
         if time >= last.time:

@@ -23,10 +23,10 @@ Result = FollowJointTrajectory.Result
 
 
 class JointTrajectoryController(Controller):
-    """One step samples the trajectory, commands it, compares, and tells the action how it goes."""
+    """Each step samples the trajectory, commands it, compares, and updates the action."""
 
     def configure(self) -> None:
-        """Read parameters; open the topic, the action and the state."""
+        """Read parameters; create the topic, the action and the state publisher."""
         self.told = TrajectoryParameters.of(self)
         self.joints = list(self.told.joints)
         self._open()
@@ -49,14 +49,14 @@ class JointTrajectoryController(Controller):
         )  # fmt: skip
 
     def command_names(self) -> list[str]:
-        """Joint by joint."""
+        """Return the commands, joint by joint."""
         return [f"{joint}/{kind}" for joint in self.told.command_joints for kind in self.told.commands]
 
     def state_names(self) -> list[str]:
-        """Joint by joint."""
+        """Return the states, joint by joint."""
         return [f"{joint}/{kind}" for joint in self.joints for kind in self.told.states]
 
-    # -- what comes in
+    # -- inputs
 
     def _hear(self, msg: JointTrajectory) -> None:
         if not self.active:
@@ -116,7 +116,7 @@ class JointTrajectoryController(Controller):
     # -- one step
 
     def activate(self) -> None:
-        """Stay where the joints are."""
+        """Hold the joints' current positions."""
         self._limits, self._first = self.told.tolerances, False
         self._commands = JointCommands(self.told)
         self._desired = self._state()
@@ -126,7 +126,7 @@ class JointTrajectoryController(Controller):
         self.active = True
 
     def deactivate(self) -> None:
-        """Stop; a goal is aborted."""
+        """Stop; abort a goal."""
         self.active = False
         self.trajectory = None
         self._preempt()
@@ -135,7 +135,7 @@ class JointTrajectoryController(Controller):
                 self.interfaces.command(f"{joint}/{kind}", 0.0)
 
     def hold(self) -> None:
-        """Stay here from now on."""
+        """Hold the current positions from now on."""
         now = self._state()
         still = Point(0.0, now.positions, np.zeros_like(now.positions), None)
         self.trajectory = Trajectory([still], self.now_ns, still, self.now_ns)
@@ -191,7 +191,7 @@ class JointTrajectoryController(Controller):
         if done is not None:
             done.set_result((how, result))
 
-    # -- what goes out
+    # -- outputs
 
     def _tell(self, now_ns: int, desired: Point, actual: Point, error: Point) -> None:
         if self._goal is not None:
@@ -221,7 +221,7 @@ class JointTrajectoryController(Controller):
         return answer
 
     def close(self) -> None:
-        """End the action, too."""
+        """Destroy the action too."""
         self._preempt()
         if hasattr(self, "_server"):
             self._server.destroy()

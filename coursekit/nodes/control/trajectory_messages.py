@@ -1,4 +1,4 @@
-"""Messages of trajectories as numbers: checked, sorted by the controller's joints, filled up."""
+"""Trajectory messages as numbers: validated, sorted by the controller's joints, completed."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from .trajectory import Array, Point
 
 
 def seconds(duration: Any) -> float:
-    """A duration [s]."""
+    """Convert a duration to seconds."""
     return float(duration.sec + duration.nanosec * 1e-9)
 
 
 def fault_of(msg: JointTrajectory, joints: Sequence[str], partial: bool, moving_end: bool, now_ns: int = 0) -> str:
-    """The fault of a trajectory that comes now; '' for one that can be followed."""
+    """Return the fault of a trajectory received now; '' for a valid one."""
     if not partial and len(msg.joint_names) != len(joints):
         return "Joints on incoming trajectory don't match the controller joints."
     if not msg.joint_names:
@@ -65,7 +65,7 @@ def _point_fault(point: Any, count: int, number: int) -> str:
 
 
 def points_of(msg: JointTrajectory, joints: Sequence[str], at: Array) -> list[Point]:
-    """The points in the order of the controller's joints; joints that are not named stay where they are (`at`)."""
+    """Return the points in the order of the controller's joints; unnamed joints keep their positions (`at`)."""
     place = [list(joints).index(name) for name in msg.joint_names]
 
     def sorted_(values: Any, usual: Array) -> Array | None:
@@ -86,7 +86,7 @@ def points_of(msg: JointTrajectory, joints: Sequence[str], at: Array) -> list[Po
 
 
 def message_of(point: Point, time: float = 0.0) -> JointTrajectoryPoint:
-    """A point as a message."""
+    """Convert a point to a message."""
     msg = JointTrajectoryPoint(positions=point.positions.tolist())
     for kind in ("velocities", "accelerations"):
         values = getattr(point, kind)

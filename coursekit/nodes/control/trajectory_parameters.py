@@ -16,7 +16,7 @@ GAINS = ("p", "i", "d", "ff_velocity_scale")
 
 @dataclass(frozen=True)
 class TrajectoryParameters:
-    """Of one controller, checked."""
+    """The validated parameters of one controller."""
 
     joints: tuple[str, ...]
     command_joints: tuple[str, ...]
@@ -24,17 +24,17 @@ class TrajectoryParameters:
     states: tuple[str, ...]
     tolerances: Tolerances
     gains: tuple[tuple[float, ...], ...]
-    """GAINS of each joint."""
+    """The GAINS of each joint."""
     partial: bool = False
     moving_end: bool = True
     open_loop: bool = False
     splines: bool = True
     period_ns: int = 0
-    """Between two messages of its state."""
+    """The period of its state messages."""
 
     @classmethod
     def of(cls, controller: Controller) -> TrajectoryParameters:
-        """The parameters of a controller's node. Raises ControlError."""
+        """Read the parameters of a controller's node. Raises ControlError."""
         told = controller.parameter
         joints = tuple(told("joints", []))
         names = tuple(told("command_joints", [])) or joints

@@ -1,4 +1,4 @@
-"""tricycle_controller/TricycleController: one front wheel that both drives and steers, and odometry from it."""
+"""tricycle_controller/TricycleController: one front wheel that is both driven and steered, with odometry."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ from .controller import ControlError, Controller
 from .reckoning import Reckoning
 
 NEARLY, FAR = math.pi / 6, math.pi / 2
-"""How far the wheel may be from its angle to drive at full speed, and when it has to creep [rad]."""
+"""The maximum angle error of the wheel for full speed, and the error from which it creeps [rad]."""
 CREEP = 0.01
 
 
 class TricycleController(Controller):
-    """A joint that drives (by speed) and one that steers (by position)."""
+    """A driven joint (speed) and a steered joint (position)."""
 
     def configure(self) -> None:
-        """Read parameters, open topics."""
+        """Read parameters, create topics."""
         self._drives, self._steers = (self._named(f"{kind}_joint_name") for kind in ("traction", "steering"))
         self._base, self._radius = self._length("wheelbase"), self._length("wheel_radius")
-        self._patience = int(self.parameter("cmd_vel_timeout", 500)) * 1e-3  # told in milliseconds
+        self._patience = int(self.parameter("cmd_vel_timeout", 500)) * 1e-3  # in milliseconds
         self._open_loop = bool(self.parameter("open_loop", False))
         self._speed, self._angle = Limits(self, "traction"), Limits(self, "steering")
         kind = TwistStamped if self.parameter("use_stamped_vel", True) else Twist
@@ -70,21 +70,21 @@ class TricycleController(Controller):
         return response
 
     def command_names(self) -> list[str]:
-        """The wheel's speed and its angle."""
+        """Return the wheel's speed and angle commands."""
         return [f"{self._drives}/velocity", f"{self._steers}/position"]
 
     def state_names(self) -> list[str]:
-        """Both, as they are."""
+        """Return the wheel's speed and angle states."""
         return self.command_names()
 
     def deactivate(self) -> None:
-        """Stop; the wheel stays turned."""
+        """Stop; the wheel keeps its steering angle."""
         self._wish = (0.0, 0.0)
         self.interfaces.command(f"{self._drives}/velocity", 0.0)
         self._speed.restart()
 
     def update(self, now_ns: int, dt: float) -> None:
-        """Tell the way; command the wheel."""
+        """Publish odometry; command the wheel."""
         if (now_ns - self._heard_ns) * 1e-9 > self._patience:
             self._wish = (0.0, 0.0)
         felt, turned = (self.interfaces.state(name) for name in self.state_names())
@@ -98,7 +98,7 @@ class TricycleController(Controller):
             self._out.publish(AckermannDrive(speed=speed, steering_angle=angle))
 
     def _way(self, felt: float, turned: float) -> tuple[float, float]:
-        """How fast it goes and turns."""
+        """Return linear and angular velocity."""
         if self._open_loop:
             return self._wish
         if math.isnan(felt) or math.isnan(turned):
@@ -107,7 +107,7 @@ class TricycleController(Controller):
         return rolled * math.cos(turned), rolled * math.sin(turned) / self._base
 
     def _asked(self) -> tuple[float, float]:
-        """The wheel's speed [rad/s] and angle for the command; on the spot it stands across."""
+        """Return the wheel's speed [rad/s] and angle for the command; it is perpendicular for a rotation in place."""
         ahead, turn = self._wish
         if not ahead and turn:
             return abs(turn) * self._base / self._radius, math.copysign(math.pi / 2, turn)
@@ -116,7 +116,7 @@ class TricycleController(Controller):
 
 
 def _share(off: float) -> float:
-    """The part of its speed at which a wheel drives that is so far from its angle [rad]."""
+    """Return the fraction of its speed for a wheel with this angle error [rad]."""
     if off > FAR:
         return CREEP
     return 1.0 if off < NEARLY or math.isnan(off) else math.cos(off)
@@ -137,11 +137,11 @@ class Limits:
         self._last = 0.0
 
     def restart(self) -> None:
-        """It stands."""
+        """Reset to standstill."""
         self._last = 0.0
 
     def limit(self, wish: float, dt: float) -> float:
-        """What may follow the last value after `dt` seconds."""
+        """Return the limited value after the last value and `dt` seconds."""
         step = (self._up if abs(wish) >= abs(self._last) else self._down) * dt
         value = max(self._last - step, min(self._last + step, wish)) if math.isfinite(step) else wish
         self._last = max(-self._most, min(self._most, value))

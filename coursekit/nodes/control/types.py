@@ -1,4 +1,4 @@
-"""The classes of controllers by the names that parameter files use."""
+"""The classes of controllers, by their names in parameter files."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ from .asking import Asker, NoManager
 
 
 def main(args: list[str] | None = None) -> Any:
-    """Unload, and tell by the exit code whether it worked."""
+    """Unload the controllers. Returns the exit code."""
     parser = argparse.ArgumentParser(prog="unspawner", description="Stop controllers and unload them.")
     parser.add_argument("controller_names", nargs="+", help="Names of the controllers")
     parser.add_argument("-c", "--controller-manager", default="/controller_manager", help="Name of the manager's ROS node")

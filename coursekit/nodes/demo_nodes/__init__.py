@@ -1,1 +1,1 @@
-"""demo_nodes_py: first nodes to run and read. demo_nodes_cpp's names run the same programs."""
+"""demo_nodes_py: first nodes to run and read. The names of demo_nodes_cpp run the same programs."""

@@ -20,7 +20,7 @@ UNWANTED = ["other_int_parameter", "other_string_parameter", "string_parameter"]
 
 
 class Asker:
-    """Asks one question after the other and logs the answers."""
+    """Sends one request after the other and logs the responses."""
 
     def __init__(self, node: Node, client: AsyncParameterClient) -> None:
         self.node, self.client, self.logger = node, client, node.get_logger()
@@ -40,21 +40,21 @@ class Asker:
                 self.logger.info(f"        successful: {result.successful}")
 
     def list(self) -> None:
-        """List them."""
+        """List the parameters."""
         self.logger.info("Listing Parameters:")
         if answer := self._answer(self.client.list_parameters(NAMES, 10), "listing"):
             for name in answer.result.names:
                 self.logger.info(f"    - {name}")
 
     def get(self) -> None:
-        """Read them back."""
+        """Read the parameters back."""
         self.logger.info("Getting parameters:")
         if answer := self._answer(self.client.get_parameters(NAMES), "getting"):
             for name, value in zip(NAMES, answer.values, strict=True):
                 self.logger.info(f"    - {name}: {parameter_value_to_python(value)}")
 
     def load(self) -> None:
-        """Set those of this package's params.yaml."""
+        """Set the parameters of this package's params.yaml."""
         self.logger.info("Loading parameters: ")
         path = os.path.join(get_package_share_directory("demo_nodes_py"), "params.yaml")
         if answer := self._answer(self.client.load_parameter_file(path), "loading"):
@@ -65,7 +65,7 @@ class Asker:
                 self.logger.info(f"        value: {parameter_value_to_python(parameter.value)}")
 
     def delete(self) -> None:
-        """Delete some; one that was declared with a type stays."""
+        """Delete some parameters; one declared with a type stays."""
         self.logger.info("Deleting parameters: ")
         if answer := self._answer(self.client.delete_parameters(UNWANTED), "deleting"):
             for name, result in zip(UNWANTED, answer.results, strict=True):
@@ -75,7 +75,7 @@ class Asker:
 
 
 def main(args: Any = None) -> None:
-    """Ask the parameter blackboard everything, once."""
+    """Send all requests to the parameter blackboard, once."""
     rclpy.init(args=args)
     node = rclpy.create_node("async_param_client")
     client = AsyncParameterClient(node, TARGET)

@@ -17,7 +17,7 @@ _TOLD = (
 
 
 class EvenParameters(Node):
-    """Takes parameters that nobody declared, and refuses all that are not even."""
+    """Accepts undeclared parameters, and rejects values that are not even."""
 
     def __init__(self) -> None:
         super().__init__("even_parameters_node", allow_undeclared_parameters=True)

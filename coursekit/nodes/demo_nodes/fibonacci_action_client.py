@@ -1,4 +1,4 @@
-"""Asks for the first Fibonacci numbers and tells how the answer grows."""
+"""Requests the first Fibonacci numbers and logs the feedback."""
 
 from typing import Any
 
@@ -13,14 +13,14 @@ ORDER = 10
 
 
 class FibonacciActionClient(Node):
-    """Sends one goal; ends when the result is there."""
+    """Sends one goal; ends with its result."""
 
     def __init__(self) -> None:
         super().__init__("fibonacci_action_client")
         self._client = ActionClient(self, Fibonacci, "fibonacci")
 
     def send_goal(self, order: int) -> None:
-        """Wait for the server and ask it."""
+        """Wait for the server and send the goal."""
         self._client.wait_for_server()
         sent = self._client.send_goal_async(Fibonacci.Goal(order=order), feedback_callback=self._hear)
         sent.add_done_callback(self._take_answer)
@@ -43,7 +43,7 @@ class FibonacciActionClient(Node):
 
 
 def main(args: list[str] | None = None) -> None:
-    """Run until the result is there."""
+    """Run until the result arrives."""
     rclpy.init(args=args)
     node = FibonacciActionClient()
     with demo(node):

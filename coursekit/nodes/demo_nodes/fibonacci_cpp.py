@@ -1,4 +1,4 @@
-"""The action tutorial as its C++ nodes tell it."""
+"""The action tutorial with the output of its C++ nodes."""
 
 import time
 from typing import Any
@@ -43,7 +43,7 @@ class FibonacciServer(MinimalActionServer):
 
 
 class FibonacciClient(Node):
-    """Asks for ten steps and ends with the result."""
+    """Requests ten steps and ends with the result."""
 
     def __init__(self) -> None:
         super().__init__("fibonacci_action_client")
@@ -84,5 +84,5 @@ def server(args: list[str] | None = None) -> int:
 
 
 def client(args: list[str] | None = None) -> int:
-    """Ask once."""
+    """Send one request."""
     return run(FibonacciClient, args)

@@ -1,4 +1,4 @@
-"""Prints what it hears on /chatter."""
+"""Logs the messages on /chatter."""
 
 from rclpy.node import Node
 from rclpy.qos import QoSProfile, qos_profile_sensor_data

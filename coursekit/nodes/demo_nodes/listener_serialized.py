@@ -1,4 +1,4 @@
-"""A listener that takes the bytes of each message as they travel."""
+"""A listener that takes messages in serialized form."""
 
 from rclpy.node import Node
 from std_msgs.msg import String

@@ -1,4 +1,4 @@
-"""Nodes that set, list and get parameters of their own, by the services that other nodes would use."""
+"""Nodes that set, list and get their own parameters, through the services that other nodes would use."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _COMMON: dict[str, Any] = {"foo": 2, "bar": "hello", "baz": 1.45, "foobar": True
 
 
 def in_cpp(value: Any) -> str:
-    """A parameter's value as rclcpp writes it.
+    """Format a parameter's value like rclcpp.
 
     >>> [in_cpp(value) for value in (2, 1.45, True, [True, False], [b"\\xff"])]
     ['2', '1.450000', 'true', '[true, false]', '[0xff]']
@@ -36,7 +36,7 @@ def in_cpp(value: Any) -> str:
 
 
 class Asking:
-    """Declares parameters on a node, and asks the node's own services about them."""
+    """Declares parameters on a node, and calls the node's own parameter services."""
 
     def __init__(self, name: str, wanted: dict[str, Any]) -> None:
         self.node = Node(name)
@@ -46,12 +46,12 @@ class Asking:
         self.client = AsyncParameterClient(self.node, name)
 
     def answer(self, future: Any) -> Any:
-        """Spin until the answer is there."""
+        """Spin until the response arrives, and return it."""
         rclpy.spin_until_future_complete(self.node, future)
         return future.result()
 
     def set(self) -> None:
-        """Set the parameters; tell of those that were refused."""
+        """Set the parameters; report rejected ones."""
         for result in self.answer(self.client.set_parameters(self.wanted)).results:
             if not result.successful:
                 self.node.get_logger().error(f"Failed to set parameter: {result.reason}")
@@ -84,20 +84,20 @@ def _set_and_get(name: str, args: list[str] | None) -> int:
 
 
 def list_parameters(args: list[str] | None = None) -> int:
-    """Set some, and list those below foo and bar. The node's name is misspelt as the C++ node's is."""
+    """Set some parameters, and list those below foo and bar. The node's name is misspelt as in C++."""
     return _list("list_paramters", args)
 
 
 def list_parameters_async(args: list[str] | None = None) -> int:
-    """The same under its asynchronous name."""
+    """Do the same under the asynchronous name."""
     return _list("list_parameters_async", args)
 
 
 def set_and_get(args: list[str] | None = None) -> int:
-    """Set some, and tell what four of them are."""
+    """Set some parameters, and log four of them."""
     return _set_and_get("set_and_get_parameters", args)
 
 
 def set_and_get_async(args: list[str] | None = None) -> int:
-    """The same under its asynchronous name."""
+    """Do the same under the asynchronous name."""
     return _set_and_get("set_and_get_parameters_async", args)

@@ -1,11 +1,11 @@
-"""Keeps parameters for others: any may be set, none need be declared."""
+"""Stores parameters for other nodes: any may be set without declaration."""
 
 from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import run
 
 
 class ParameterBlackboard(CppNode):
-    """A node that takes every parameter."""
+    """A node that accepts every parameter."""
 
     def __init__(self) -> None:
         super().__init__(

@@ -1,4 +1,4 @@
-"""A node that hears of each change of its own parameters."""
+"""A node that receives the events of its own parameters."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SECOND = [Parameter("foo", value=3), Parameter("bar", value="world")]
 
 
 class EventsNode(Node):
-    """Declares parameters, and logs each event of them."""
+    """Declares parameters, and logs each of their events."""
 
     def __init__(self) -> None:
         super().__init__("parameter_events")
@@ -42,7 +42,7 @@ class EventsNode(Node):
 
 
 class AskingLater(EventsNode):
-    """Asks for its changes from a timer, goes on when the answer comes, and ends."""
+    """Requests its changes from a timer, continues with the response, and ends."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -72,5 +72,5 @@ def events(args: list[str] | None = None) -> int:
 
 
 def events_async(args: list[str] | None = None) -> int:
-    """The same from callbacks."""
+    """Do the same from callbacks."""
     return run(AskingLater, args)

@@ -1,4 +1,4 @@
-"""Three callbacks that hear of parameters: one's own, another node's, and all of an event."""
+"""Three parameter callbacks: for an own parameter, for another node's, and for whole events."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ To activate the callbacks, from a separate shell/console window, execute either 
 
 
 class Watcher(Node):
-    """Has a parameter of its own, and watches it and the other node's."""
+    """Has an own parameter, and watches it and another node's."""
 
     def __init__(self) -> None:
         super().__init__(NODE)

@@ -1,4 +1,4 @@
-"""Talker and listener that take their reliability from the command line."""
+"""Talker and listener with their reliability set on the command line."""
 
 import argparse
 import sys

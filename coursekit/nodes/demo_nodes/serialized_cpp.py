@@ -1,4 +1,4 @@
-"""Talker and listener that show each message as the bytes that travel."""
+"""Talker and listener that show each message in serialized form."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from coursekit.nodes.running import run
 
 
 class SerializedTalker(Node):
-    """Publishes a counted greeting, serialized by itself."""
+    """Publishes a counted greeting that it serializes itself."""
 
     def __init__(self) -> None:
         super().__init__("serialized_message_talker")
@@ -27,7 +27,7 @@ class SerializedTalker(Node):
 
 
 class SerializedListener(Node):
-    """Prints the bytes and what they say."""
+    """Prints the bytes and their message."""
 
     def __init__(self) -> None:
         super().__init__("serialized_message_listener")

@@ -1,4 +1,4 @@
-"""The service `add_two_ints`, and the ways to call it."""
+"""The service `add_two_ints`, and several clients."""
 
 import rclpy
 from example_interfaces.srv import AddTwoInts
@@ -10,7 +10,7 @@ from coursekit.nodes.running import run
 
 
 class AddTwoIntsServer(Node):
-    """Adds."""
+    """Adds two integers."""
 
     def __init__(self) -> None:
         super().__init__("add_two_ints_server")
@@ -33,7 +33,7 @@ def server_cpp(args: list[str] | None = None) -> int:
 
 
 def client(args: list[str] | None = None) -> None:
-    """Ask once and print the sum."""
+    """Send one request and print the sum."""
     rclpy.init(args=args)
     node = rclpy.create_node("add_two_ints_client")
     asking = node.create_client(AddTwoInts, "add_two_ints")
@@ -50,7 +50,7 @@ def client(args: list[str] | None = None) -> None:
 
 
 def client_async(args: list[str] | None = None) -> None:
-    """Ask once and do other work until the answer is there."""
+    """Send one request and do other work until the response arrives."""
     rclpy.init(args=args)
     node = rclpy.create_node("add_two_ints_client")
     asking = node.create_client(AddTwoInts, "add_two_ints")
@@ -67,7 +67,7 @@ def client_async(args: list[str] | None = None) -> None:
 
 
 class AskingNode(Node):
-    """Asks once, as soon as there is a server, and ends with the answer."""
+    """Sends one request as soon as there is a server, and ends with the response."""
 
     def __init__(self) -> None:
         super().__init__("add_two_ints_client")
@@ -86,5 +86,5 @@ class AskingNode(Node):
 
 
 def client_cpp(args: list[str] | None = None) -> int:
-    """Ask once as demo_nodes_cpp's clients do."""
+    """Send one request as demo_nodes_cpp's clients do."""
     return run(AskingNode, args)

@@ -1,4 +1,4 @@
-"""How the Python demos run: a shutdown from outside, as SIGTERM is one, ends them with 1."""
+"""Running the Python demos: an external shutdown, for instance by SIGTERM, ends them with 1."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rclpy.node import Node
 
 @contextmanager
 def demo(node: Node) -> Iterator[None]:
-    """Do a block until its end or Ctrl-C; the node leaves the graph then."""
+    """Run a block until its end or Ctrl-C; the node is then destroyed."""
     try:
         yield
     except KeyboardInterrupt:
@@ -26,7 +26,7 @@ def demo(node: Node) -> Iterator[None]:
 
 
 def spin_demo(make: Callable[[], Node], args: list[str] | None) -> None:
-    """Start rclpy, and spin the node that `make` gives until Ctrl-C."""
+    """Initialise rclpy, and spin the node made by `make` until Ctrl-C."""
     rclpy.init(args=args)
     node = make()
     with demo(node):

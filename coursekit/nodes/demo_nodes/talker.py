@@ -8,7 +8,7 @@ from coursekit.nodes.running import run
 
 
 class Talker(Node):
-    """Says hello, again and again."""
+    """Publishes greetings repeatedly."""
 
     def __init__(self, first: int = 0, quote: str = '"') -> None:
         super().__init__("talker")
@@ -30,5 +30,5 @@ def main(args: list[str] | None = None) -> None:
 
 
 def main_cpp(args: list[str] | None = None) -> int:
-    """Run it as demo_nodes_cpp's talker: that one counts from 1."""
+    """Run it as demo_nodes_cpp's talker, which counts from 1."""
     return run(lambda: Talker(1, "'"), args)

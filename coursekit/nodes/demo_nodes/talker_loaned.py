@@ -1,4 +1,4 @@
-"""A talker with a number and a text in turn: C++ would lend their memory, Python has none to lend."""
+"""A talker that alternates a number and a text: C++ would loan their memory, Python cannot."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A thermometer, and a listener that gets only what is too cold or too hot."""
+"""A thermometer, and a listener that receives only extreme temperatures."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ TOO_COLD, TOO_HOT = -30.0, 100.0
 
 
 class Thermometer(Node):
-    """Publishes a temperature that rises, and begins again."""
+    """Publishes a rising temperature, and starts again at the end."""
 
     def __init__(self) -> None:
         super().__init__("content_filtering_publisher")
@@ -28,7 +28,7 @@ class Thermometer(Node):
 
 
 class TimerHandle(Node):
-    """Hears emergencies. rclpy has no content filters: what is none is dropped here, not by the middleware."""
+    """Receives extreme temperatures. rclpy has no content filters, so others are dropped here, not by the middleware."""
 
     def __init__(self) -> None:
         super().__init__("content_filtering_subscriber")

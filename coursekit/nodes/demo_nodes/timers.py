@@ -1,4 +1,4 @@
-"""One-off timers: made anew each time, or one that is used again."""
+"""One-off timers: recreated each time, or reused."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from coursekit.nodes.running import run
 
 
 class OneOffTimer(Node):
-    """Every third time that its periodic timer rings, a timer begins that rings once, a second later."""
+    """Every third callback of its periodic timer starts a timer that fires once, a second later."""
 
     def __init__(self, name: str = "one_off_timer") -> None:
         super().__init__(name)
@@ -29,19 +29,19 @@ class OneOffTimer(Node):
         self._count += 1
 
     def begin(self) -> None:
-        """Make the timer that rings once."""
+        """Create the one-off timer."""
         if self._one_off is not None:
             self.destroy_timer(self._one_off)
         self._one_off = self.create_timer(1.0, self.rang_once)
 
     def rang_once(self) -> None:
-        """Tell, and ring no more."""
+        """Log the callback, and cancel the timer."""
         self.get_logger().info("in one_off_timer callback")
         self._one_off.cancel()
 
 
 class ReuseTimer(OneOffTimer):
-    """The same with one timer, which is reset."""
+    """The same with one timer that is reset."""
 
     def __init__(self) -> None:
         super().__init__("reuse_timer")
@@ -49,15 +49,15 @@ class ReuseTimer(OneOffTimer):
         self._one_off.cancel()
 
     def begin(self) -> None:
-        """Let the timer ring once more."""
+        """Reset the timer."""
         self._one_off.reset()
 
 
 def one_off(args: list[str] | None = None) -> int:
-    """A timer made anew each time."""
+    """Run the recreated timer."""
     return run(OneOffTimer, args)
 
 
 def reuse(args: list[str] | None = None) -> int:
-    """A timer used again."""
+    """Run the reused timer."""
     return run(ReuseTimer, args)

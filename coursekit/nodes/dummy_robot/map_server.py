@@ -1,4 +1,4 @@
-"""`ros2 run dummy_map_server dummy_map_server`: a map of one obstacle that wanders cell by cell."""
+"""`ros2 run dummy_map_server dummy_map_server`: a map with one obstacle that moves cell by cell."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ UNKNOWN, FREE, OCCUPIED = -1, 0, 100
 
 
 class DummyMapServer(Node):
-    """Publishes /map each second: all unknown but one occupied cell between two free ones."""
+    """Publishes /map each second: unknown except for one occupied cell between two free ones."""
 
     def __init__(self) -> None:
         super().__init__("dummy_map_server")

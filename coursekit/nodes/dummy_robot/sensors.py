@@ -1,4 +1,4 @@
-"""`ros2 run dummy_sensors dummy_laser` and `dummy_joint_states`: numbers that swing."""
+"""`ros2 run dummy_sensors dummy_laser` and `dummy_joint_states`: oscillating values."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from sensor_msgs.msg import JointState, LaserScan
 
 from coursekit.nodes.running import run
 
-STEP = 0.1  # radians of the swing between two messages
-SCAN_TIME = 0.04  # seconds of one turn of the mirror, of which a beam takes a quarter of a degree
+STEP = 0.1  # radians of the oscillation per message
+SCAN_TIME = 0.04  # seconds per rotation of the mirror, of which a beam takes a quarter of a degree
 BEAMS = 1081  # 270 degrees, four beams a degree, both ends
 
 
@@ -41,7 +41,7 @@ class DummyLaser(Node):
 
 
 class DummyJointStates(Node):
-    """Publishes /joint_states fifty times a second: both joints swing together."""
+    """Publishes /joint_states fifty times a second: both joints oscillate together."""
 
     def __init__(self) -> None:
         super().__init__("dummy_joint_states")
@@ -59,10 +59,10 @@ class DummyJointStates(Node):
 
 
 def laser(args: list[str] | None = None) -> int:
-    """Scan until Ctrl-C."""
+    """Publish scans until Ctrl-C."""
     return run(DummyLaser, args)
 
 
 def joint_states(args: list[str] | None = None) -> int:
-    """Swing until Ctrl-C."""
+    """Publish joint states until Ctrl-C."""
     return run(DummyJointStates, args)

@@ -1,4 +1,4 @@
-"""The smallest action clients: to the result, or to a cancellation."""
+"""Minimal action clients: until the result, or with a cancellation."""
 
 from typing import Any
 
@@ -12,7 +12,7 @@ from coursekit.nodes.running import to_the_end
 
 
 class MinimalActionClient(Node):
-    """Asks `fibonacci` for ten steps and ends with the result."""
+    """Requests ten steps of `fibonacci` and ends with the result."""
 
     def __init__(self) -> None:
         super().__init__("minimal_action_client")
@@ -77,10 +77,10 @@ def _ask(make: type[MinimalActionClient], args: list[str] | None) -> int:
 
 
 def client(args: list[str] | None = None) -> int:
-    """Ask and wait for the result."""
+    """Send a goal and wait for the result."""
     return _ask(MinimalActionClient, args)
 
 
 def client_cancel(args: list[str] | None = None) -> int:
-    """Ask and cancel."""
+    """Send a goal and cancel it."""
     return _ask(CancellingClient, args)

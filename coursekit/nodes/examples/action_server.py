@@ -1,4 +1,4 @@
-"""The smallest action servers: goals beside each other, one at a time, in a queue, or begun later."""
+"""Minimal action servers: goals in parallel, one at a time, in a queue, or deferred."""
 
 import threading
 import time
@@ -17,7 +17,7 @@ from coursekit.nodes.running import spin_to_the_end
 
 
 class MinimalActionServer(Node):
-    """Counts Fibonacci numbers on `fibonacci`, one a second, for any number of goals beside each other."""
+    """Computes Fibonacci numbers on `fibonacci`, one a second, for any number of parallel goals."""
 
     NAME: str = "minimal_action_server"
     KIND: Any = Fibonacci
@@ -36,7 +36,7 @@ class MinimalActionServer(Node):
         )
 
     def destroy_node(self) -> None:
-        """Leave the graph, the action first."""
+        """Destroy the action, then the node."""
         self._server.destroy()
         super().destroy_node()
 
@@ -76,7 +76,7 @@ class MinimalActionServer(Node):
 
 
 class SingleGoalServer(MinimalActionServer):
-    """A new goal aborts the one before."""
+    """A new goal aborts the previous one."""
 
     def __init__(self) -> None:
         self._current: Any = None
@@ -93,7 +93,7 @@ class SingleGoalServer(MinimalActionServer):
 
 
 class QueueServer(MinimalActionServer):
-    """A new goal waits for those before it."""
+    """A new goal waits for earlier ones."""
 
     def __init__(self) -> None:
         self._queue: deque[Any] = deque()
@@ -122,7 +122,7 @@ class QueueServer(MinimalActionServer):
 
 
 class DeferringServer(MinimalActionServer):
-    """A goal begins three seconds after it was accepted."""
+    """A goal starts three seconds after its acceptance."""
 
     def __init__(self) -> None:
         super().__init__(handle_accepted_callback=self._accepted)
@@ -138,13 +138,13 @@ class DeferringServer(MinimalActionServer):
 
 
 def serve(make: Callable[[], Node], args: list[str] | None) -> int:
-    """Run an action server until Ctrl-C, goals in threads of their own."""
+    """Run an action server until Ctrl-C, with goals in separate threads."""
     rclpy.init(args=args)
     return spin_to_the_end(make(), executor=MultiThreadedExecutor())
 
 
 def server(args: list[str] | None = None) -> int:
-    """Serve goals beside each other."""
+    """Serve goals in parallel."""
     return serve(MinimalActionServer, args)
 
 
@@ -159,5 +159,5 @@ def server_queue_goals(args: list[str] | None = None) -> int:
 
 
 def server_defer(args: list[str] | None = None) -> int:
-    """Serve goals later."""
+    """Serve deferred goals."""
     return serve(DeferringServer, args)

@@ -1,4 +1,4 @@
-"""Executors and callback groups: two nodes in one, groups, and an executor of one's own."""
+"""Executors and callback groups: two nodes in one process, groups, and a custom executor."""
 
 from concurrent.futures import ThreadPoolExecutor
 from threading import Lock
@@ -21,14 +21,14 @@ from coursekit.nodes.running import run, spin_to_the_end
 
 
 class Listener(DemoListener):
-    """Logs what it hears, in quotes."""
+    """Logs received messages in quotes."""
 
     def _heard(self, msg: String) -> None:
         self.get_logger().info(f'I heard: "{msg.data}"')
 
 
 class CountingNode(Node):
-    """Publishes one more on /chatter each time its timers ring."""
+    """Publishes an increasing count on /chatter each time its timers fire."""
 
     def __init__(self, name: str) -> None:
         super().__init__(name)
@@ -44,7 +44,7 @@ class CountingNode(Node):
 
 
 class DoubleTalker(CountingNode):
-    """Two timers in one group: their callbacks never run beside each other."""
+    """Two timers in one group: their callbacks never run in parallel."""
 
     def __init__(self) -> None:
         super().__init__("double_talker")
@@ -53,7 +53,7 @@ class DoubleTalker(CountingNode):
 
 
 class ThrottledCallbackGroup(CallbackGroup):
-    """Lets ten callbacks run, and then two a second."""
+    """Permits ten callbacks, and then two a second."""
 
     MOST = 10
 
@@ -64,7 +64,7 @@ class ThrottledCallbackGroup(CallbackGroup):
         self._timer = node.create_timer(0.5, self._refill)
 
     def can_execute(self, entity: Any) -> bool:
-        """Whether there is a token."""
+        """Whether a token is available."""
         return self._tokens > 0
 
     def beginning_execution(self, entity: Any) -> bool:
@@ -76,7 +76,7 @@ class ThrottledCallbackGroup(CallbackGroup):
             return True
 
     def ending_execution(self, entity: Any) -> None:
-        """Nothing is given back."""
+        """Do nothing: tokens are not returned."""
 
     def _refill(self) -> None:
         with self._lock:
@@ -84,7 +84,7 @@ class ThrottledCallbackGroup(CallbackGroup):
 
 
 class ThrottledTalker(CountingNode):
-    """A timer of ten a second, whose group lets fewer through."""
+    """A timer with ten callbacks a second, whose group permits fewer."""
 
     def __init__(self) -> None:
         super().__init__("intermittent_talker")
@@ -92,7 +92,7 @@ class ThrottledTalker(CountingNode):
 
 
 class Estopper(Node):
-    """Must never wait: prints what comes on /estop."""
+    """Must never wait: prints messages on /estop."""
 
     def __init__(self) -> None:
         super().__init__("estopper")
@@ -100,7 +100,7 @@ class Estopper(Node):
 
 
 class PriorityExecutor(Executor):
-    """Gives urgent nodes threads of their own, and all others one."""
+    """Gives urgent nodes their own threads, and all others one thread."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -114,7 +114,7 @@ class PriorityExecutor(Executor):
         self.add_node(node)
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Begin one callback that is ready."""
+        """Start one ready callback."""
         try:
             handler, _, node = self.wait_for_ready_callbacks(timeout_sec=timeout_sec)
         except (ShutdownException, TimeoutException):
@@ -139,18 +139,18 @@ def composed(args: list[str] | None = None) -> int:
 
 
 def callback_group(args: list[str] | None = None) -> int:
-    """Two timers that exclude each other, and a listener beside them."""
+    """Run two timers that exclude each other, and a listener in parallel."""
     rclpy.init(args=args)
     return spin_to_the_end(DoubleTalker(), Listener(), executor=MultiThreadedExecutor(num_threads=4))
 
 
 def custom_callback_group(args: list[str] | None = None) -> int:
-    """A timer that is held back."""
+    """Run a throttled timer."""
     return run(ThrottledTalker, args)
 
 
 def custom_executor(args: list[str] | None = None) -> int:
-    """An executor with urgent nodes."""
+    """Run an executor with urgent nodes."""
     rclpy.init(args=args)
     executor = PriorityExecutor()
     executor.add_high_priority_node(Estopper())

@@ -25,7 +25,7 @@ class GuardedNode(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Spin step by step until the guard condition has ended it."""
+    """Spin step by step until the guard condition ends the program."""
     rclpy.init(args=args)
     node = GuardedNode()
     executor = SingleThreadedExecutor()

@@ -1,4 +1,4 @@
-"""A server that counts differently: who asks it gets more than the sum, who adds on their own does not."""
+"""A server with a different sum: only a client that calls it gets its result."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from coursekit.nodes.running import run
 
 
 class OddAdder(Node):
-    """Answers a + b and `more`; nobody can ask it for that number."""
+    """Responds with a + b plus `more`, a number that cannot be requested."""
 
     def __init__(self) -> None:
         super().__init__("odd_adder", start_parameter_services=False)

@@ -1,4 +1,4 @@
-"""The smallest service and the ways to call it."""
+"""A minimal service and several clients."""
 
 import sys
 
@@ -52,33 +52,33 @@ _TOLD = "Result of add_two_ints: for {a} + {b} = {sum}"
 
 
 def client(args: list[str] | None = None) -> int:
-    """Ask for 41 + 1."""
+    """Request 41 + 1."""
     rclpy.init(args=args)
     return _ask("minimal_client", AddTwoInts.Request(a=41, b=1), _WAITING, _TOLD)
 
 
 def client_async(args: list[str] | None = None) -> int:
-    """Ask for 41 + 1, under the name of the asynchronous example."""
+    """Request 41 + 1, under the name of the asynchronous example."""
     rclpy.init(args=args)
     return _ask("minimal_client_async", AddTwoInts.Request(a=41, b=1), _WAITING, _TOLD)
 
 
 def client_async_member_function(args: list[str] | None = None) -> int:
-    """Ask for the sum of two numbers of the command line."""
+    """Request the sum of two numbers from the command line."""
     rclpy.init(args=args)
     request = AddTwoInts.Request(a=int(sys.argv[1]), b=int(sys.argv[2]))
     return _ask("minimal_client_async", request, _WAITING, _TOLD)
 
 
 def client_cpp(args: list[str] | None = None) -> int:
-    """Ask for 41 + 1 as the C++ example does."""
+    """Request 41 + 1 as the C++ example does."""
     rclpy.init(args=args)
     request = AddTwoInts.Request(a=41, b=1)
     return _ask("minimal_client", request, "waiting for service to appear...", "result of {a} + {b} = {sum}")
 
 
 class CallingTimer(Node):
-    """Asks from a timer's callback, and awaits the answer there: both need a reentrant group."""
+    """Sends a request in a timer's callback, and awaits the response there: both need a reentrant group."""
 
     def __init__(self) -> None:
         super().__init__("minimal_client")
@@ -88,7 +88,7 @@ class CallingTimer(Node):
         self._group = group
 
     def begin(self) -> None:
-        """Ask half a second from now."""
+        """Schedule the request in half a second."""
         self._timer = self.create_timer(0.5, self._ask, callback_group=self._group)
 
     async def _ask(self) -> None:
@@ -101,7 +101,7 @@ class CallingTimer(Node):
 
 
 def client_async_callback(args: list[str] | None = None) -> int:
-    """Ask from a timer."""
+    """Send a request from a timer."""
     rclpy.init(args=args)
     node = CallingTimer()
     with to_the_end(node):

@@ -1,4 +1,4 @@
-"""The smallest publisher and subscriber; the C++ examples greet with a comma and other quotes."""
+"""A minimal publisher and subscriber; the C++ examples greet with a comma and other quotes."""
 
 from rclpy.duration import Duration
 from rclpy.node import Node
@@ -26,7 +26,7 @@ class MinimalPublisher(Node):
 
 
 class AcknowledgedPublisher(MinimalPublisher):
-    """Tells before it ends whether all subscribers have what it published."""
+    """Reports before its end whether all subscribers have acknowledged its messages."""
 
     def __init__(self) -> None:
         super().__init__("Hello, world! ", "'", "minimal_publisher_with_wait_for_all_acked")
@@ -41,7 +41,7 @@ class AcknowledgedPublisher(MinimalPublisher):
 
 
 class MinimalSubscriber(Node):
-    """Logs what comes on /topic."""
+    """Logs the messages on /topic."""
 
     def __init__(self, quote: str = '"') -> None:
         super().__init__("minimal_subscriber")
@@ -63,7 +63,7 @@ def publisher_cpp(args: list[str] | None = None) -> int:
 
 
 def publisher_acknowledged_cpp(args: list[str] | None = None) -> int:
-    """Publish until Ctrl-C, and wait for what was published to arrive."""
+    """Publish until Ctrl-C, and wait for the acknowledgements."""
     return run(AcknowledgedPublisher, args)
 
 
@@ -78,7 +78,7 @@ def subscriber_cpp(args: list[str] | None = None) -> int:
 
 
 class MinimalTimer(Node):
-    """Says hello twice a second."""
+    """Logs a greeting twice a second."""
 
     def __init__(self) -> None:
         super().__init__("minimal_timer")
@@ -86,5 +86,5 @@ class MinimalTimer(Node):
 
 
 def timer_cpp(args: list[str] | None = None) -> int:
-    """Say hello until Ctrl-C."""
+    """Log greetings until Ctrl-C."""
     return run(MinimalTimer, args)

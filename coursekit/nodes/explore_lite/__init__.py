@@ -1,1 +1,1 @@
-"""explore_lite: a robot goes where nobody has looked yet, until all is seen."""
+"""explore_lite: a robot drives to unseen areas until everything is seen."""

@@ -1,4 +1,4 @@
-"""The map that frontiers are looked for in: a topic, and a topic of changes to it."""
+"""The map in which frontiers are searched: a topic, and a topic of its updates."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from coursekit.nodes.nav2.map_message import from_message
 
 
 class CostmapClient:
-    """The newest map; None until one has come."""
+    """The newest map; None before the first."""
 
     def __init__(self, node: Node, topic: str, updates: str) -> None:
         self._node, self.frame = node, "map"

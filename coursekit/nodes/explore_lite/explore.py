@@ -1,4 +1,4 @@
-"""`ros2 run explore_lite explore`: sends nav2 to the frontiers of the map, one after the other, until there are none."""
+"""`ros2 run explore_lite explore`: sends nav2 to the map's frontiers, one after the other, until there are none."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ _DEFAULTS: dict[str, Any] = {
     "transform_tolerance": 0.3,
 }  # fmt: skip
 _NEAR_CELLS = 5
-"""A goal that lies within so many cells of one that was given up is given up too."""
+"""The distance in cells within which a goal is abandoned along with an already abandoned one."""
 
 
 class Explore(Node):
-    """Chooses the cheapest frontier again and again; gives one up that it does not come nearer to.
+    """Repeatedly chooses the cheapest frontier; abandons one without progress.
 
-    ValueError when a parameter cannot work.
+    ValueError for an invalid parameter.
     """
 
     def __init__(self) -> None:
@@ -61,7 +61,7 @@ class Explore(Node):
     # -- planning
 
     def _pose(self) -> Pose2D | None:
-        """Where the robot is; None while map, transform or navigation are not there yet."""
+        """Return the robot's pose; None while map, transform or navigation are unavailable."""
         if self._costmap.grid is None or not self._navigator.server_is_ready():
             return None
         try:
@@ -91,7 +91,7 @@ class Explore(Node):
         self._pursue(found)
 
     def _pursue(self, found: list[Frontier]) -> None:
-        """Go on to the best frontier that was not given up."""
+        """Continue to the best frontier that was not abandoned."""
         best = next((one for one in found if not self._lost(one.centroid)), None)
         if best is None:
             self._stop("All frontiers traversed/tried out, stopping.")
@@ -141,7 +141,7 @@ class Explore(Node):
             handle.get_result_async().add_done_callback(partial(self._ended, goal))
 
     def _ended(self, goal: tuple[float, float], future: Any) -> None:
-        """A goal that nav2 gave up itself is given up; one that a newer goal took the place of is not."""
+        """Abandon a goal that nav2 aborted; a goal replaced by a newer one is not abandoned."""
         if self._goal != goal or future.result() is None:
             return
         if future.result().status == GoalStatus.STATUS_ABORTED:
@@ -150,7 +150,7 @@ class Explore(Node):
             self._plan()
 
     def _stop(self, why: str = "") -> None:
-        """Drive no more; back to where it began, if that is wished and all is done."""
+        """Stop driving; return to the start if configured and everything is explored."""
         log = self.get_logger()
         if why:
             log.warning(why)

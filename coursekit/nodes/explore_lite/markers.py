@@ -1,4 +1,4 @@
-"""Frontiers as markers: blue lines, red where given up, a green ball at the nearest point of each."""
+"""Frontiers as markers: blue lines, red if abandoned, with a green ball at each one's nearest point."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _BLUE, _RED, _GREEN = (0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 
 
 def markers(found: list[Frontier], given_up: list[bool], frame: str, stamp: Any, before: int) -> MarkerArray:
-    """Two for each frontier; those of `before` that are no more are deleted."""
+    """Make two markers for each frontier; surplus ones of `before` are deleted."""
     made: list[Marker] = []
 
     def add(kind: int, colour: tuple[float, float, float], size: float) -> Marker:

@@ -1,4 +1,4 @@
-"""`<actor>` in SDF worlds: a person who walks along waypoints, seen by lasers and cameras, touched by nothing."""
+"""`<actor>` in SDF worlds: a person who walks along waypoints, visible to lasers and cameras, without contacts."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from coursekit.urdf.xml_tree import Element
 from .values import flag, number, pose, yaw_of
 
 BODY = Disc(0.0, 0.0, 0.25, 0.0, 1.75)
-"""A person, as lasers see one; the skin itself is not drawn [m]."""
+"""The shape of a person for lasers; the skin itself is not drawn [m]."""
 COLOUR = (0.85, 0.55, 0.35)
 
 
 def actor(element: Element) -> Thing:
-    """The thing that an `<actor>` is. Raises UrdfError with the line.
+    """Convert an `<actor>` to a thing. Raises UrdfError with the line.
 
     Its waypoints are poses in the world, as in Gazebo Classic; without any it stays at its `<pose>`.
     """
@@ -55,7 +55,7 @@ def _walk(element: Element) -> Walk | None:
 
 
 def _rising(times: list[float], poses: list[Pose2D]) -> tuple[list[float], list[Pose2D]]:
-    """Of waypoints at the same time the last one counts."""
+    """Keep only the last of waypoints with the same time."""
     kept = [number for number, (one, after) in enumerate(pairwise([*times, math.inf])) if one < after]
     return [times[number] for number in kept], [poses[number] for number in kept]
 

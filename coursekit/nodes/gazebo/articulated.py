@@ -1,4 +1,4 @@
-"""Robots whose links move: an arm is in the world as its joints are."""
+"""Robots with moving links: an arm's shape in the world follows its joints."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from .solids import raised
 from .values import matrix
 
 STEP = 0.02
-"""A joint that moved by less [rad or m] leaves its links where they are."""
+"""The joint motion below which links are not updated [rad or m]."""
 
 
 class Articulated:
-    """Where the links of a robot and their parts are, by the positions of its joints."""
+    """The poses of a robot's links and parts, by the positions of its joints."""
 
     def __init__(self, robot: Robot, made: Blueprint, floor: float) -> None:
         self._kinematics, self._floor = Kinematics(robot), floor
@@ -30,11 +30,11 @@ class Articulated:
         self._last: dict[str, float] = {}
 
     def has_moved(self, motors: Mapping[str, float]) -> bool:
-        """Whether joints with motors are elsewhere than at the last `at`; wheels do not count."""
+        """Whether motorised joints have moved since the last `at`; wheels do not count."""
         return any(abs(motors[name] - self._last.get(name, 0.0)) >= STEP for name in self._joints if name in motors)
 
     def at(self, motors: Mapping[str, float]) -> tuple[dict[str, Array], tuple[Part, ...]]:
-        """The frames of the links and all their parts."""
+        """Return the frames of the links and all their parts."""
         self._last = {name: motors[name] for name in self._joints if name in motors}
         frames = {name: matrix(pose) for name, pose in self._kinematics.poses(self._last).items()}
         parts = []

@@ -1,4 +1,4 @@
-"""Blueprints as what the simulation wants: a robot with its devices, or a thing."""
+"""Blueprints converted for the simulation: a robot with its devices, or a thing."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ from .solids import raised
 from .values import yaw_of
 
 LIGHTEST = 0.05
-"""A robot whose file gives no masses weighs at least this [kg]."""
+"""The minimum mass of a robot whose file has no masses [kg]."""
 
 
 @dataclass
 class Assembly:
-    """A model ready to be put into a simulation: a `robot` with `devices`, or `things`."""
+    """A model ready for a simulation: a `robot` with `devices`, or `things`."""
 
     name: str
     robot: RobotModel | None = None
@@ -39,22 +39,22 @@ class Assembly:
     things: list[Thing] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     joints: tuple[str, ...] = ()
-    """Joints that turn."""
+    """Rotating joints."""
     frames: dict[str, Array] = field(default_factory=dict)
-    """Where its links are in the model, joints at 0."""
+    """The poses of its links in the model, with joints at 0."""
     place: Pose2D = ORIGIN
     articulated: Articulated | None = None
-    """How its links follow its joints, where it has motors."""
+    """The relation of links and joints, if it has motors."""
     systems: frozenset[str] = frozenset()
-    """Of the newer Gazebo: those that it loads."""
+    """The systems of the newer Gazebo that it loads."""
     description: Robot | None = None
-    """Its description, where that is URDF."""
+    """Its description, if it is URDF."""
     lift: float = 0.0
-    """How far its origin is above the floor [m]."""
+    """The height of its origin above the floor [m]."""
 
 
 def assemble(made: Blueprint, namespace: str = "") -> Assembly:
-    """A robot where something of the model drives or senses, else a thing. Raises UrdfError and WorldError."""
+    """Make a robot if the model has drives or sensors, else a thing. Raises UrdfError and WorldError."""
     place = Pose2D(float(made.pose[0, 3]), float(made.pose[1, 3]), yaw_of(made.pose))
     mast = made.static and any(link.sensors for link in made.links.values())
     if mast:
@@ -84,7 +84,7 @@ def assemble(made: Blueprint, namespace: str = "") -> Assembly:
 
 
 def _raise(made: Blueprint, level: Array) -> None:
-    """Links and parts where they are above the floor, so that place and heading tell the rest of the model's pose."""
+    """Move links and parts to their height above the floor, so that position and heading complete the model's pose."""
     for link in made.links.values():
         link.pose, link.parts = level @ link.pose, [moved(part, level) for part in link.parts]
     made.pose = made.pose @ np.linalg.inv(level)
@@ -116,7 +116,7 @@ def _robot(made: Blueprint, drive: Drive | None, devices: list[Device], parts: l
 
 
 def _things(made: Blueprint, place: Pose2D) -> list[Thing]:
-    """One thing, its parts in the frame of the model seen from above, as high as in its file."""
+    """Make one thing, with its parts in the model's frame seen from above, at the height in its file."""
     parts = made.parts()
     if not parts:
         return []
@@ -130,7 +130,7 @@ def _things(made: Blueprint, place: Pose2D) -> list[Thing]:
 
 
 def _lean(pose: Array, place: Pose2D) -> Array:
-    """The rest of a pose without its position and heading."""
+    """Return a pose without its planar position and heading."""
     c, s = math.cos(place.theta), math.sin(place.theta)
     turn = np.array([[c, s, 0, 0], [-s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]])
     flat = pose.copy()
@@ -148,7 +148,7 @@ def _check(part: Part, name: str) -> None:
 
 
 def renamed(done: Assembly, name: str, place: Pose2D) -> Assembly:
-    """The same under another name, its model's own pose shifted by `place`."""
+    """Return a copy under another name, with its model's pose shifted by `place`."""
     at = Pose2D(place.x + done.place.x, place.y + done.place.y, place.theta + done.place.theta)
     things = [replace(thing, name=name, place=at, model=name) for thing in done.things]
     robot = replace(done.robot, name=name) if done.robot is not None else None

@@ -1,4 +1,4 @@
-"""A model of a file, URDF or SDF, before it becomes a robot or a thing."""
+"""A model from a file, URDF or SDF, before conversion to a robot or a thing."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from .looks import PLAIN, Look
 
 @dataclass
 class BlueLink:
-    """A link: where it is in the model, what bumps, what it weighs, its sensors."""
+    """A link: its pose in the model, collision parts, mass and sensors."""
 
     name: str
     pose: Array
@@ -30,14 +30,14 @@ class BlueLink:
 
 @dataclass
 class Blueprint:
-    """A model: links, plugins, joints that turn, and what of it is not simulated."""
+    """A model: links, plugins, rotating joints, and notes on what is not simulated."""
 
     name: str
     links: dict[str, BlueLink] = field(default_factory=dict)
     joints: dict[str, str] = field(default_factory=dict)
     """Joints with their types."""
     axles: dict[str, Array] = field(default_factory=dict)
-    """Where the child of each joint is in the model."""
+    """The pose of each joint's child in the model."""
     plugins: list[Element] = field(default_factory=list)
     static: bool = False
     notes: list[str] = field(default_factory=list)
@@ -46,33 +46,33 @@ class Blueprint:
     root: str = ""
     """The link at the model's origin."""
     text: str = ""
-    """The element that it was read from, for those who need more of it."""
+    """The source element, for further details."""
     robot: Robot | None = None
-    """Its description, where that is URDF."""
+    """Its description, if it is URDF."""
     reach: dict[str, Reach] = field(default_factory=dict)
-    """How far its joints may go."""
+    """The limits of its joints."""
     look: Look = PLAIN
-    """Of its first visual with a material."""
+    """The look of its first visual with a material."""
     newer: str | None = None
-    """The name of the world, where the newer Gazebo reads it; None in Gazebo Classic."""
+    """The name of the newer Gazebo's world; None in Gazebo Classic."""
     lumped: dict[str, str] = field(default_factory=dict)
-    """By link: the one that it becomes a part of in the newer Gazebo."""
+    """By link: the link into which the newer Gazebo merges it."""
     held: set[str] = field(default_factory=set)
-    """Links that fixed joints hold."""
+    """Links held by fixed joints."""
     systems: set[str] = field(default_factory=set)
-    """Of the newer Gazebo: those that it loads."""
+    """The systems of the newer Gazebo that it loads."""
 
     def note(self, element: Element, what: str) -> None:
-        """List something that is not simulated, with its place."""
+        """Note an element that is not simulated, with its position."""
         place = f"{element.file}:{element.line}: " if element.file else f"line {element.line}: "
         self.notes.append(f"{place}{element.label()} {what}")
 
     def parts(self) -> list[Part]:
-        """All that bumps, in the model's frame."""
+        """Return all collision parts in the model's frame."""
         return [part for link in self.links.values() for part in link.parts]
 
     def mass(self) -> float:
-        """Its mass [kg]."""
+        """Return its mass [kg]."""
         return math.fsum(link.mass for link in self.links.values())
 
 

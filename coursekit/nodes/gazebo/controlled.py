@@ -1,4 +1,4 @@
-"""A controller manager at work on a simulated robot: its hardware are the robot's joints."""
+"""A controller manager for a simulated robot: its hardware consists of the robot's joints."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ from .sensor_publishers import SensorPublisher, heading
 class SimulatedHardware(Hardware):
     """gazebo_ros2_control/GazeboSystem and gz_ros2_control/GazeboSimSystem: positions and speeds go to the joints' motors.
 
-    Wheels of a drive move the robot; their efforts push it. An effort moves another joint as against a viscous brake:
-    nothing weighs anything.
+    Wheels of a drive move the robot; their efforts push it. An effort moves other joints against viscous friction;
+    gravity is ignored.
     """
 
     def __init__(self, info: HardwareInfo, robot: Robot, simulation: Simulation) -> None:
@@ -40,14 +40,14 @@ class SimulatedHardware(Hardware):
         self.begin()
 
     def begin(self) -> None:
-        """The joints are where the description puts them at first."""
+        """Set the joints to the initial positions of the description."""
         for name, one in self.info.interfaces("states").items():
             joint, _, kind = name.partition("/")
             if kind == "position" and not math.isnan(one.initial):
                 self.robot.motors.put(joint, one.initial)
 
     def read(self, dt: float) -> None:
-        """Where the joints are, how fast they go; what sensors feel."""
+        """Update positions and speeds of joints, and sensor values."""
         speeds = self._speeds()
         for name in self.states:
             joint, _, kind = name.partition("/")
@@ -77,7 +77,7 @@ class SimulatedHardware(Hardware):
         return felt.get(kind, GRAVITY if kind == "linear_acceleration.z" else 0.0)
 
     def write(self, dt: float) -> None:
-        """Let the commands work."""
+        """Apply the commands."""
         told = set()
         for name, value in self.commands.items():
             joint, _, kind = name.partition("/")
@@ -93,12 +93,12 @@ class SimulatedHardware(Hardware):
             self.robot.command(ahead, turn, now_ns=self.simulation.now_ns)
 
     def _rolled(self, drive: Drive) -> tuple[float, float]:
-        """How fast wheels of these speeds go and turn."""
+        """Return linear and angular velocity for wheels at these speeds."""
         left, right = (self._sum(joints, "velocity") / len(joints) * drive.radius for joints in (drive.left, drive.right))
         return (left + right) / 2, (right - left) / drive.separation
 
     def _pushed(self, drive: Drive, dt: float) -> tuple[float, float]:
-        """How fast they go and turn when efforts have pushed them for a while."""
+        """Return linear and angular velocity after efforts have acted for a time."""
         left, right = (self._sum(joints, "effort") / drive.radius for joints in (drive.left, drive.right))
         ahead, _, turn = self.robot.wheels
         mass, moment = self.robot.model.mass, self.robot.body.moment
@@ -110,7 +110,7 @@ class SimulatedHardware(Hardware):
 
 
 class SimulatedDrive(Controller):
-    """diff_drive_controller in the simulator: it drives the robot itself, and its odometry errs as wheels do."""
+    """diff_drive_controller in the simulator: it drives the robot itself, with the odometry errors of wheels."""
 
     def __init__(
         self, node: Node, interfaces: Interfaces, rate: float, sensor: ControlPublisher, device: OdometryDevice
@@ -121,21 +121,21 @@ class SimulatedDrive(Controller):
         self._active = False
 
     def configure(self) -> None:
-        """Hear commands; the parameters, which the robot's drive was made by, are there to be read."""
+        """Subscribe to commands; declare the parameters with which the robot's drive was made."""
         for name, usual in DEFAULTS.items():
             self.parameter(name, usual)
         kind = TwistStamped if self._device.stamped else Twist
         self.node.create_subscription(kind, self._device.command_topic, self._hear, 10)
 
     def command_names(self) -> list[str]:
-        """The speeds of its wheels."""
+        """Return the velocity commands of its wheels."""
         drive = self._sensor.robot.model.drive
         assert drive is not None
         wanted = [f"{joint}/velocity" for joint in (*drive.left, *drive.right)]
         return [name for name in wanted if name in self.interfaces.commands()]
 
     def activate(self) -> None:
-        """Tell the way from now on."""
+        """Publish odometry from now on."""
         sensor = self._sensor
         if self._odometry is None:
             self._odometry = OdometryPublisher(
@@ -155,13 +155,13 @@ class SimulatedDrive(Controller):
             self._sensor.robot.command(twist.linear.x, twist.angular.z, now_ns=self._sensor.simulation.now_ns)
 
     def update(self, now_ns: int, dt: float) -> None:
-        """Tell the way as often as it is due."""
+        """Publish odometry whenever it is due."""
         while self._odometry is not None and self._odometry.due_ns <= now_ns:
             self._odometry.work()
 
 
 class ControlPublisher(SensorPublisher):
-    """The controller manager of a robot at work; `node` is made by the simulator in ROS."""
+    """The controller manager of a simulated robot; the simulator makes `node` in ROS."""
 
     device: ControlDevice
 
@@ -186,7 +186,7 @@ class ControlPublisher(SensorPublisher):
         self.manager.update(time_ns, 1.0 / self.device.rate)
 
     def restart(self, begin_ns: int) -> None:
-        """Begin again at a time; trajectories end."""
+        """Restart at a time; trajectories end."""
         super().restart(begin_ns)
         if begin_ns < self.manager.now_ns:
             for one in self.hardware:
@@ -195,7 +195,7 @@ class ControlPublisher(SensorPublisher):
             self.manager.restart(begin_ns)
 
     def close(self) -> None:
-        """The manager leaves with its robot."""
+        """Close the manager together with its robot."""
         self.manager.close()
 
 

@@ -1,4 +1,4 @@
-"""gazebo_ros2_control and gz_ros2_control: a controller manager in the simulator, by the robot's own parameter files."""
+"""gazebo_ros2_control and gz_ros2_control: a controller manager in the simulator, with the robot's parameter files."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ LIMITS = (
     ("linear.x", "velocity", "max_speed"), ("angular.z", "velocity", "max_turn"),
     ("linear.x", "acceleration", "acceleration"), ("angular.z", "acceleration", "turn_acceleration"),
 )  # fmt: skip
-"""Parameters of the controller (as `linear.x.max_velocity`, which `linear.x.has_velocity_limits` lets count), and what
-they limit."""
+"""Controller parameters (such as `linear.x.max_velocity`, enabled by `linear.x.has_velocity_limits`), and what they
+limit."""
 
 
 def read_controllers(plugin: Element, model: Blueprint, namespace: str) -> tuple[Drive | None, list[Device]]:
-    """The drive that its wheels' controllers need, and the controller manager as a device."""
+    """Return the drive for the wheel controllers, and the controller manager as a device."""
     try:
         files = [find_file(element.text.strip(), model.file) for element in plugin.all("parameters")]
     except MeshError as error:
@@ -65,7 +65,7 @@ def read_controllers(plugin: Element, model: Blueprint, namespace: str) -> tuple
 
 
 def _reach(limit: Any) -> Reach:
-    """How far and fast a joint may go; continuous ones have no ends."""
+    """Return the range and speed limits of a joint; continuous ones have no limits."""
     if limit is None:
         return Reach()
     bounded = limit.lower < limit.upper
@@ -74,7 +74,7 @@ def _reach(limit: Any) -> Reach:
 
 
 def _parameters(plugin: Element, files: list[Path]) -> dict[str, Any]:
-    """The content of the <parameters> files, node by node; UrdfError for files that are missing or no such thing."""
+    """Read the <parameters> files, node by node; UrdfError for missing or invalid files."""
     found: dict[str, Any] = {}
     for file in files:
         try:
@@ -90,7 +90,7 @@ def _parameters(plugin: Element, files: list[Path]) -> dict[str, Any]:
 
 
 def _flat(data: dict[str, Any]) -> dict[str, Any]:
-    """Nodes by name, also those below a namespace."""
+    """Return the nodes by name, including those below a namespace."""
     found = {}
     for name, node in data.items():
         if isinstance(node, dict) and "ros__parameters" not in node and all(isinstance(one, dict) for one in node.values()):
@@ -103,7 +103,7 @@ def _flat(data: dict[str, Any]) -> dict[str, Any]:
 
 
 def _rolling(hardware: Any, model: Blueprint) -> Drive | None:
-    """The drive of wheels that are commanded by their speeds alone: where they are tells how far apart, how high how big."""
+    """Return the drive of wheels commanded only by speed; their poses give their separation and radius."""
     wheels = [
         part.name for info in hardware for part in info.components
         if any(one.name == "velocity" for one in part.commands) and model.joints.get(part.name) == "continuous"
@@ -151,7 +151,7 @@ def _drive(plugin: Element, model: Blueprint, name: str, told: dict[str, Any], p
 
 
 def _limits(told: dict[str, Any]) -> dict[str, Any]:
-    """The limits that the controller's parameters ask for."""
+    """Return the limits in the controller's parameters."""
     found = {}
     for axis, kind, ours in LIMITS:
         value = _nested(told, f"{axis}.max_{kind}")
@@ -161,7 +161,7 @@ def _limits(told: dict[str, Any]) -> dict[str, Any]:
 
 
 def _nested(told: dict[str, Any], path: str) -> Any:
-    """A parameter written as `a.b.c: 1` or as nested mappings; None where it is not."""
+    """Return a parameter written as `a.b.c: 1` or as nested mappings; None if missing."""
     if path in told:
         return told[path]
     value: Any = told

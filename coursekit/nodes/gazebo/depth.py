@@ -1,4 +1,4 @@
-"""Depth cameras at work."""
+"""Simulated depth cameras."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from .sensor_publishers import SENSOR, pose_at, stamp_of
 
 FIELDS = (("x", 0), ("y", 4), ("z", 8), ("rgb", 16))
 POINT = 32
-"""Bytes of a point, as Gazebo pads them."""
+"""The size of a point with Gazebo's padding [bytes]."""
 
 
 class DepthPublisher(CameraPublisher):
-    """A camera's pictures, how far ahead their points are, and the points in space; each only for those who listen."""
+    """Publishes a camera's images, depths and points; each only if it has subscribers."""
 
     device: DepthDevice
 
@@ -50,7 +50,7 @@ class DepthPublisher(CameraPublisher):
         self._depth.publish(msg)
 
     def _publish_cloud(self, depths: NDArray[np.float32], picture: Picture, time_ns: int) -> None:
-        """In the optical frame: x to the right, y down, z ahead."""
+        """Publish the points in the optical frame: x to the right, y down, z forward."""
         height, width = depths.shape
         columns, rows = (np.arange(size) - (size - 1) / 2 for size in (width, height))
         points = np.zeros((height, width, POINT // 4), np.float32)

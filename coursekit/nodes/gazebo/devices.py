@@ -1,4 +1,4 @@
-"""The devices of a model in ROS: sensors and drives with their topics, frames and rates, as data."""
+"""The devices of a model in ROS, as data: sensors and drives with their topics, frames and rates."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from coursekit.sim.lidar import Lidar
 
 @dataclass(frozen=True)
 class Device:
-    """Anything that publishes `rate` times a second on `topic`, in `frame`."""
+    """A device that publishes `rate` times a second on `topic`, in `frame`."""
 
     topic: str
     frame: str
@@ -22,12 +22,12 @@ class Device:
 
 @dataclass(frozen=True)
 class RayDevice(Device):
-    """A LiDAR, sonar or infrared sensor; `output` is the type of its messages."""
+    """A LiDAR, sonar or infrared sensor; `output` is the message type."""
 
     lidar: Lidar = field(default_factory=Lidar)
     output: str = "sensor_msgs/LaserScan"
     radiation: int = 1
-    """Of sensor_msgs/Range: 0 ultrasound, 1 infrared."""
+    """The radiation type in sensor_msgs/Range: 0 ultrasound, 1 infrared."""
 
 
 @dataclass(frozen=True)
@@ -42,20 +42,20 @@ class ImuDevice(Device):
 
 @dataclass(frozen=True)
 class EarthDevice(Device):
-    """A sensor of the Earth; `quantity` is navsat, altimeter, magnetometer or air_pressure."""
+    """A sensor of Earth quantities; `quantity` is navsat, altimeter, magnetometer or air_pressure."""
 
     quantity: str = "navsat"
     mount: Pose2D = ORIGIN
     height: float = 0.0
     noise: tuple[float, float] = (0.0, 0.0)
-    """Standard deviations: across and up, of height and speed, across and up, of the pressure."""
+    """Standard deviations: horizontal and vertical; of height and speed; horizontal and vertical; of the pressure."""
     globe: Globe | None = None
-    """Where a world lies that does not say."""
+    """The location of a world without its own."""
 
 
 @dataclass(frozen=True)
 class CameraDevice(Device):
-    """A camera: pictures on `topic`, calibration on `info_topic`; its pose in the model looks along x."""
+    """A camera: images on `topic`, calibration on `info_topic`; it looks along x of its pose in the model."""
 
     info_topic: str = ""
     width: int = 640
@@ -65,12 +65,12 @@ class CameraDevice(Device):
     pose: Array | None = None
     encoding: str = "rgb8"
     noise: float = 0.0
-    """Standard deviation of a point's brightness, from 0 to 1."""
+    """The standard deviation of a pixel's brightness, from 0 to 1."""
 
 
 @dataclass(frozen=True)
 class DepthDevice(CameraDevice):
-    """A camera that also measures how far ahead things are, within `reach` [m]."""
+    """A camera that also measures depths within `reach` [m]."""
 
     reach: tuple[float, float] = (0.4, 3.0)
     depth_topic: str = ""
@@ -87,15 +87,15 @@ class OdometryDevice(Device):
     publish_odom: bool = True
     publish_tf: bool = True
     exact: bool = True
-    """Whether it tells where the robot really is (Gazebo's odometry_source WORLD) or what wheels turned (ENCODER)."""
+    """Whether odometry is the true pose (Gazebo's odometry_source WORLD) or computed from wheels (ENCODER)."""
     covariance: tuple[float, float, float] = (1e-5, 1e-5, 1e-3)
     tf_topic: str = "/tf"
     stamped: bool = False
     """Whether commands come as TwistStamped."""
     by_rate: bool = False
-    """Whether a car is told how fast to turn, not how far its wheels shall."""
+    """Whether a car's command is a rotation rate instead of a wheel angle."""
     spreads: tuple[tuple[float, ...], ...] = ()
-    """The whole diagonals of the covariances of pose and twist, instead of `covariance`."""
+    """The full diagonals of the covariances of pose and twist, in place of `covariance`."""
 
 
 @dataclass(frozen=True)
@@ -110,7 +110,7 @@ class WheelDevice(Device):
     """The frames of wheels, on `topic`."""
 
     wheels: tuple[tuple[str, str, str, tuple[float, ...], tuple[float, float, float]], ...] = ()
-    """Joint, frame that it hangs on, own frame; where that is at angle 0 (16 numbers), and the axis that it turns about."""
+    """Joint, parent frame, own frame; its pose at angle 0 (16 numbers), and the rotation axis."""
 
 
 @dataclass(frozen=True)
@@ -123,7 +123,7 @@ class MotorDevice(Device):
 
 @dataclass(frozen=True)
 class TrajectoryDevice(Device):
-    """Motors of `joints` that follow trajectories on `topic`; these begin when they come, or at the time in their header."""
+    """Motors of `joints` that follow trajectories on `topic`, from their arrival or from the time in their header."""
 
     joints: tuple[str, ...] = ()
     from_header: bool = False
@@ -131,23 +131,23 @@ class TrajectoryDevice(Device):
 
 @dataclass(frozen=True)
 class ControlDevice(Device):
-    """A controller manager of ros2_control; `node` is its name, `rate` how often it works."""
+    """A controller manager of ros2_control; `node` is its name, `rate` its update rate."""
 
     hardware: tuple[Any, ...] = ()
     files: tuple[str, ...] = ()
     remappings: tuple[str, ...] = ()
     odometry: tuple[tuple[str, OdometryDevice], ...] = ()
-    """Controllers that drive, by name, and what they tell."""
+    """Driving controllers by name, with their odometry."""
 
     def arguments(self) -> list[str]:
-        """Of its nodes: parameter files and remappings."""
+        """Return the arguments of its nodes: parameter files and remappings."""
         words = [word for file in self.files for word in ("--params-file", file)]
         return words + [word for one in self.remappings for word in ("-r", one)]
 
 
 @dataclass(frozen=True)
 class TruthDevice(Device):
-    """Where a robot really is (Gazebo's p3d)."""
+    """A robot's true pose (Gazebo's p3d)."""
 
     body: str = ""
 
@@ -161,12 +161,12 @@ class BumpDevice(Device):
 
 @dataclass(frozen=True)
 class TouchDevice(BumpDevice):
-    """The contacts of a robot, as the newer Gazebo publishes them."""
+    """The contacts of a robot, as published by the newer Gazebo."""
 
 
 @dataclass(frozen=True)
 class PoseDevice(Device):
-    """Where a model is in its `world` ('' for untold), and where its links are in it (16 numbers of each)."""
+    """A model's pose in its `world` ('' if unknown), and its links' poses in the model (16 numbers each)."""
 
     model: str = ""
     world: str = ""

@@ -1,4 +1,4 @@
-"""Sensors of the Earth at work: where a robot is on it, how high, its magnetism and its air."""
+"""Simulated sensors of Earth quantities: location, altitude, magnetic field and air pressure."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ class EarthPublisher(SensorPublisher):
         )
         msg = NavSatFix(latitude=latitude, longitude=longitude, altitude=altitude)
         msg.status.status = NavSatStatus.STATUS_FIX
-        if self.device.globe is not None:  # Gazebo Classic's plugin tells more than the newer one's bridge
+        if self.device.globe is not None:  # Gazebo Classic's plugin publishes more than the newer one's bridge
             msg.status.service = NavSatStatus.SERVICE_GPS
             msg.position_covariance_type = NavSatFix.COVARIANCE_TYPE_DIAGONAL_KNOWN
             msg.position_covariance[0] = msg.position_covariance[4] = across**2

@@ -1,4 +1,4 @@
-"""The simulated world through a robot's camera, for whoever is no ROS node: `cv2.VideoCapture(0)`."""
+"""The simulated world through a robot's camera, for code outside of ROS: `cv2.VideoCapture(0)`."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _views: WeakKeyDictionary[Any, dict[tuple[int, int, str], View]] = WeakKeyDictio
 
 
 def picture_of(simulator: Simulator, width: int, height: int) -> Any:
-    """The present picture of the first robot's first camera, blue first; None where there is no camera."""
+    """Return the current image of the first robot's first camera in BGR order; None without a camera."""
     for name, model in list(simulator.assemblies.items()):
         robot = simulator.simulation.robots.get(name)
         camera = next((one for one in model.devices if isinstance(one, CameraDevice)), None)

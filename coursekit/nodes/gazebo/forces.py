@@ -1,4 +1,4 @@
-"""gazebo_ros_force_system: services that push links and turn wheels for a while."""
+"""gazebo_ros_force_system: services that apply forces to links and efforts to joints for a time."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ class Forces:
 
 
 def _times(request: Any, now: int) -> tuple[int, int | None]:
-    """From when to when [ns]; None for never."""
+    """Return the start and end [ns]; None for no end."""
     begin = max(now, request.start_time.sec * 10**9 + request.start_time.nanosec)
     long = request.duration.sec * 10**9 + request.duration.nanosec
     return begin, None if long < 0 else begin + long

@@ -1,4 +1,4 @@
-"""`gzclient`: Gazebo's window. It opens in the notebook, if there is one; else it says where to look."""
+"""`gzclient`: Gazebo's window. It opens in the notebook, if there is one; else a message names the alternative."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ windows = LiveThings[WorldWindow]("gzclient")
 
 
 def main() -> int:
-    """Show the world until Ctrl-C; where nobody draws it, stay all the same: launch files end everything when it ends."""
+    """Show the world until Ctrl-C, even if no notebook draws it: launch files end everything when it ends."""
     window = WorldWindow(current())
     with to_the_end():
         if not windows.tell(window):

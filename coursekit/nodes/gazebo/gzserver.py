@@ -34,7 +34,7 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
 
 
 def simulate(make: Callable[[], Gazebo], unknown: Iterable[str]) -> int:
-    """Run a simulator to the end; 255 where its world cannot be. What of the command line is `unknown` is told."""
+    """Run a simulator to its end; 255 for an invalid world. `unknown` command-line arguments are reported."""
     with to_the_end():
         try:
             node = make()

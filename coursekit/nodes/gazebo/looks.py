@@ -19,7 +19,7 @@ NAMES: dict[str, Look] = {
 
 
 def look_of(model: Element) -> Look:
-    """The look of a `<model>`: the first material that one of its visuals names or gives colours."""
+    """Return the look of a `<model>`: the first material of a visual with a name or colours."""
     for link in model.all("link"):
         for visual in link.all("visual"):
             look = look_of_material(visual.first("material"))
@@ -29,7 +29,7 @@ def look_of(model: Element) -> Look:
 
 
 def look_of_material(material: Element | None) -> Look:
-    """The look of a `<material>` of SDF; plain where it says nothing that is known."""
+    """Return the look of an SDF `<material>`; plain if it is unknown."""
     if material is None:
         return PLAIN
     named = look_named(material.tell("script/name"))
@@ -45,7 +45,7 @@ def look_of_material(material: Element | None) -> Look:
 
 
 def look_named(name: str) -> Look:
-    """The look of one of Gazebo's own materials.
+    """Return the look of one of Gazebo's own materials.
 
     >>> look_named("Gazebo/DarkGrey"), look_named("Gazebo/Bricks"), look_named("My/Own")
     (('plain', (0.18, 0.18, 0.18)), ('brick', None), ('plain', None))

@@ -1,4 +1,4 @@
-"""The common sensor elements of both Gazebos: beams, pictures and noise, and the quantities of the Earth."""
+"""The sensor elements common to both Gazebos: beams, images, noise, and Earth quantities."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ EARTH = {
     "magnetometer": ("x/noise/stddev", "z/noise/stddev"),
     "air_pressure": ("pressure/noise/stddev", "pressure/noise/stddev"),
 }
-"""Types of sensors, and where their noise is told: the first number's, and the second's."""
+"""Sensor types, with the paths of the noise of their first and second value."""
 
 
 def lidar_of(sensor: Element, ray: Element, rate: float, where: Array, model: Blueprint, floor: float) -> Lidar:
-    """The beams of a `<ray>` or `<lidar>`; a note for what of it is not simulated."""
+    """Return the beams of a `<ray>` or `<lidar>`, with notes on unsupported parts."""
     if number(ray, "scan/vertical/samples", 1) > 1:
         model.note(sensor, "has several layers; the middle one is simulated")
     if abs(abs(where[2, 2]) - 1.0) > 1e-3:
@@ -46,7 +46,7 @@ def lidar_of(sensor: Element, ray: Element, rate: float, where: Array, model: Bl
 
 
 def shakes_of(sensor: Element) -> tuple[float, float, float, float]:
-    """Noise and bias of an `<imu>`: of its turning [rad/s], and of its pushes [m/s^2]."""
+    """Return noise and bias of an `<imu>`: of angular velocity [rad/s] and of acceleration [m/s^2]."""
     imu = sensor.first("imu")
     turn, push = "angular_velocity/z/noise/", "linear_acceleration/x/noise/"
     turning = number(imu, turn + "stddev", 0.0), number(imu, turn + "bias_mean", 0.0)
@@ -54,7 +54,7 @@ def shakes_of(sensor: Element) -> tuple[float, float, float, float]:
 
 
 def picture_of(sensor: Element, camera: Element | None) -> tuple[int, int, float]:
-    """Width and height of a camera's pictures, and how much it sees [rad]. Raises UrdfError for what no picture can be."""
+    """Return width, height and field of view [rad] of a camera. Raises UrdfError for impossible values."""
     width, height = (round(number(camera, f"image/{one}", size)) for one, size in (("width", 320), ("height", 240)))
     if not (16 <= width <= 4096 and 16 <= height <= 4096):
         raise sensor.error(f"has pictures of {width}x{height}", "Give a width and height from 16 to 4096.")
@@ -67,7 +67,7 @@ def picture_of(sensor: Element, camera: Element | None) -> tuple[int, int, float
 def earth_of(
     sensor: Element, topic: str, frame: str, rate: float, node: str, where: Array, floor: float, usual: Globe | None = None
 ) -> EarthDevice:
-    """A sensor of the Earth; `usual` is where a world lies that does not say."""
+    """Return a sensor of an Earth quantity; `usual` is the location of a world without its own."""
     kind = sensor.get("type") or ""
     told = sensor.first(kind)
     first, second = (number(told, path, 0.0) for path in EARTH[kind])

@@ -1,4 +1,4 @@
-"""`model://NAME`: where models of Gazebo are looked for."""
+"""`model://NAME`: the search paths of Gazebo models."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ PATH, RESOURCES = "GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH"
 NEWER = ("GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "SDF_PATH")
 """The newer Gazebo's variables, for models and resources alike."""
 SCENERY = ("sun", "ground_plane")
-"""Models that a flat world with light has by itself."""
+"""Models that are part of every flat, lit world."""
 
 
 def is_scenery(uri: str) -> bool:
-    """Whether a model is one of those, from a folder or from the web.
+    """Whether a model is part of SCENERY, from a folder or from the web.
 
     >>> is_scenery("model://sun"), is_scenery("https://fuel.gazebosim.org/1.0/OpenRobotics/models/Ground Plane")
     (True, True)
@@ -31,35 +31,35 @@ def is_scenery(uri: str) -> bool:
 
 
 class MissingModel(MeshError):
-    """No folder has a model; a world goes on without it, as Gazebo's does."""
+    """A model is in no folder; the world continues without it, as in Gazebo."""
 
 
 def model_paths(near: Path | None = None) -> list[Path]:
-    """The folders: GAZEBO_MODEL_PATH, `models` beside and above the file that asks, what packages export, resources."""
+    """Return the folders: GAZEBO_MODEL_PATH, `models` beside and above the file, package exports, resources."""
     above = list(near.resolve().parents)[:4] if near is not None else []
     beside = [*above[1:3], *(folder / "models" for folder in above)]
     return [*told_by(PATH), *told_by(*NEWER), *beside, *exported("gazebo_model_path"), *resource_paths()]
 
 
 def resource_paths() -> list[Path]:
-    """GAZEBO_RESOURCE_PATH, and what packages export: where worlds and `file://` without a leading slash are looked for."""
+    """Return GAZEBO_RESOURCE_PATH and package exports: the search path of worlds and relative `file://` URIs."""
     return [*told_by(RESOURCES, *NEWER), *exported("gazebo_media_path")]
 
 
 def told_by(*variables: str) -> list[Path]:
-    """The folders of environment variables."""
+    """Return the folders in environment variables."""
     return [Path(one).expanduser() for name in variables for one in split_folders(os.environ.get(name, ""))]
 
 
 def exported(attribute: str) -> list[Path]:
-    """Folders that packages export: `<gazebo_ros gazebo_model_path="${prefix}/models"/>` in package.xml."""
+    """Return folders exported by packages: `<gazebo_ros gazebo_model_path="${prefix}/models"/>` in package.xml."""
     shares = [share for share in package_paths() if share.is_dir()]
     return list(_exported(attribute, tuple((share, share.stat().st_mtime_ns) for share in shares)))
 
 
 @lru_cache(maxsize=8)
 def _exported(attribute: str, shares: tuple[tuple[Path, int], ...]) -> tuple[Path, ...]:
-    """As long as no package comes to a folder or leaves it, the answer is kept: a world asks for each of its meshes."""
+    """Cached until a package is added to or removed from a folder: a world calls this for each of its meshes."""
     found: list[Path] = []
     for file in (one for share, _ in shares for one in sorted(share.glob("*/package.xml"))):
         try:
@@ -68,7 +68,7 @@ def _exported(attribute: str, shares: tuple[tuple[Path, int], ...]) -> tuple[Pat
             continue
         try:
             export = read(text, str(file)).first("export") if "<gazebo_ros" in text else None
-        except UrdfError:  # colcon tells what is wrong with it
+        except UrdfError:  # colcon reports its fault
             continue
         for element in export.all("gazebo_ros") if export is not None else ():
             told = (element.get(attribute) or "").replace("${prefix}", str(file.parent))
@@ -77,7 +77,9 @@ def _exported(attribute: str, shares: tuple[tuple[Path, int], ...]) -> tuple[Pat
 
 
 def find_model(uri: str, near: Path | None = None) -> Path:
-    """The SDF file of a `model://NAME` or `package://NAME` (or a folder or file); MeshError names what was searched."""
+    """Return the SDF file of a `model://NAME` or `package://NAME` (or a folder or file); MeshError lists the searched
+    folders.
+    """
     of_package = uri.startswith("package://")
     name = unquote(uri.removeprefix("model://").removeprefix("package://").removeprefix("file://"))
     folders = [*model_paths(near), *(package_paths() if of_package else ())]
@@ -118,7 +120,7 @@ def _text_of(config: Path) -> str:
 
 
 def find_mesh(uri: str, near: Path | None = None) -> Path:
-    """The file of a mesh's uri: model://, package://, file:// or a path. Raises MeshError."""
+    """Return the file of a mesh URI: model://, package://, file:// or a path. Raises MeshError."""
     rest = unquote(uri.removeprefix("model://").removeprefix("file://"))
     if rest == uri or rest.startswith("/"):
         return find_file(uri, near)

@@ -1,4 +1,4 @@
-"""Parts moved by a pose in space."""
+"""Parts transformed by a 3D pose."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .solids import UPRIGHT
 
 
 def moved(part: Part, made: Array) -> Part:
-    """A part carried by a 4x4 pose; an upright one that is tipped over becomes triangles."""
+    """Transform a part by a 4x4 pose; a tilted upright part becomes triangles."""
     if isinstance(part, Skin):
         return Skin(part.vertices @ made[:3, :3].T + made[:3, 3], part.faces)
     if isinstance(part, Ball):
@@ -28,7 +28,7 @@ def moved(part: Part, made: Array) -> Part:
 
 
 def _skin(part: Prism | Disc) -> Skin:
-    """The walls of an upright part; lids are not needed, a cut meets the walls."""
+    """Return the walls of an upright part; lids are not needed, because a cut intersects the walls."""
     if isinstance(part, Disc):
         turn = np.linspace(0, 2 * np.pi, 48, endpoint=False)
         ring = np.column_stack((part.x + part.radius * np.cos(turn), part.y + part.radius * np.sin(turn)))

@@ -1,6 +1,6 @@
 """The newer Gazebo's `<plugin>` elements of models.
 
-What they become are the same drives and devices as Gazebo Classic's; names and defaults are those of gz-sim.
+They become the same drives and devices as Gazebo Classic's; names and defaults are those of gz-sim.
 """
 
 from __future__ import annotations
@@ -17,25 +17,25 @@ from .devices import Device, JointDevice, MotorDevice, OdometryDevice, PoseDevic
 from .values import flag, number
 
 NODE = "/gz_sim"
-"""The node of all devices: the newer Gazebo's topics belong to no node that ROS sees."""
+"""The node of all devices: the newer Gazebo's topics belong to no node visible in ROS."""
 QUIET = (
     "physics", "user-commands", "scene-broadcaster", "sensors", "imu", "contact", "air-pressure", "altimeter", "log",
     "magnetometer", "navsat", "forcetorque", "level", "apply-joint-force", "wheel-slip", "touchplugin",
     "label", "thermal",
 )  # fmt: skip
-"""Systems that are there anyway, or that need no word of their own."""
+"""Systems that are always present, or need no message."""
 _FILE = re.compile(r"(?:lib)?(?:gz-sim|ignition-gazebo)\d*-(.+?)-system(?:\.so)?")
 
 
 @dataclass(frozen=True)
 class GzNames:
-    """The names of topics that a description does not name."""
+    """The default topic names."""
 
     world: str
     model: str
 
     def topic(self, told: str, usual: str) -> str:
-        """The full name of a topic.
+        """Return the full name of a topic.
 
         >>> GzNames("w", "cart").topic("cmd_vel", "cmd_vel"), GzNames("w", "cart").topic("", "cmd_vel")
         ('/cmd_vel', '/model/cart/cmd_vel')
@@ -43,14 +43,15 @@ class GzNames:
         return "/" + (told.strip("/") or f"model/{self.model}/{usual}")
 
     def sensor(self, link: str, name: str) -> str:
-        """The topic of a sensor that names none, without its last word."""
+        """Return the default topic of a sensor, without its last part."""
         return f"/world/{self.world}/model/{self.model}/link/{link}/sensor/{name}"
 
 
 def system_of(plugin: Element) -> str:
-    """The name of a newer Gazebo's system, '' for other plugins.
+    """Return the name of a newer Gazebo's system, '' for other plugins.
 
-    `libignition-gazebo-diff-drive-system.so`, `gz-sim-diff-drive-system` and `gz::sim::systems::DiffDrive` are one.
+    `libignition-gazebo-diff-drive-system.so`, `gz-sim-diff-drive-system` and `gz::sim::systems::DiffDrive` are the
+    same.
     """
     match = _FILE.fullmatch((plugin.get("filename") or "").strip())
     if match is not None:
@@ -62,7 +63,7 @@ def system_of(plugin: Element) -> str:
 
 
 def read_system(system: str, plugin: Element, model: Blueprint) -> tuple[Drive | None, list[Device]]:
-    """The drive, if it is one, and the devices of a system; a note for what is not simulated."""
+    """Return the drive, if it is one, and the devices of a system, with notes on unsupported parts."""
     readers = {
         "diff-drive": _differential,
         "ackermann-steering": _ackermann,

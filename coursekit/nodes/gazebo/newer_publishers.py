@@ -1,4 +1,4 @@
-"""Devices that only the newer Gazebo has, at work: poses of a model, and what touches it."""
+"""Simulated devices of only the newer Gazebo: poses and contacts of a model."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .sensor_publishers import SensorPublisher, heading, pose_at, stamp_of
 
 
 class PosePublisher(SensorPublisher):
-    """gz::sim::systems::PosePublisher: where a model is, and its links in it."""
+    """gz::sim::systems::PosePublisher: the poses of a model and of its links."""
 
     device: PoseDevice
 
@@ -44,12 +44,12 @@ class PosePublisher(SensorPublisher):
 
 
 def transform_of(pose: Array) -> TransformStamped:
-    """A 4x4 matrix as a message without header."""
+    """Convert a 4x4 matrix to a message without header."""
     msg = TransformStamped()
     at, turned = msg.transform.translation, msg.transform.rotation
     at.x, at.y, at.z = (float(one) for one in pose[:3, 3])
     w = math.sqrt(max(0.0, 1.0 + float(np.trace(pose[:3, :3])))) / 2
-    if w < 1e-6:  # half a turn about one of the axes
+    if w < 1e-6:  # a half turn about an axis
         turned.x, turned.y, turned.z = (math.sqrt(max(0.0, (1.0 + float(pose[i, i])) / 2)) for i in range(3))
         turned.w = 0.0
         return msg
@@ -59,7 +59,7 @@ def transform_of(pose: Array) -> TransformStamped:
 
 
 class TouchPublisher(SensorPublisher):
-    """A contact sensor: what the model touches now."""
+    """A contact sensor: the model's current contacts."""
 
     device: TouchDevice
 

@@ -1,4 +1,4 @@
-"""Sensors in the newer Gazebo: they publish without a plugin, on topics that they name."""
+"""Sensors of the newer Gazebo, which publish without a plugin on their own topics."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ LIDARS, CAMERAS = ("gpu_lidar", "lidar", "ray", "gpu_ray"), ("camera", "depth_ca
 
 
 def devices_of(sensor: Element, link: BlueLink, model: Blueprint, floor: float) -> list[Device]:
-    """The devices of a sensor on a link; none and a note for what is not simulated. `floor` is its z in the model."""
+    """Return the devices of a sensor on a link, with notes on unsupported parts. `floor` is its z in the model."""
     kind, name = sensor.get("type") or "", sensor.get("name") or "sensor"
     names = GzNames(model.newer or "default", model.name)
     body = model.lumped.get(link.name, link.name)
@@ -74,9 +74,9 @@ def _camera(sensor: Element, kind: str, told: str, usual: str, frame: str, rate:
 
 
 def lumped(parents: dict[str, tuple[str, str, str]], kept: frozenset[str] = frozenset()) -> dict[str, str]:
-    """By link: the link that it becomes a part of where fixed joints are joined, as sdformat does with URDF.
+    """Map each link to the link into which fixed joints merge it, as sdformat does with URDF.
 
-    `parents` has (joint, its type, parent) of each link; joints in `kept` are not joined.
+    `parents` has (joint, its type, parent) of each link; joints in `kept` are not merged.
 
     >>> lumped({"base": ("a", "fixed", "foot"), "laser": ("b", "fixed", "base"), "wheel": ("c", "continuous", "base")})
     {'base': 'foot', 'laser': 'foot', 'wheel': 'wheel'}

@@ -1,4 +1,4 @@
-"""Where robots are, told: by their wheels, or as it is."""
+"""Publishers of robots' poses: by their wheels, or the true ones."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .sensor_publishers import SensorPublisher, heading, pose_at, stamp_of
 
 
 class OdometryPublisher(SensorPublisher):
-    """Odometry at work; commands come in at `command_topic`."""
+    """Simulated odometry; commands arrive on `command_topic`."""
 
     device: OdometryDevice
 
@@ -47,7 +47,7 @@ class OdometryPublisher(SensorPublisher):
 
 
 def odometry(place: Pose2D, speed: tuple[float, float, float], covariance: Iterable[float] = (0, 0, 0)) -> Odometry:
-    """A place and a velocity in the robot's frame as a message without header."""
+    """Convert a pose and a velocity in the robot's frame to a message without header."""
     msg = Odometry()
     msg.pose.pose.position.x, msg.pose.pose.position.y = place.x, place.y
     msg.pose.pose.orientation = heading(place.theta)
@@ -61,7 +61,7 @@ def odometry(place: Pose2D, speed: tuple[float, float, float], covariance: Itera
 
 
 class TruthPublisher(SensorPublisher):
-    """Ground truth at work."""
+    """Publishes the ground truth."""
 
     device: TruthDevice
 

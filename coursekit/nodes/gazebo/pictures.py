@@ -1,4 +1,4 @@
-"""Cameras at work."""
+"""Simulated cameras."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .sensor_publishers import SENSOR, SensorPublisher, pose_at, stamp_of
 
 
 class CameraPublisher(SensorPublisher):
-    """A camera at work: rgb8 pictures and their calibration, drawn only for those who listen."""
+    """A simulated camera: rgb8 images and their calibration, drawn only for subscribers."""
 
     device: CameraDevice
 
@@ -37,7 +37,7 @@ class CameraPublisher(SensorPublisher):
             self._image.publish(msg)
 
     def _coded(self, picture: Picture) -> Picture:
-        """A picture, blue first, with noise and in the camera's encoding."""
+        """Add noise to a BGR image, and convert it to the camera's encoding."""
         if self.device.noise:
             shake = self.chance.standard_normal(picture.shape, np.float32) * np.float32(255.0 * self.device.noise)
             picture = np.clip(picture + shake, 0, 255).astype(np.uint8)
@@ -57,7 +57,7 @@ class CameraPublisher(SensorPublisher):
 
 
 def view_of(device: CameraDevice, width: int = 0, height: int = 0) -> View:
-    """The view of a camera, in its own or another size."""
+    """Return the view of a camera, in its own or another size."""
     assert device.pose is not None
     made = device.pose
     turn = float(np.arctan2(made[1, 0], made[0, 0]))

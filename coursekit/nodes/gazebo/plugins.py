@@ -23,7 +23,7 @@ Found = tuple[Drive | None, list[Device]]
 
 
 def read_plugin(plugin: Element, model: Blueprint, namespace: str) -> Found:
-    """The drive, if it is one, and the devices of a plugin; a note for what is not simulated."""
+    """Return the drive, if it is one, and the devices of a plugin, with notes on unsupported parts."""
     file = (plugin.get("filename") or "").removeprefix("lib").removesuffix(".so").removeprefix("gazebo_ros_")
     readers = {
         "diff_drive": _differential,
@@ -128,7 +128,7 @@ def _wheels(
 
 
 def _frames(plugin: Element, model: Blueprint, namespace: str, rate: float, joints: tuple[str, ...]) -> list[Device]:
-    """The frames of the wheels, if the drive is to publish them."""
+    """Return the frames of the wheels, if the drive publishes them."""
     if not flag(plugin, "publish_wheel_tf", False):
         return []
     if model.robot is None:
@@ -184,7 +184,7 @@ def _truth(plugin: Element, model: Blueprint, namespace: str) -> Found:
 
 
 def drift_of(plugin: Element, encoder: bool) -> Drift:
-    """Coursekit's own `<drift>` element: six numbers as in `Drift`, or one for the usual drift times that."""
+    """Read coursekit's own `<drift>` element: six numbers as in `Drift`, or a factor for the default drift."""
     element = plugin.first("drift")
     if element is None:
         return Drift.usual() if encoder else EXACT

@@ -1,4 +1,4 @@
-"""The messages of a ray sensor: the four types that gazebo_ros_ray_sensor knows."""
+"""The messages of a ray sensor: the four types of gazebo_ros_ray_sensor."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LASER, CLOUD = "sensor_msgs/LaserScan", "sensor_msgs/PointCloud2"
 
 
 def laser_scan(device: RayDevice, ranges: Array) -> LaserScan:
-    """Distances in the order of the beams; inf where nothing is."""
+    """Return distances in the order of the beams; inf without an echo."""
     lidar = device.lidar
     msg = LaserScan(range_min=lidar.range_min, range_max=lidar.range_max)
     msg.angle_min, msg.angle_max, msg.angle_increment = lidar.angle_min, lidar.angle_max, lidar.step
@@ -29,7 +29,7 @@ def laser_scan(device: RayDevice, ranges: Array) -> LaserScan:
 
 
 def _points(device: RayDevice, ranges: Array) -> Array:
-    """Where beams ended, in the sensor's frame (n, 3)."""
+    """Return the ends of the beams in the sensor's frame (n, 3)."""
     lidar = device.lidar
     angles = lidar.angle_min + lidar.step * np.arange(lidar.beams)
     hit = np.isfinite(ranges)
@@ -37,7 +37,7 @@ def _points(device: RayDevice, ranges: Array) -> Array:
 
 
 def point_cloud2(device: RayDevice, ranges: Array) -> PointCloud2:
-    """Points with x, y, z and intensity, each a float32."""
+    """Return points with x, y, z and intensity, each a float32."""
     points = _points(device, ranges)
     rows = np.zeros((len(points), 4), np.float32)
     rows[:, :3] = points
@@ -49,13 +49,13 @@ def point_cloud2(device: RayDevice, ranges: Array) -> PointCloud2:
 
 
 def point_cloud(device: RayDevice, ranges: Array) -> PointCloud:
-    """The older kind of cloud."""
+    """Return the older type of cloud."""
     points = [Point32(x=float(x), y=float(y), z=float(z)) for x, y, z in _points(device, ranges)]
     return PointCloud(points=points, channels=[ChannelFloat32(name="intensity", values=[0.0] * len(points))])
 
 
 def range_of(device: RayDevice, ranges: Array) -> Range:
-    """The nearest thing in the cone."""
+    """Return the nearest distance in the cone."""
     lidar = device.lidar
     seen = ranges[ranges > 0.0]
     msg = Range(radiation_type=device.radiation, min_range=lidar.range_min, max_range=lidar.range_max)

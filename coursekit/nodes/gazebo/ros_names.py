@@ -27,7 +27,7 @@ class RosNames:
         return self._full("~")
 
     def topic(self, name: str) -> str:
-        """The full name of a topic that the plugin calls `name`."""
+        """Return the full name of a topic called `name` in the plugin."""
         wanted = self._full(name)
         for old, new in self.remappings:
             if self._full(old) == wanted:
@@ -44,7 +44,7 @@ class RosNames:
 
 
 def names_of(plugin: Element, namespace: str = "") -> RosNames:
-    """The names of a plugin; a `namespace` that its model was spawned with wins over its own."""
+    """Return the names of a plugin; a `namespace` from spawning its model overrides its own."""
     ros = plugin.first("ros")
     node = (plugin.get("name") or "plugin").replace(" ", "_")
     if ros is None:

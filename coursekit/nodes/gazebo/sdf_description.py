@@ -1,4 +1,4 @@
-"""A robot_description in either format: an SDF model as URDF, so that its frames can be published and its shapes drawn."""
+"""A robot_description in either format: an SDF model is converted to URDF, for publishing frames and drawing shapes."""
 
 from __future__ import annotations
 
@@ -19,14 +19,14 @@ from .values import pose_of
 TYPES = {"continuous": "continuous", "revolute": "revolute", "fixed": "fixed", "prismatic": "prismatic"} | dict.fromkeys(
     ("ball", "universal", "gearbox", "revolute2", "screw"), "floating"
 )
-"""Joints of SDF in URDF's words; what turns about more than one axis floats: nobody publishes where it is."""
+"""SDF joint types in URDF; joints with several rotation axes become floating: their poses are not published."""
 ENDLESS = 1e16
 
 
 def described(text: str, file: str = "robot_description") -> Robot:
-    """The robot of a description, URDF or SDF. Raises UrdfError.
+    """Parse a description, URDF or SDF. Raises UrdfError.
 
-    In ROS 2: what `urdf::Model` reads, with sdformat_urdf installed.
+    In ROS 2: `urdf::Model` with sdformat_urdf installed.
 
     >>> described("<sdf version='1.8'><model name='ball'><link name='b'/></model></sdf>").root
     'b'
@@ -36,7 +36,7 @@ def described(text: str, file: str = "robot_description") -> Robot:
 
 
 def as_urdf(root: Element) -> str:
-    """The one model of an `<sdf>` as URDF. Raises UrdfError."""
+    """Convert the one model of an `<sdf>` to URDF. Raises UrdfError."""
     model = root.first("model")
     if model is None:
         raise root.error("holds no <model>", "A robot_description is one model: <sdf version='1.8'><model name='...'>.")
@@ -48,7 +48,7 @@ def as_urdf(root: Element) -> str:
     joints = {joint.tell("child"): joint for joint in model.all("joint")}
 
     def place(link: str) -> Array:
-        """Where URDF has a link: where the joint is that it hangs on."""
+        """Return a link's pose in URDF, which is that of its joint."""
         joint = joints.get(link)
         return frames(link if joint is None else joint.get("name") or "")
 
@@ -65,7 +65,7 @@ def _link(made: Xml, link: Element, place: Callable[[str], Array], frames: Calla
     inverse = np.linalg.inv(place(name))
 
     def beside(part: Element) -> Array:
-        """Where a part of the link is, seen from where URDF has it."""
+        """Return the pose of a link's part in the link's URDF frame."""
         told = part.first("pose")
         where = told.get("relative_to") if told is not None else ""
         own = pose_of(told) if told is not None and told.text.strip() else np.eye(4)
@@ -120,7 +120,7 @@ def _joint(made: Xml, joint: Element, place: Callable[[str], Array]) -> None:
 
 
 def _bound(joint: Element, end: str, sign: int) -> float:
-    """A limit of a joint; infinity with that sign where it has none."""
+    """Return a limit of a joint; infinity with that sign if it has none."""
     told = joint.tell(f"axis/limit/{end}")
     try:
         value = float(told) if told else sign * math.inf

@@ -1,4 +1,4 @@
-"""Names in SDF's models and worlds, and their poses there: links, joints, frames, nested and included models."""
+"""Names in SDF models and worlds with their poses: links, joints, frames, nested and included models."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from .model_paths import MissingModel, find_model
 from .values import pose
 
 DEEPEST = 20
-"""Models in models; more is a model that includes itself."""
+"""The maximum nesting of models; deeper nesting means that a model includes itself."""
 TAGS = ("link", "joint", "frame", "model", "include")
 
 
 def included(element: Element, file: Path | None) -> tuple[Element, Path]:
-    """The `<model>` that an `<include>` means, and its file. Raises MeshError and UrdfError."""
+    """Return the `<model>` of an `<include>`, and its file. Raises MeshError and UrdfError."""
     path = find_model(element.tell("uri"), file)
     root = read(_text(path), str(path))
     model = root.first("model") if root.tag == "sdf" else None
@@ -38,18 +38,18 @@ def _text(path: Path) -> str:
 
 
 def is_merged(element: Element) -> bool:
-    """Whether the links of an `<include>` become those of the model that contains it."""
+    """Whether the links of an `<include>` are merged into the containing model."""
     return element.get("merge") in ("true", "1")
 
 
 def frames_of(model: Element, file: Path | None = None, depth: int = 0) -> Callable[[str], Array]:
-    """A function from the name of something in a model or world to its pose there; `a::b` is b in the model a."""
+    """Return a function from a name in a model or world to its pose; `a::b` is b in the model a."""
     if depth > DEEPEST:
         raise model.error(f"holds more than {DEEPEST} models inside each other", "Does it include itself?")
     named = {one.get("name") or one.tell("name"): one for one in model.children if one.tag in TAGS}
 
     def within(one: Element) -> Callable[[str], Array]:
-        """The frames of a nested or included model."""
+        """Return the frames of a nested or included model."""
         if one.tag == "model":
             return frames_of(one, file, depth + 1)
         inner, path = included(one, file)

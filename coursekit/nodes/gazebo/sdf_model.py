@@ -28,7 +28,7 @@ QUIET = {
 
 
 def read_model(element: Element, file: Path | None = None, depth: int = 0) -> Blueprint:
-    """The blueprint of a `<model>`; poses of its parts are in the model's frame, the model's own in its parent's."""
+    """Return the blueprint of a `<model>`; its parts are in the model's frame, the model's pose is in its parent's."""
     if depth > DEEPEST:
         raise element.error(f"holds more than {DEEPEST} models inside each other", "Does it include itself?")
     made = Blueprint(element.get("name") or "model", file=file, static=flag(element, "static", False))
@@ -55,7 +55,7 @@ def read_model(element: Element, file: Path | None = None, depth: int = 0) -> Bl
 
 
 def include(element: Element, file: Path | None, depth: int = 0) -> Blueprint:
-    """The blueprint of an `<include>`, renamed and moved as it says. Raises MeshError if the model is not found."""
+    """Return the blueprint of an `<include>`, renamed and moved accordingly. Raises MeshError if the model is missing."""
     model, path = included(element, file)
     made = read_model(model, path, depth + 1)
     made.name = element.tell("name") or made.name
@@ -68,7 +68,7 @@ def include(element: Element, file: Path | None, depth: int = 0) -> Blueprint:
 
 
 def entity(element: Element, file: Path | None, depth: int, frames: Callable[[str], Array]) -> Blueprint:
-    """A `<model>` or `<include>` inside a world or model, its pose in the frame of that. Raises MeshError."""
+    """Return a `<model>` or `<include>` of a world or model, with its pose in that frame. Raises MeshError."""
     inner = include(element, file, depth) if element.tag == "include" else read_model(element, file, depth)
     place = element.first("pose")
     if place is not None:
@@ -99,7 +99,7 @@ def _nest(element: Element, made: Blueprint, file: Path | None, depth: int, fram
 
 
 def _merge(inner: Blueprint, made: Blueprint) -> None:
-    """An `<include merge="true">`: its links and joints are the model's own."""
+    """Merge an `<include merge="true">`: its links and joints become the model's own."""
     for key, link in inner.links.items():
         parts = [moved(part, inner.pose) for part in link.parts]
         made.links[key] = BlueLink(link.name, inner.pose @ link.pose, parts, link.mass, link.sensors)

@@ -1,4 +1,4 @@
-"""SDF files as worlds: models, includes, saved states; and texts of single models."""
+"""SDF files as worlds: models, includes, saved states; and single models as text."""
 
 from __future__ import annotations
 
@@ -41,17 +41,17 @@ QUIET = {
 
 @dataclass
 class SdfWorld:
-    """A world, the models that its file has in it (things of theirs are in the world already), its plugins."""
+    """A world, the models in its file (their things are already in the world), and its plugins."""
 
     world: World
     models: list[Assembly] = field(default_factory=list)
     state: StatePlugin | None = None
     systems: frozenset[str] | None = None
-    """Of the newer Gazebo: those that the world loads; None where the file cannot say."""
+    """The systems of the newer Gazebo that the world loads; None if the file has no list."""
 
 
 def load_sdf(path: str | Path, newer: bool = False) -> SdfWorld:
-    """The world of an SDF file, as Gazebo Classic or the `newer` one reads it.
+    """Load the world of an SDF file as Gazebo Classic or the `newer` one does.
 
     Raises UrdfError (with line) and WorldError; OSError becomes a WorldError.
     """
@@ -141,7 +141,7 @@ def _models(element: Element, file: Path, notes: list[str]) -> Iterator[Blueprin
 
 
 def _restore(state: Element, blueprints: list[Blueprint]) -> None:
-    """Models are where a saved state says; links that moved inside them too."""
+    """Move models to the poses of a saved state, including links moved inside them."""
     saved = {one.get("name"): one for one in state.all("model")}
     for made in blueprints:
         one = saved.get(made.name)

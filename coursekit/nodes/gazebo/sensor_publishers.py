@@ -1,4 +1,4 @@
-"""Devices at work: each makes its messages for a moment of simulated time."""
+"""Simulated devices: each makes its messages for a point in simulated time."""
 
 from __future__ import annotations
 
@@ -21,21 +21,21 @@ from .devices import BumpDevice, Device, ImuDevice, JointDevice, MotorDevice, Ra
 from .ray_messages import RAY_TYPES
 
 SENSOR = QoSProfile(depth=5)
-"""Reliable, so that everybody can listen."""
+"""Reliable, which is compatible with all subscriptions."""
 
 
 def stamp_of(time_ns: int) -> Time:
-    """Nanoseconds as a message."""
+    """Convert nanoseconds to a message."""
     return Time(sec=time_ns // 1_000_000_000, nanosec=time_ns % 1_000_000_000)
 
 
 def heading(theta: float) -> Quaternion:
-    """A heading as a quaternion."""
+    """Convert a heading to a quaternion."""
     return Quaternion(z=math.sin(theta / 2), w=math.cos(theta / 2))
 
 
 def pose_at(simulation: Simulation, robot: Robot, time_ns: int) -> Pose2D:
-    """Where a robot is at a time up to one step after the physics."""
+    """Return a robot's pose at a time up to one step after the physics."""
     rest = (time_ns - simulation.now_ns) * 1e-9
     x, y, theta = robot.place
     speed = robot.body.velocity
@@ -46,15 +46,15 @@ class Nobody:
     """A publisher that has no topic."""
 
     def get_subscription_count(self) -> int:
-        """None."""
+        """Return 0."""
         return 0
 
     def publish(self, _msg: Any) -> None:
-        """Nobody hears it."""
+        """Do nothing."""
 
 
 class SensorPublisher:
-    """A device of a robot at work; the k-th message is for the time `begin + k / rate`, the next one for `due_ns`."""
+    """A device of a simulated robot; the k-th message is for time `begin + k / rate`, the next one is due at `due_ns`."""
 
     def __init__(self, node: Any, simulation: Simulation, robot: Robot, device: Device, seed: int, begin_ns: int) -> None:
         self.node, self.simulation, self.robot, self.device = node, simulation, robot, device
@@ -64,18 +64,18 @@ class SensorPublisher:
         self.open()
 
     def work(self) -> None:
-        """Make the message that is due, if anybody wants it."""
+        """Make the message that is due, if it has subscribers."""
         due = self.due_ns
         self._count += 1
         self.due_ns = self._begin + round(self._count * 1e9 / self.device.rate)
         self.publish(due)
 
     def restart(self, begin_ns: int) -> None:
-        """Begin again at a time."""
+        """Restart at a time."""
         self._begin, self._count, self.due_ns = begin_ns, 0, begin_ns
 
     def publisher(self, kind: Any, topic: str, qos: Any = 10) -> Any:
-        """A publisher that is closed with the sensor; without a topic, one without subscribers."""
+        """Make a publisher that is closed with the sensor; without a topic, one without subscribers."""
         if not topic:
             return Nobody()
         made = self.node.create_publisher(kind, topic, qos)
@@ -83,19 +83,19 @@ class SensorPublisher:
         return made
 
     def open(self) -> None:
-        """Make publishers and subscriptions."""
+        """Create publishers and subscriptions."""
 
     def publish(self, time_ns: int) -> None:
-        """Make the message for a time."""
+        """Publish the message for a time."""
 
     def close(self) -> None:
-        """Take publishers and subscriptions back."""
+        """Destroy publishers and subscriptions."""
         for one in self.publishers:
             self.node.destroy_publisher(one)
 
 
 class ScanPublisher(SensorPublisher):
-    """A LiDAR at work."""
+    """A simulated LiDAR."""
 
     device: RayDevice
 
@@ -115,7 +115,7 @@ class ScanPublisher(SensorPublisher):
 
 
 class JointPublisher(SensorPublisher):
-    """Angles of wheels and of joints with motors at work; other joints are at 0."""
+    """Publishes the angles of wheels and motorised joints; other joints are at 0."""
 
     device: JointDevice
 
@@ -138,7 +138,7 @@ class JointPublisher(SensorPublisher):
 
 
 class MotorPublisher(SensorPublisher):
-    """A motor at work: it hears, and publishes nothing."""
+    """A simulated motor: it subscribes, and publishes nothing."""
 
     device: MotorDevice
 
@@ -154,7 +154,7 @@ class MotorPublisher(SensorPublisher):
 
 
 class ImuPublisher(SensorPublisher):
-    """An inertial unit at work."""
+    """A simulated inertial unit."""
 
     device: ImuDevice
 
@@ -183,7 +183,7 @@ class ImuPublisher(SensorPublisher):
 
 
 class BumpPublisher(SensorPublisher):
-    """A bumper at work."""
+    """A simulated bumper."""
 
     device: BumpDevice
 

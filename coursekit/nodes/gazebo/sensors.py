@@ -16,11 +16,11 @@ from .values import number, pose
 RAYS = ("ray", "gpu_ray", "lidar", "gpu_lidar")
 CAMERAS = ("camera", "wideanglecamera", "depth", "depth_camera", "rgbd_camera")
 ENCODINGS = {"R8G8B8": "rgb8", "RGB_INT8": "rgb8", "B8G8R8": "bgr8", "BGR_INT8": "bgr8", "L8": "mono8", "L_INT8": "mono8"}
-"""Formats of pictures in SDF and in messages."""
+"""Image formats in SDF and in messages."""
 
 
 def sensed(sensor: Element, link: BlueLink, model: Blueprint, namespace: str, floor: float) -> list[Device]:
-    """The devices of a sensor on a link; none and a note for what is not simulated. `floor` is its z in the model."""
+    """Return the devices of a sensor on a link, with notes on unsupported parts. `floor` is its z in the model."""
     kind = sensor.get("type") or ""
     plugin = sensor.first("plugin")
     names = names_of(plugin, namespace) if plugin is not None else RosNames(sensor.get("name") or kind, namespace)
@@ -65,7 +65,7 @@ def _ray(
 
 
 def _output(plugin: Element, model: Blueprint) -> str:
-    """The type of a ray sensor's messages: the plugin's own usual one is a cloud."""
+    """Return the message type of a ray sensor; the plugin's default is a cloud."""
     told = plugin.tell("output_type")
     if told in RAY_TYPES:
         return told
@@ -81,7 +81,7 @@ def _camera(
     sensor: Element, camera: Element | None, eye: str, names: RosNames, frame: str, rate: float, where: Array,
     model: Blueprint,
 ) -> Device:  # fmt: skip
-    """A camera; `eye` is a part of its topics where the sensor has several."""
+    """Return a camera; `eye` is a part of its topics if the sensor has several cameras."""
     plugin = sensor.first("plugin")
     assert plugin is not None
     name = plugin.tell("camera_name") or plugin.tell("cameraName") or sensor.get("name") or "camera"

@@ -62,7 +62,7 @@ class Gazebo(Node):
     """The simulator: a world in motion, its clock, and the devices of its robots."""
 
     is_newer = False
-    """Whether files are read as the newer Gazebo does."""
+    """Whether files are read like in the newer Gazebo."""
 
     def __init__(self, world: str = "", *, paused: bool = False, seed: int = 0, verbose: bool = False) -> None:
         super().__init__("gazebo")
@@ -95,7 +95,7 @@ class Gazebo(Node):
     # -- models
 
     def _admit(self, model: Assembly) -> None:
-        """Take in a model of the world's file, whose things are there already. A robot with no room is listed."""
+        """Add a model of the world's file, whose things are already there. A robot without room is reported."""
         try:
             if model.robot is not None:
                 self._equip(model, self.simulation.spawn(model.robot, model.name, model.place))
@@ -104,7 +104,7 @@ class Gazebo(Node):
         self.assemblies[model.name] = model
 
     def put(self, model: Assembly) -> None:
-        """Put a model into the world and its devices to work. Raises WorldError."""
+        """Add a model to the world, and start its devices. Raises WorldError."""
         self.advance()
         for thing in settled(model.things):
             self.simulation.add(thing)
@@ -133,19 +133,19 @@ class Gazebo(Node):
                 self._commands.setdefault(model.name, []).append((node, heard))
 
     def working(self, model: Assembly) -> list[Device]:
-        """The devices of a model that work in this world."""
+        """Return the devices of a model that are active in this world."""
         return model.devices
 
     def _command(self, robot: Any, msg: Any, by_rate: bool = False) -> None:
         self.advance()
         msg = getattr(msg, "twist", msg)
         ahead, turn = msg.linear.x, msg.angular.z
-        if by_rate:  # the wheels' angle of a car that turns so fast
+        if by_rate:  # the wheel angle of a car with this rotation rate
             turn = math.atan(robot.model.drive.wheelbase * turn / ahead) if ahead else 0.0
         robot.command(ahead, turn, msg.linear.y, now_ns=self.simulation.now_ns)
 
     def node_of(self, full_name: str) -> Any:
-        """The node of a plugin, made when first asked for."""
+        """Return the node of a plugin, made on first use."""
         if full_name not in self._nodes:
             space, _, name = full_name.rpartition("/")
             node = rclpy.create_node(name or "plugin", namespace=space or "/", context=self.context)
@@ -154,7 +154,7 @@ class Gazebo(Node):
         return self._nodes[full_name]
 
     def ros_node(self, device: ControlDevice) -> Any:
-        """A node in ROS, where the controller manager of a robot is; it is made anew for each."""
+        """Make a node in ROS for the controller manager of a robot."""
         space, _, name = device.node.rpartition("/")
         words = device.arguments()
         node = Node(
@@ -174,7 +174,7 @@ class Gazebo(Node):
         return self.executor_
 
     def take_out(self, name: str) -> None:
-        """Take a model out; LookupError if there is none."""
+        """Remove a model; LookupError if there is none."""
         self.simulation.remove(name)
         self.assemblies.pop(name, None)
         for sensor in self.sensors.pop(name, []):
@@ -183,14 +183,14 @@ class Gazebo(Node):
             node.destroy_subscription(heard)
 
     def delete(self, name: str) -> None:
-        """Take a model out for good, also one in which nothing can be met."""
+        """Remove a model permanently, also one without any contacts."""
         self.advance()
         with contextlib.suppress(LookupError):
             self.take_out(name)
         self.around.deleted.add(name)
 
     def tell(self, notes: list[str]) -> None:
-        """List what of a file is not simulated."""
+        """Report the parts of a file that are not simulated."""
         if notes and not self.verbose and len(notes) > 8:
             notes = [*notes[:8], f"... and {len(notes) - 8} more; verbose:=true lists all"]
         for note in notes:
@@ -199,7 +199,7 @@ class Gazebo(Node):
     # -- time
 
     def advance(self) -> int:
-        """Bring the physics to the present; the simulated time [ns]."""
+        """Advance the physics to the present. Returns the simulated time [ns]."""
         self.time.keep_up(self._planned)
         now = self.time.now()
         self.simulation.advance_to(now)
@@ -209,7 +209,7 @@ class Gazebo(Node):
         return now
 
     def _articulate(self, name: str, model: Assembly, articulated: Articulated) -> None:
-        """The links of an arm are where its joints say."""
+        """Update an arm's links from its joints."""
         moved = self.simulation.robots[name].motors.moved()
         if articulated.has_moved(moved):
             model.frames, parts = articulated.at(moved)
@@ -222,13 +222,13 @@ class Gazebo(Node):
         (self.time.pause if pause else self.time.go_on)()
 
     def step(self, seconds: float) -> None:
-        """Let so much simulated time pass, then pause."""
+        """Advance by some simulated time, then pause."""
         self.pause(True)
         self.time.set(self.time.now() + round(seconds * 1e9))
         self._do_due()
 
     def restart(self, time: bool) -> None:
-        """Everything back to its place, and time to 0 if asked."""
+        """Move everything to its start pose, and reset the time if requested."""
         self.advance()
         self.simulation.reset(time)
         if time:
@@ -241,14 +241,14 @@ class Gazebo(Node):
         return [sensor for sensors in self.sensors.values() for sensor in sensors]
 
     def work(self) -> float:
-        """Do all that is due; seconds until something is due again."""
+        """Do all work that is due. Returns the seconds until the next."""
         if self.time.paused:
             return 0.1
         due = self._do_due()
         return max(0.0, (due - self.time.now()) * 1e-9 / self.time.speed)
 
     def _do_due(self) -> int:
-        """Do all that is due; the simulated time [ns] at which something is due again."""
+        """Do all work that is due. Returns the simulated time of the next [ns]."""
         now = self.advance()
         while (clock := self._clock_due()) <= now:
             self._clock_count = max(self._clock_count + 1, int((now - 20_000_000) * 1e-9 * self._rate))
@@ -263,14 +263,14 @@ class Gazebo(Node):
         return self._planned
 
     def tell_clock(self, msg: Clock) -> None:
-        """The simulated time, for all who use it."""
+        """Publish the simulated time."""
         self._clock_out.publish(msg)
 
     def _clock_due(self) -> int:
         return round(self._clock_count * 1e9 / self._rate)
 
     def soon(self, work: Callable[..., Any], *values: Any) -> None:
-        """Have the simulator's own thread do something; from any thread. What cannot be done is logged."""
+        """Schedule work in the simulator's own thread, from any thread. Failures are logged."""
         self.executor_.create_task(self._try, work, *values)
 
     def _try(self, work: Callable[..., Any], *values: Any) -> None:
@@ -282,13 +282,13 @@ class Gazebo(Node):
     def spin(self) -> None:
         """Simulate until the context ends."""
         if not self.time.paused:
-            self.time.set(0)  # loading took its time
+            self.time.set(0)  # loading took some time
         while self.context.ok():
             wait = self.work()
             self.executor_.spin_once(timeout_sec=wait)
 
     def close(self) -> None:
-        """It ends: tell those who draw it."""
+        """Close the simulator, and notify its viewers."""
         simulators.remove(self)
 
 

@@ -1,4 +1,4 @@
-"""Loose things come to rest: on the floor, or on what they stand on in their file."""
+"""Settling of loose things: on the floor, or on their support in the file."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from coursekit.sim.world import Thing
 from .solids import raised
 
 TOUCHING = 0.05
-"""A thing this little above another's top [m] rests on it."""
+"""The maximum height above another thing's top at which a thing rests on it [m]."""
 
 
 def settled(things: list[Thing]) -> list[Thing]:
-    """The same things, loose ones lowered; from the lowest on, so that stacks stay stacks."""
+    """Return the things with loose ones lowered, the lowest first, which preserves stacks."""
     done = {thing.name: thing for thing in things}
     loose = [thing for thing in things if thing.mass is not None and thing.mass != math.inf]
     for thing in sorted(loose, key=_low):
@@ -31,7 +31,7 @@ def _low(thing: Thing) -> float:
 
 
 def _top(other: Thing, thing: Thing) -> float:
-    """How high the part of another thing is that is under the middle of a thing; 0 where there is none."""
+    """Return the top of another thing's part below a thing's centre; 0 if there is none."""
     middle = np.mean(np.concatenate([part.corners() for part in thing.parts]), axis=0)
     x, y = other.place.inverse().transform(thing.place.transform(middle[None]))[0]
     best = 0.0

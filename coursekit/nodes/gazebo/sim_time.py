@@ -1,11 +1,11 @@
-"""The simulation's time: the session's clock from when the simulator began, as fast as told, less what it stood still."""
+"""The simulation's time: the session's time since the start, scaled by the speed, without pauses."""
 
 from __future__ import annotations
 
 from typing import Any
 
 MOST_BEHIND_NS = 50_000_000
-"""A computer that falls behind by more makes the simulation slower instead of jerking."""
+"""The maximum lag [ns]: a slower computer slows the simulation down instead of making it jump."""
 
 
 class SimTime:
@@ -27,31 +27,31 @@ class SimTime:
         self._held = 0
 
     def now(self) -> int:
-        """The time now."""
+        """Return the current time."""
         return self._held if self.paused else self._held + round((self._clock.steady() - self._begin) * self.speed)
 
     def pause(self) -> None:
-        """Pause; harmless when paused already."""
+        """Pause; does nothing when paused."""
         self._held, self.paused = self.now(), True
 
     def go_on(self) -> None:
-        """Go on; harmless when it does."""
+        """Resume; does nothing when running."""
         self.set(self.now())
         self.paused = False
 
     def go_at(self, speed: float) -> None:
-        """Go on so many times as fast as the session's clock; ValueError unless it is above 0."""
+        """Set the speed relative to the session's clock; ValueError unless it is above 0."""
         if not 0.0 < speed < float("inf"):
             raise ValueError(f"a speed is a number above 0, not {speed}")
         self.set(self.now())
         self.speed = speed
 
     def set(self, time_ns: int) -> None:
-        """It is this time now."""
+        """Set the current time."""
         self._held, self._begin = time_ns, self._clock.steady()
 
     def keep_up(self, planned_ns: int) -> None:
-        """Forget time that the simulation could not keep up with; work was planned for `planned_ns`."""
+        """Drop time that the simulation could not keep up with; work was planned for `planned_ns`."""
         if not (self.paused or self._clock.virtual) and self.now() - planned_ns > MOST_BEHIND_NS:
             self.set(planned_ns + MOST_BEHIND_NS)
 

@@ -1,4 +1,4 @@
-"""Which simulators run in a session, for whoever draws them or looks through their cameras."""
+"""The running simulators of a session, for views and cameras."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .sim_time import SimTime
 class Simulator(Protocol):
     """A running simulator: `simulation` is the world in motion, `assemblies` the models in it by name.
 
-    What changes it is done in its own thread: `soon` has it do so from any other.
+    Changes are made in its own thread; `soon` schedules them from any other.
     """
 
     simulation: Simulation

@@ -1,4 +1,4 @@
-"""Collision shapes of files as parts of the simulation."""
+"""Collision shapes from files as parts of the simulation."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from coursekit.urdf.model import Box, Cylinder, Mesh, Sphere
 from coursekit.urdf.shapes import mesh_of
 
 UPRIGHT = 1e-6
-"""An axis leaning less than this is upright; `1 - cos` of the angle."""
+"""The maximum tilt of an upright axis, as `1 - cos` of the angle."""
 
 
 @dataclass(frozen=True)
 class Outline:
-    """SDF's polyline: a polygon drawn up from its own z = 0."""
+    """SDF's polyline: a polygon extruded from its own z = 0."""
 
     points: tuple[tuple[float, float], ...]
     height: float
@@ -28,7 +28,9 @@ Shape = Box | Cylinder | Sphere | Mesh | Outline
 
 
 def part_of(shape: Shape, made: Array, near: Path | None = None) -> Part:
-    """A shape at a pose (4x4). Upright boxes and cylinders stay exact; what leans becomes triangles. Raises MeshError."""
+    """Return a shape at a pose (4x4). Upright boxes and cylinders stay exact; tilted ones become triangles. Raises
+    MeshError.
+    """
     x, y, z = (float(one) for one in made[:3, 3])
     upright = 1.0 - abs(made[2, 2]) < UPRIGHT
     if isinstance(shape, Sphere):
@@ -52,7 +54,7 @@ def _prism(points: Array, made: Array, low: float, high: float) -> Prism:
 
 
 def raised(part: Part, by: float) -> Part:
-    """The same part, higher."""
+    """Return the part, raised."""
     if isinstance(part, Skin):
         return Skin(part.vertices + np.array((0.0, 0.0, by)), part.faces)
     if isinstance(part, Ball):

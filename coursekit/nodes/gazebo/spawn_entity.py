@@ -27,7 +27,7 @@ INCLUDE = "<sdf version='1.6'><world name='default'><include><uri>model://{}</ur
 
 
 def arguments(argv: list[str]) -> argparse.Namespace:
-    """The parsed command line; a fault ends the program with status 2."""
+    """Return the parsed command line; invalid arguments exit with status 2."""
     parser = argparse.ArgumentParser(description="Spawn an entity in gazebo.")
     source = parser.add_mutually_exclusive_group(required=True)
     source.add_argument("-file", metavar="FILE_NAME", help="load the description from a file")
@@ -55,7 +55,7 @@ def arguments(argv: list[str]) -> argparse.Namespace:
 
 
 class SpawnEntityNode(Node):
-    """Asks the simulator's services in turn."""
+    """Calls the simulator's services one after another."""
 
     def __init__(self, args: argparse.Namespace) -> None:
         super().__init__("spawn_entity")
@@ -63,7 +63,7 @@ class SpawnEntityNode(Node):
         self.log = self.get_logger()
 
     def run(self) -> int:
-        """Do what the arguments say; 0, or 1 if it failed."""
+        """Do what the arguments say. Returns 0, or 1 on failure."""
         if self.args.wait:
             self._wait_for(self.args.wait)
         text = self._description()
@@ -152,7 +152,7 @@ class SpawnEntityNode(Node):
     # -- services
 
     def _ask(self, kind: Any, name: str, request: Any, timeout: float, module: str) -> Any:
-        """The answer of a service; None where it is not there in time."""
+        """Return a service's response, or None if the service is not available in time."""
         full = f"{self.args.gazebo_namespace}/{name}"
         client = self.create_client(kind, full)
         if not client.wait_for_service(timeout_sec=timeout):
@@ -212,7 +212,7 @@ class SpawnEntityNode(Node):
 
 
 def pose_of(args: argparse.Namespace) -> Pose:
-    """The pose that the options -x to -Y tell."""
+    """Return the pose given by the options -x to -Y."""
     (sr, cr), (sp, cp), (sy, cy) = ((math.sin(one / 2), math.cos(one / 2)) for one in (args.R, args.P, args.Y))
     pose = Pose()
     pose.position.x, pose.position.y, pose.position.z = args.x, args.y, args.z
@@ -222,7 +222,7 @@ def pose_of(args: argparse.Namespace) -> Pose:
 
 
 def main(args: list[str] | None = None) -> int:
-    """Spawn, and tell by the exit code whether it worked."""
+    """Spawn the entity. Returns the exit code."""
     told = arguments(remove_ros_args(args if args is not None else sys.argv)[1:])
     rclpy.init(args=args)
     try:

@@ -1,4 +1,4 @@
-"""gazebo_ros_state: services and topics that tell and set where things are."""
+"""gazebo_ros_state: services and topics to get and set the state of models and links."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .world_plugins import StatePlugin
 
 
 class States:
-    """The plugin at work; a world whose file does not load it has it in the simulator's own node, without link states."""
+    """The simulated plugin. If the world does not load it, the simulator's node provides it without link states."""
 
     def __init__(self, gazebo: Any, plugin: StatePlugin | None) -> None:
         self._gazebo, self._around = gazebo, gazebo.around

@@ -1,4 +1,4 @@
-"""gz::sim::systems::JointTrajectoryController at work: joints go from point to point of a trajectory."""
+"""Simulated gz::sim::systems::JointTrajectoryController: joints follow the points of a trajectory."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .sensor_publishers import SensorPublisher
 
 
 class TrajectoryPublisher(SensorPublisher):
-    """Each joint is told the point that is next in time, as Gazebo does; `TOPIC_progress` tells the share that is done."""
+    """Commands each joint to the next point in time, as Gazebo does; `TOPIC_progress` has the completed fraction."""
 
     device: TrajectoryDevice
 
@@ -59,7 +59,7 @@ class TrajectoryPublisher(SensorPublisher):
         return int(time.sec * 1_000_000_000 + time.nanosec)
 
     def _stop(self, way: JointTrajectory) -> None:
-        """Joints that were told a speed only do not go on for ever."""
+        """Stop joints that were only given a velocity."""
         if not way.points[-1].positions:
             for joint in way.joint_names:
                 self.robot.motors.command(joint, "velocity", 0.0)
@@ -70,7 +70,7 @@ class TrajectoryPublisher(SensorPublisher):
 
 
 def fault_of(msg: JointTrajectory, joints: tuple[str, ...]) -> str:
-    """The fault of a trajectory; '' when it can be followed.
+    """Return what is wrong with a trajectory, or '' if it can be followed.
 
     >>> fault_of(JointTrajectory(joint_names=["elbow"]), ("arm",))
     "joint 'elbow' is none of its joints (arm)"

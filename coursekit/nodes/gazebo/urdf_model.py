@@ -1,4 +1,4 @@
-"""URDF with `<gazebo>` blocks as a blueprint."""
+"""Convert URDF with `<gazebo>` blocks to a blueprint."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ QUIET = {
     "disableFixedJointLumping", "preserveFixedJoint", "implicitSpringDamper", "provideFeedback", "stopCfm", "stopErp",
     "springStiffness", "springReference", "kinematic", "collision", "inertial", "velocity_decay", "enable_wind",
 }  # fmt: skip
-"""Children that say how Gazebo's engine shall reckon and draw; a world seen from above needs none of them."""
+"""Child elements for Gazebo's physics engine and rendering; a 2D world needs none of them."""
 
 
 def blueprint_of(robot: Robot) -> Blueprint:
-    """The blueprint of a robot. Raises UrdfError for numbers that are none; a mesh that is not there becomes a note."""
+    """Return a robot's blueprint. Raises UrdfError for invalid numbers; a missing mesh becomes a note."""
     made = Blueprint(robot.name, file=robot.file, root=robot.root, robot=robot)
     made.joints = {name: joint.type for name, joint in robot.joints.items()}
     for name, pose in Kinematics(robot).poses().items():
@@ -48,7 +48,7 @@ def blueprint_of(robot: Robot) -> Blueprint:
 
 
 def _kept(robot: Robot) -> Iterator[str]:
-    """Fixed joints that say that they stay joints."""
+    """Yield the fixed joints that are marked to be preserved."""
     for block in robot.gazebo:
         if any(flag(block, tag, False) for tag in ("preserveFixedJoint", "disableFixedJointLumping")):
             yield block.get("reference") or ""

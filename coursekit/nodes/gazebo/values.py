@@ -1,4 +1,4 @@
-"""Numbers and poses in Gazebo's files."""
+"""Parse numbers and poses in Gazebo's files."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from coursekit.urdf.xml_tree import Element
 
 
 def numbers(element: Element, count: int) -> list[float]:
-    """The numbers of an element's text; raises UrdfError with the place."""
+    """Return the numbers in an element's text. Raises UrdfError with the position."""
     words = element.text.split()
     try:
         found = [float(word) for word in words]
@@ -26,7 +26,7 @@ def numbers(element: Element, count: int) -> list[float]:
 
 
 def number(element: Element | None, path: str, default: float) -> float:
-    """The number of a descendant ('ray/range/min'), or the default where there is none."""
+    """Return the number of a descendant ('ray/range/min'), or the default if there is none."""
     place: Element | None = element
     for tag in path.split("/"):
         place = place.first(tag) if place is not None else None
@@ -34,13 +34,13 @@ def number(element: Element | None, path: str, default: float) -> float:
 
 
 def flag(element: Element, tag: str, default: bool) -> bool:
-    """Whether a child says true."""
+    """Whether a child element is true."""
     text = element.tell(tag).lower()
     return text in ("true", "1") if text else default
 
 
 def pose(element: Element | None) -> Array:
-    """The 4x4 matrix of an element's `<pose>`; the identity where it has none."""
+    """Return the 4x4 matrix of an element's `<pose>`, or the identity if it has none."""
     place = element.first("pose") if element is not None else None
     if place is None or not place.text.strip():
         return np.eye(4)
@@ -48,7 +48,7 @@ def pose(element: Element | None) -> Array:
 
 
 def pose_of(place: Element) -> Array:
-    """The 4x4 matrix of a `<pose>`, in radians or, with degrees="true", in degrees."""
+    """Return the 4x4 matrix of a `<pose>`, in radians, or in degrees with degrees="true"."""
     if place.get("rotation_format") == "quat_xyzw":
         x, y, z, qx, qy, qz, qw = numbers(place, 7)
         return matrix((x, y, z, qx, qy, qz, qw))
@@ -59,7 +59,7 @@ def pose_of(place: Element) -> Array:
 
 
 def matrix(pose7: tuple[float, float, float, float, float, float, float]) -> Array:
-    """x, y, z and a quaternion x, y, z, w as a 4x4 matrix."""
+    """Return x, y, z and a quaternion x, y, z, w as a 4x4 matrix."""
     px, py, pz, x, y, z, w = pose7
     size = math.sqrt(x * x + y * y + z * z + w * w) or 1.0
     x, y, z, w = x / size, y / size, z / size, (w / size if (x or y or z or w) else 1.0)
@@ -74,7 +74,7 @@ def matrix(pose7: tuple[float, float, float, float, float, float, float]) -> Arr
 
 
 def yaw_of(made: Array) -> float:
-    """The heading of a 4x4 matrix."""
+    """Return the yaw of a 4x4 matrix."""
     return math.atan2(made[1, 0], made[0, 0])
 
 

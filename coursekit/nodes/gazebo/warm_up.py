@@ -1,4 +1,4 @@
-"""The compiled loops are loaded before time begins, so that the first scan is no stumble."""
+"""Load the compiled loops before the simulation starts, so that the first scan is not delayed."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from coursekit.sim import Disc, Lidar, Prism, RobotModel, Simulation, Thing, Wor
 
 @lru_cache(maxsize=1)
 def warm_up() -> None:
-    """Use each loop of the LiDAR once."""
+    """Run each of the LiDAR's compiled loops once."""
     block = Prism(((1.0, -1.0), (1.5, -1.0), (1.5, 1.0)))
     simulation = Simulation(World("small", (Thing("wall", (block, Disc(0.0, 3.0, 0.5))),)))
     robot = simulation.spawn(RobotModel("robot"))

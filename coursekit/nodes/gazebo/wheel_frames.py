@@ -1,4 +1,4 @@
-"""`publish_wheel_tf` of drives: the frames of their wheels, where nobody publishes joint states."""
+"""`publish_wheel_tf` of drives: the frames of their wheels, if nobody publishes joint states."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .sensor_publishers import SensorPublisher, stamp_of
 
 
 def wheels_of(model: Blueprint, joints: tuple[str, ...], topic: str, rate: float, node: str) -> WheelDevice:
-    """The frames of a drive's wheels; they hang on the link that fixed joints make one, as in Gazebo."""
+    """Return a drive's wheel frames; their parent is the link that fixed joints are merged into, as in Gazebo."""
     assert model.robot is not None
     made = []
     for name in joints:
@@ -29,7 +29,7 @@ def wheels_of(model: Blueprint, joints: tuple[str, ...], topic: str, rate: float
 
 
 def turned(pose: Array, axis: tuple[float, float, float], angle: float) -> Array:
-    """A pose after a turn about an axis of its own."""
+    """Return a pose rotated about one of its own axes."""
     x, y, z = np.array(axis) / (math.hypot(*axis) or 1.0)
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     made = pose.copy()
@@ -38,7 +38,7 @@ def turned(pose: Array, axis: tuple[float, float, float], angle: float) -> Array
 
 
 class WheelPublisher(SensorPublisher):
-    """The frames of wheels at work."""
+    """Publishes the wheels' frames."""
 
     device: WheelDevice
 

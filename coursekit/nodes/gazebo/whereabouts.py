@@ -1,4 +1,4 @@
-"""Which models and links a simulator has, and where they are now."""
+"""Which models and links a simulator has, and where they currently are."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from coursekit.geometry.rotation import yaw_of
 from coursekit.sim.errors import known
 
 WORLD = ("", "world", "map", "/map")
-"""Names of the world as a frame."""
+"""Names that stand for the world frame."""
 Speed = tuple[float, float, float]
 
 
 class Whereabouts:
-    """Places of what a simulator's node has; `name` is that of a model, or `model::link`."""
+    """Poses of what a simulator's node contains; `name` is a model's, or `model::link`."""
 
     def __init__(self, node: Any) -> None:
         self._node = node
         self.deleted: set[str] = set()
-        """Models of the world's file that were taken out."""
+        """Models from the world file that were deleted."""
 
     def models(self) -> list[str]:
-        """The names of all models, as they came."""
+        """Return the names of all models, in the order they were added."""
         simulation, gone = self._node.simulation, self.deleted
         names = list(simulation.world.models) or [thing.name for thing in simulation.world.things]
         there = {*simulation.names(), *simulation.world.models}
@@ -33,12 +33,12 @@ class Whereabouts:
         return [name for name in names if name in there and name not in gone] + later
 
     def links(self) -> list[str]:
-        """All links, as `model::link`."""
+        """Return all links, as `model::link`."""
         models, made = self.models(), self._node.assemblies
         return [f"{name}::{link}" for name in models if name in made for link in made[name].frames]
 
     def where(self, name: str) -> tuple[Pose2D, Speed]:
-        """Pose and velocity in the world; LookupError names near ones."""
+        """Return the pose and velocity in the world. LookupError suggests similar names."""
         model, _, link = name.partition("::")
         if model not in self.models():
             raise LookupError(f"entity [{name}] does not exist. {known(model, self.models())}")
@@ -59,12 +59,12 @@ class Whereabouts:
         return simulation.world.models[name], (0.0, 0.0, 0.0)
 
     def frame(self, name: str) -> Pose2D:
-        """Where a reference frame is; LookupError."""
+        """Return the pose of a reference frame, or raise LookupError."""
         return Pose2D() if name in WORLD else self.where(name)[0]
 
 
 def planar_pose(pose: Pose) -> Pose2D:
-    """A pose seen from above."""
+    """Return a 3D pose as a 2D pose."""
     q = pose.orientation
     return Pose2D(pose.position.x, pose.position.y, yaw_of((q.x, q.y, q.z, q.w)))
 

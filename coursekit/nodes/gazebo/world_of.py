@@ -1,4 +1,4 @@
-"""The world that a user names: a file of ours, of Gazebo, of nav2, or one of the course's by its name."""
+"""Find the world a user names: a file of coursekit, Gazebo or nav2, or one of the course's worlds by name."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ COURSE = Path(__file__).parents[2] / "share" / "coursekit_maps" / "worlds"
 
 
 def find_world(name: str) -> Path:
-    """The file of a world: a path, or the name of one of the course's. WorldError names those."""
+    """Return a world's file: a path, or the name of one of the course's worlds. WorldError lists those."""
     path = Path(name).expanduser()
     if is_file(path):
         return path
@@ -36,7 +36,7 @@ def find_world(name: str) -> Path:
 
 
 def open_world(name: str, newer: bool = False) -> SdfWorld:
-    """The world of a file or name, and the models in it, as Gazebo Classic or the `newer` one reads it; '' is an empty one.
+    """Load a world and its models, as Gazebo Classic or the `newer` Gazebo reads them; '' is an empty world.
 
     Raises WorldError and UrdfError.
     """

@@ -12,14 +12,14 @@ from .values import number
 
 @dataclass(frozen=True)
 class StatePlugin:
-    """gazebo_ros_state: its names, and how often it tells states [1/s]."""
+    """gazebo_ros_state: its names and update rate [1/s]."""
 
     names: RosNames
     rate: float = 100.0
 
 
 def state_plugin(plugin: Element) -> StatePlugin | None:
-    """The settings of a world's plugin, if it is gazebo_ros_state. Raises UrdfError for a rate that is none."""
+    """Return a world plugin's settings if it is gazebo_ros_state. Raises UrdfError for an invalid rate."""
     if "gazebo_ros_state" not in (plugin.get("filename") or ""):
         return None
     rate = number(plugin, "update_rate", 100.0)

@@ -1,1 +1,1 @@
-"""The newer Gazebo's names: its world, its topics beside those of ROS, and the bridges between the two."""
+"""The newer Gazebo: its worlds, its own topics alongside ROS topics, and the bridges between them."""

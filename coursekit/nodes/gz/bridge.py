@@ -1,4 +1,4 @@
-"""`ros2 run ros_gz_bridge parameter_bridge TOPIC@ROS_TYPE@GZ_TYPE ...`: lets topics of Gazebo into ROS, and back."""
+"""`ros2 run ros_gz_bridge parameter_bridge TOPIC@ROS_TYPE@GZ_TYPE ...`: bridges Gazebo topics to ROS and back."""
 
 from __future__ import annotations
 
@@ -33,11 +33,11 @@ In place of the second @: [ bridges from Gazebo to ROS only, ] from ROS to Gazeb
 
 
 POLICIES = (QoSPolicyKind.DEPTH, QoSPolicyKind.DURABILITY, QoSPolicyKind.HISTORY, QoSPolicyKind.RELIABILITY)
-"""The QoS policies of a topic in ROS that parameters such as `qos_overrides./tf_static.publisher.durability` may set."""
+"""The QoS policies of a ROS topic that parameters such as `qos_overrides./tf_static.publisher.durability` can set."""
 
 
 class Way:
-    """One direction of a topic; `open` listens on the one side, once `wanted` on the other; `mend` changes what passes."""
+    """One direction of a topic. `open` subscribes on one side (if lazy, once `wanted` on the other)."""
 
     def __init__(
         self, source: Node, target: Node, here: tuple[str, str], there: tuple[str, str], one: Bridged,
@@ -56,14 +56,14 @@ class Way:
             self.open()
 
     def open(self) -> None:
-        """Listen."""
+        """Subscribe."""
         kind, name = self.here
         self.heard = self.source.create_subscription(
             get_message(kind), name, lambda msg: self.out.publish(self.change(msg)), self.queue
         )
 
     def follow(self) -> None:
-        """A lazy one listens as long as somebody wants it."""
+        """Subscribe while somebody is listening on the other side (lazy mode)."""
         wanted = self.out.get_subscription_count() > 0
         if wanted and self.heard is None:
             self.open()
@@ -73,7 +73,7 @@ class Way:
 
 
 class RosGzBridge(Node):
-    """The bridge: its own node is in ROS, `gz` is in Gazebo's graph."""
+    """The bridge: this node is in ROS, `gz` is in Gazebo's graph."""
 
     def __init__(self, words: list[Bridged]) -> None:
         super().__init__("ros_gz_bridge")
@@ -99,7 +99,7 @@ class RosGzBridge(Node):
             way.follow()
 
     def add(self, one: Bridged) -> None:
-        """Bridge a topic or a service; a pair of types that cannot be is told."""
+        """Bridge a topic or service; log an error for types that cannot be paired."""
         try:
             if one.is_service:
                 self._add_service(one)
@@ -120,7 +120,7 @@ class RosGzBridge(Node):
             )
 
     def _mend(self, msg: Any) -> Any:
-        """Messages that come into ROS get the frame and the time that parameters ask for."""
+        """Set the frame and the time that the parameters specify on a message going into ROS."""
         header = getattr(msg, "header", None)
         if header is not None and self._frame:
             header.frame_id = self._frame
@@ -158,7 +158,7 @@ class RosGzBridge(Node):
 
 
 def spin(node: RosGzBridge) -> None:
-    """Spin both sides until the end: Gazebo's beside, ROS's here."""
+    """Spin both sides until shutdown: Gazebo's in a thread, ROS's here."""
     beside = SingleThreadedExecutor(context=node.gz_context)
     beside.add_node(node.gz)
 
@@ -176,7 +176,7 @@ def spin(node: RosGzBridge) -> None:
 
 
 def run(words: list[Bridged], args: list[str] | None) -> int:
-    """Bridge until Ctrl-C; the exit code."""
+    """Bridge until Ctrl-C. Returns the exit code."""
     rclpy.init(args=args)
     node = RosGzBridge(words)
     try:
@@ -190,7 +190,7 @@ def run(words: list[Bridged], args: list[str] | None) -> int:
 
 
 def main(args: list[str] | None = None) -> Any:
-    """Bridge what the command line and the parameter `config_file` name; 255 where that cannot be read."""
+    """Bridge what the command line and the parameter `config_file` name. Returns 255 if that cannot be read."""
     told = list(args if args is not None else sys.argv)
     words = remove_ros_args(told)[1:]
     if len(told) < 2 or any(one in ("-h", "--help") for one in words):

@@ -1,4 +1,4 @@
-"""The topics to be bridged: words of the command line, or a YAML file."""
+"""Which topics to bridge: command-line arguments, or a YAML file."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ DIRECTIONS = ("BIDIRECTIONAL", "GZ_TO_ROS", "ROS_TO_GZ")
 
 @dataclass(frozen=True)
 class Bridged:
-    """One topic on both sides, or with a `/srv/` type one service."""
+    """One topic on both sides, or a service if the type contains `/srv/`."""
 
     ros_topic: str
     ros_type: str
@@ -33,7 +33,7 @@ class Bridged:
 
 
 def of_word(word: str, lazy: bool = False) -> Bridged:
-    """`TOPIC@ROS_TYPE@GZ_TYPE`, with `[` from Gazebo to ROS only and `]` from ROS to Gazebo only, in place of the second @.
+    """Parse `TOPIC@ROS_TYPE@GZ_TYPE`; in place of the second @, `[` is Gazebo to ROS only, `]` ROS to Gazebo only.
 
     Raises ValueError.
 
@@ -54,7 +54,7 @@ def of_word(word: str, lazy: bool = False) -> Bridged:
 
 
 def of_file(name: str) -> tuple[list[Bridged], list[str]]:
-    """The bridges of a YAML file, and what is wrong with the others."""
+    """Return the bridges in a YAML file, and the errors in the invalid ones."""
     try:
         text = read_text(name)
     except (OSError, UnicodeDecodeError) as error:

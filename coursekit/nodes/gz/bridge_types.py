@@ -1,6 +1,6 @@
-"""Which types of Gazebo and of ROS the bridge pairs, and how one message becomes the other.
+"""Which Gazebo and ROS types the bridge pairs, and how messages are converted.
 
-In Gazebo's graph every Gazebo type is carried by the ROS type that is first in its row.
+In Gazebo's graph, each Gazebo type is represented by the first ROS type in its row.
 """
 
 from __future__ import annotations
@@ -58,13 +58,13 @@ SERVICES = ("ControlWorld", "SpawnEntity", "DeleteEntity", "SetEntityPose")
 
 
 def full_name(ros_type: str) -> str:
-    """`std_msgs/String` is `std_msgs/msg/String`."""
+    """Expand `std_msgs/String` to `std_msgs/msg/String`."""
     words = ros_type.split("/")
     return f"{words[0]}/msg/{words[1]}" if len(words) == 2 else ros_type
 
 
 def carried_by(ros_type: str, gz_type: str) -> str:
-    """The ROS type that carries a Gazebo type; LookupError for a pair that cannot be bridged, with those that can.
+    """Return the ROS type that represents a Gazebo type. LookupError lists the valid pairs for an invalid one.
 
     >>> carried_by("geometry_msgs/msg/TwistStamped", "ignition.msgs.Twist")
     'geometry_msgs/msg/Twist'
@@ -80,7 +80,7 @@ def carried_by(ros_type: str, gz_type: str) -> str:
 
 
 def gz_name(ros_type: str) -> str:
-    """The Gazebo type that a ROS type carries, as `gz topic` names it."""
+    """Return the Gazebo type that a ROS type represents, as `gz topic` names it."""
     return next((f"gz.msgs.{name}" for name, types in PAIRS.items() if types[0] == ros_type), ros_type)
 
 
@@ -131,7 +131,7 @@ def _moved(msg: Any, kind: str) -> Any:
 
 
 def conversion(source: str, target: str) -> Callable[[Any], Any] | None:
-    """The function that makes a message of one ROS type one of another; None where there is none."""
+    """Return the function that converts one ROS type to another, or None if there is none."""
     one, other = source.rpartition("/")[2], target.rpartition("/")[2]
     return _same if source == target else CONVERSIONS.get((one, other))
 

@@ -1,4 +1,4 @@
-"""`ros2 run ros_gz_sim create -topic robot_description -name NAME ...`: put a model into the newer Gazebo's world."""
+"""`ros2 run ros_gz_sim create -topic robot_description -name NAME ...`: spawns a model in the newer Gazebo."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from .transport import gz_context
 TEXTS = ("world", "file", "param", "string", "topic", "name")
 NUMBERS = ("x", "y", "z", "R", "P", "Y")
 ANSWER = 5.0
-"""Seconds that the simulator has to answer; then it is asked again."""
+"""Seconds to wait for the simulator's response before asking again."""
 
 
 def arguments(argv: list[str]) -> tuple[argparse.Namespace, list[str]]:
@@ -40,7 +40,7 @@ def arguments(argv: list[str]) -> tuple[argparse.Namespace, list[str]]:
 
 
 class Creator:
-    """Asks the simulator; its node is in ROS, its client in Gazebo's graph."""
+    """Calls the simulator; its node is in ROS, its client in Gazebo's graph."""
 
     def __init__(self, told: argparse.Namespace) -> None:
         self.node = Node("ros_gz_sim")
@@ -59,7 +59,7 @@ class Creator:
         self.executor.add_node(self.asker)
 
     def run(self) -> int:
-        """Do what the arguments say; 0, or 255 or 1 as it failed."""
+        """Do what the arguments say. Returns 0, or 255 or 1 on failure."""
         world = self.told.world or self._world()
         wish = EntityFactory(name=self.told.name, allow_renaming=self.renaming, pose=pose_of(self.told))
         if not self._describe(wish):
@@ -117,7 +117,7 @@ class Creator:
 
 
 def main(args: list[str] | None = None) -> Any:
-    """Create, and tell by the exit code whether it worked."""
+    """Create the entity. Returns the exit code."""
     told, rest = arguments(remove_ros_args(args if args is not None else sys.argv)[1:])
     rclpy.init(args=args)
     creator = None

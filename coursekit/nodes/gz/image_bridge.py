@@ -1,4 +1,4 @@
-"""`ros2 run ros_gz_image image_bridge TOPIC ...`: pictures of the newer Gazebo's cameras in ROS."""
+"""`ros2 run ros_gz_image image_bridge TOPIC ...`: brings camera images from the newer Gazebo to ROS."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .bridge_config import Bridged
 
 
 def main(args: list[str] | None = None) -> Any:
-    """Bridge the topics that the command line names, each lazily; 255 where there is none."""
+    """Bridge the topics given on the command line, each lazily. Returns 255 if there is none."""
     topics = remove_ros_args(list(args if args is not None else sys.argv))[1:]
     if not topics:
         print("Usage: image_bridge <topic> ..: their pictures of Gazebo, under the same names in ROS", file=sys.stderr)

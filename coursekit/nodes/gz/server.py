@@ -1,4 +1,4 @@
-"""`gz sim WORLD`: the simulator, as the newer Gazebo names things."""
+"""`gz sim WORLD`: the simulator, with the newer Gazebo's names."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ CLASSES = {
     "sensors": "Sensors", "imu": "Imu", "navsat": "NavSat", "altimeter": "Altimeter", "magnetometer": "Magnetometer",
     "air-pressure": "AirPressure",
 }  # fmt: skip
-"""Systems without which sensors publish nothing, and their classes."""
+"""Systems that sensors need in order to publish, and their classes."""
 
 
 def system_for(device: Device) -> str:
-    """The system that a device needs; '' for none.
+    """Return the system that a device needs, or ''.
 
     >>> from coursekit.nodes.gazebo.devices import EarthDevice
     >>> system_for(EarthDevice("/air", "", 1.0, quantity="air_pressure"))
@@ -57,7 +57,7 @@ class GzSim(Gazebo):
         self.create_timer(1 / 60, self._tell_poses)
 
     def working(self, model: Assembly) -> list[Device]:
-        """Without its system in the world or in the model, a sensor publishes nothing: it is told which one is missing."""
+        """Return the devices that publish. A sensor whose system is missing in the world and model only gets a warning."""
         if self.systems is None:
             return list(model.devices)
         there = self.systems | model.systems | {""}
@@ -71,7 +71,7 @@ class GzSim(Gazebo):
         return working
 
     def ros_context(self) -> Any:
-        """A context in ROS: Gazebo's own is beside it."""
+        """Return a ROS context, separate from Gazebo's own."""
         if self._ros is None:
             self._ros = Context()
             self._ros.init([], domain_id=gz_domain() - APART)
@@ -80,7 +80,7 @@ class GzSim(Gazebo):
         return self._ros
 
     def ros_executor(self) -> Any:
-        """The executor of the ROS side, beside the simulator."""
+        """Return the executor of the ROS side."""
         self.ros_context()
         return self._ros_executor
 
@@ -91,7 +91,7 @@ class GzSim(Gazebo):
             pass
 
     def close(self) -> None:
-        """It ends, with what it has in ROS."""
+        """Shut down, including the ROS side."""
         super().close()
         if self._ros is not None:
             self._ros.try_shutdown()
@@ -104,13 +104,13 @@ class GzSim(Gazebo):
                 one.publish(msg)
 
     def tell_clock(self, msg: Clock) -> None:
-        """The simulated time, on both of its topics."""
+        """Publish the simulated time on both of its topics."""
         super().tell_clock(msg)
         self._world_clock.publish(msg)
 
 
 def arguments(argv: list[str]) -> tuple[argparse.Namespace, list[str]]:
-    """The known words of the command line of `gz sim`, and the unknown ones."""
+    """Return the known arguments of `gz sim`, and the unknown ones."""
     parser = argparse.ArgumentParser(prog="gz sim", description="Run and manage Gazebo simulations.", add_help=True)
     parser.add_argument("world", nargs="?", default="", help="a world file (SDF, yaml, a map) or one of the course's")
     parser.add_argument("-r", dest="run", action="store_true", help="run the simulation at once; without it, it is paused")

@@ -1,4 +1,4 @@
-"""The world's services in the newer Gazebo: create, remove, set_pose, control."""
+"""The world's services in the newer Gazebo: create, remove, set_pose and control."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from coursekit.sim import WorldError
 from coursekit.urdf import UrdfError
 
 _STEP_S = 0.001
-"""One step of a paused world, as its `max_step_size` is by default."""
+"""One step of a paused world, the default `max_step_size`."""
 
 
 class GzServices:
-    """The services of a world, in Gazebo's own graph."""
+    """A world's services, in Gazebo's own graph."""
 
     def __init__(self, gazebo: Any, world: str) -> None:
         self._gazebo, self._around, self._world = gazebo, gazebo.around, world
@@ -90,7 +90,7 @@ class GzServices:
         return answer
 
     def poses(self) -> TFMessage:
-        """Where all models are."""
+        """Return the poses of all models."""
         msg, stamp = TFMessage(), stamp_of(self._gazebo.simulation.now_ns)
         for name in self._around.models():
             place, _ = self._around.where(name)

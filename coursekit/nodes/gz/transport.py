@@ -1,6 +1,6 @@
-"""The newer Gazebo's own topics: a graph beside that of ROS, which only bridges join.
+"""The newer Gazebo's own topics: a graph separate from the ROS graph, connected only by bridges.
 
-It is a domain of its own on the same bus, so that nothing of it is seen in ROS until it is bridged.
+It is a separate domain on the same bus, so ROS sees nothing of it until it is bridged.
 """
 
 from __future__ import annotations
@@ -10,11 +10,11 @@ import os
 from rclpy.context import Context
 
 APART = 1000
-"""Added to the number of the ROS domain; none of those has more than three digits."""
+"""Added to the ROS domain ID, which has at most three digits."""
 
 
 def gz_domain() -> int:
-    """The number of the graph that has Gazebo's topics."""
+    """Return the domain ID of Gazebo's graph."""
     try:
         return APART + int(os.environ.get("ROS_DOMAIN_ID", "") or 0)
     except ValueError:
@@ -22,7 +22,7 @@ def gz_domain() -> int:
 
 
 def gz_context() -> Context:
-    """A context in Gazebo's graph; arguments for ROS do not reach it."""
+    """Return a context in Gazebo's graph; ROS arguments do not apply to it."""
     made = Context()
     made.init([], domain_id=gz_domain())
     return made

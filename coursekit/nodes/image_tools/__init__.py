@@ -1,1 +1,1 @@
-"""The package image_tools: a camera, or a flying burger, as a topic; and who looks at it."""
+"""The package image_tools: publishes images from a camera, or of a flying burger, and shows them."""

@@ -1,4 +1,4 @@
-"""A burger that flies about, for those who have no camera."""
+"""A flying burger, for those who have no camera."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 import cv2
 import numpy
 
-_LAYERS = (  # from above: how much of the height, and colour (BGR)
+_LAYERS = (  # from the top: share of the height, and colour (BGR)
     (0.30, (60, 130, 210)),
     (0.10, (70, 170, 60)),
     (0.22, (35, 60, 100)),
@@ -19,7 +19,7 @@ _BLUE_OF_THE_SKY = (230, 190, 130)
 
 
 class Burgers:
-    """Draws some burgers, each a step further; they bounce at the edges.
+    """Draws burgers that move a step with each image and bounce off the edges.
 
     >>> Burgers(320, 240).draw().shape
     (240, 320, 3)
@@ -33,7 +33,7 @@ class Burgers:
         self._steps = [[draw.choice((-1, 1)) * draw.uniform(2, 6) for _ in self._size] for _ in range(count)]
 
     def draw(self) -> Any:
-        """The next image, BGR, as an array of height by width by 3 bytes."""
+        """Return the next image (BGR), an array of height by width by 3 bytes."""
         width, height = self._size
         image = numpy.full((height, width, 3), _BLUE_OF_THE_SKY, numpy.uint8)
         for place, step in zip(self._places, self._steps, strict=True):

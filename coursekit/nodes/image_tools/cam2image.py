@@ -1,4 +1,4 @@
-"""`ros2 run image_tools cam2image`: publishes a camera's images, or, with burger_mode, a burger's."""
+"""`ros2 run image_tools cam2image`: publishes camera images, or images of a burger with burger_mode."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _PARAMETERS = {
 
 
 class Cam2Image(Node):
-    """Publishes on /image; a true on /flip_image turns the images left to right. RuntimeError without a camera."""
+    """Publishes on /image; true on /flip_image mirrors the images. RuntimeError without a camera."""
 
     def __init__(self) -> None:
         super().__init__("cam2image")
@@ -36,7 +36,7 @@ class Cam2Image(Node):
         self._flip = False
         qos = declared_qos(self)
         frequency = float(self.declare_parameter("frequency", 30.0).value)
-        self.declare_parameter("show_camera", False)  # a window is what showimage or a viewer is for
+        self.declare_parameter("show_camera", False)  # no effect: use showimage or a viewer for a window
         self._frame_id = str(self.declare_parameter("frame_id", "camera_frame").value)
         self._next_image = self._source()
         self._publisher = self.create_publisher(Image, "image", qos)

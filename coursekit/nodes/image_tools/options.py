@@ -1,4 +1,4 @@
-"""The parameters of both nodes: how their messages are kept and delivered."""
+"""QoS parameters of both nodes."""
 
 from rclpy.node import Node
 from rclpy.qos import QoSHistoryPolicy, QoSProfile, QoSReliabilityPolicy
@@ -8,7 +8,7 @@ _RELIABILITY = {"reliable": QoSReliabilityPolicy.RELIABLE, "best_effort": QoSRel
 
 
 def declared_qos(node: Node) -> QoSProfile:
-    """Declare `depth`, `history` and `reliability`; raises ValueError for words that there are not."""
+    """Declare `depth`, `history` and `reliability`. Raises ValueError for unknown values."""
     depth = node.declare_parameter("depth", 10).value
     history = node.declare_parameter("history", "keep_last").value
     reliability = node.declare_parameter("reliability", "reliable").value

@@ -1,4 +1,4 @@
-"""`ros2 run image_tools showimage`: tells of each image that comes on /image, and shows it."""
+"""`ros2 run image_tools showimage`: logs and shows the images received on /image."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class ShowImage(Node):
         self.create_subscription(Image, "image", self._seen, declared_qos(self))
 
     def destroy_node(self) -> None:
-        """Close the window, and leave the graph."""
+        """Close the window and destroy the node."""
         super().destroy_node()
         if self._shows and cv2.getWindowProperty(self._window, cv2.WND_PROP_VISIBLE) > 0:
             cv2.destroyWindow(self._window)
@@ -37,7 +37,7 @@ class ShowImage(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Watch until Ctrl-C."""
+    """Show images until Ctrl-C."""
     if told("showimage", "Shows the images that come on /image.", _PARAMETERS, args):
         return 0
     return run(ShowImage, args, refuses=(ValueError,))

@@ -1,4 +1,4 @@
-"""`-h` of the programs of image_tools: their parameters, without a node being made."""
+"""`-h` of the image_tools programs: prints their parameters without creating a node."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ QOS = {
     "history": "'keep_last' (the default) or 'keep_all'",
     "depth": "how many messages 'keep_last' keeps (10)",
 }
-"""The parameters of both programs."""
+"""The parameters that both programs share."""
 
 
 def told(name: str, what: str, parameters: Mapping[str, str], args: Sequence[str] | None = None) -> bool:
-    """Print the usage where `-h` or `--help` is among the words; whether it was."""
+    """Print the usage if the arguments contain `-h` or `--help`. Returns whether they do."""
     words = remove_ros_args(list(sys.argv if args is None else args))
     if not {"-h", "--help"} & set(words):
         return False

@@ -1,1 +1,1 @@
-"""Images on topics: raw and compressed, watched and passed on. In ROS 2: image_transport, rqt_image_view."""
+"""Images on topics, raw and compressed: viewing and republishing. In ROS 2: image_transport, rqt_image_view."""

@@ -1,4 +1,4 @@
-"""`ros2 run image_transport republish IN [OUT]`: passes images from topic `in` to `out` in other transports."""
+"""`ros2 run image_transport republish IN [OUT]`: republishes images from topic `in` on `out` in other transports."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ USAGE = "Usage: republish IN_TRANSPORT [OUT_TRANSPORT] --ros-args -r in:=TOPIC -
 
 
 class Republisher(Node):
-    """Subscribes one transport of `in` and publishes one of `out`, or all of them."""
+    """Subscribes to one transport of `in` and publishes one of `out`, or all of them."""
 
     def __init__(self, source: str, target: str | None) -> None:
         super().__init__("image_republisher")
@@ -58,7 +58,7 @@ def main(args: list[str] | None = None) -> int:
 
 
 def list_transports() -> None:
-    """Print the transports that there are."""
+    """Print the available transports."""
     print("Declared transports:")
     for name in sorted(TRANSPORTS):
         print(f"image_transport/{name}")

@@ -15,7 +15,7 @@ _bridge = CvBridge()
 
 
 def topic_of(base: str, transport: str) -> str:
-    """Where a transport publishes an image topic; ValueError for a transport that is unknown.
+    """Return the topic a transport uses for an image topic. ValueError for an unknown transport.
 
     >>> topic_of("/camera/image_raw", "compressed")
     '/camera/image_raw/compressed'
@@ -28,7 +28,7 @@ def topic_of(base: str, transport: str) -> str:
 def compress(
     msg: Image, format_: str = "jpeg", jpeg_quality: int = JPEG_QUALITY, png_level: int = PNG_LEVEL
 ) -> CompressedImage:
-    """A raw image as JPEG or PNG; raises CvBridgeError for encodings that cannot be compressed."""
+    """Compress a raw image as JPEG or PNG. Raises CvBridgeError for encodings that cannot be compressed."""
     encoding = parse(msg.encoding)
     colour = encoding.channels > 1 or encoding.kind.startswith("bayer")
     if not encoding.kind or format_ not in ("jpeg", "png"):
@@ -43,7 +43,7 @@ def compress(
 
 
 def decompress(msg: CompressedImage) -> Image:
-    """A compressed image as a raw one, in the encoding that it had before; raises CvBridgeError."""
+    """Decompress an image to its original encoding. Raises CvBridgeError."""
     image = _bridge.compressed_imgmsg_to_cv2(msg)
     bits = image.dtype.itemsize * 8
     stored = f"mono{bits}" if image.ndim == 2 else f"{'bgra' if image.shape[2] == 4 else 'bgr'}{bits}"
@@ -55,7 +55,7 @@ def decompress(msg: CompressedImage) -> Image:
 
 
 def to_bgr(msg: Any) -> Any:
-    """The image of a raw or compressed message as OpenCV shows it; numbers without colours are stretched to grey."""
+    """Convert a raw or compressed message to an image OpenCV can show; non-colour values are scaled to grey."""
     if isinstance(msg, CompressedImage):
         image = _bridge.compressed_imgmsg_to_cv2(msg)
         return image if image.ndim == 3 else cv2.cvtColor(image, cv2.COLOR_GRAY2BGR)

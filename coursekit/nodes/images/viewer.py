@@ -19,7 +19,7 @@ _OWN = "rqt_image_view"
 
 
 class ImageViewer(Node):
-    """Shows the topic given, or the first image topic that somebody publishes."""
+    """Shows the given topic, or the first image topic that somebody publishes."""
 
     def __init__(self, topic: str | None) -> None:
         super().__init__(_OWN)

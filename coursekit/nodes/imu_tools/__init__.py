@@ -1,1 +1,1 @@
-"""imu_tools: orientations from what inertial units measure."""
+"""imu_tools: estimate orientations from IMU measurements."""

@@ -30,7 +30,7 @@ GRAVITY = 9.81
 
 
 class ImuFilter(Node):
-    """`imu/data_raw` and, with `use_mag`, `imu/mag` in; `imu/data` with an orientation out, and its tf."""
+    """Subscribes to `imu/data_raw` and, with `use_mag`, `imu/mag`; publishes `imu/data` with an orientation, and tf."""
 
     def __init__(self, name: str, defaults: dict[str, Any]) -> None:
         super().__init__(name)
@@ -52,7 +52,7 @@ class ImuFilter(Node):
             self.create_subscription(MagneticField, "imu/mag", self._take_field, 5)
 
     def fresh(self) -> Orientation:
-        """An orientation of which nothing is known yet."""
+        """Return a new, unknown orientation."""
         raise NotImplementedError
 
     def _take_field(self, msg: MagneticField) -> None:
@@ -82,7 +82,7 @@ class ImuFilter(Node):
             self._tf.sendTransform(self._turned(msg))
 
     def _step(self, msg: Imu) -> float:
-        """Seconds since the last message."""
+        """Return the seconds since the last message."""
         now = Time.from_msg(msg.header.stamp).nanoseconds
         last, self._last_ns = self._last_ns, now
         constant: float = self.given["constant_dt"]
@@ -90,7 +90,7 @@ class ImuFilter(Node):
 
     def _turned(self, msg: Imu) -> TransformStamped:
         above, below, q = self.given["fixed_frame"], msg.header.frame_id, msg.orientation
-        if self.given["reverse_tf"]:  # a turn of its own, for the message has been published
+        if self.given["reverse_tf"]:  # a new quaternion, because the message has already been published
             above, below, q = below, above, Quaternion(x=-q.x, y=-q.y, z=-q.z, w=q.w)
         made = TransformStamped(child_frame_id=below)
         made.header.stamp, made.header.frame_id, made.transform.rotation = msg.header.stamp, above, q
@@ -102,24 +102,24 @@ def _numbers(v: Any) -> tuple[float, float, float]:
 
 
 class MadgwickFilter(ImuFilter):
-    """Errors go at the pace `gain`."""
+    """Corrects errors at the constant rate `gain`."""
 
     def __init__(self) -> None:
         super().__init__("imu_filter_madgwick", _MADGWICK)
 
     def fresh(self) -> Orientation:
-        """One that is corrected at a steady pace."""
+        """Return an orientation that is corrected at a constant rate."""
         return Orientation(steadily(self.given["gain"]), self.world)
 
 
 class ComplementaryFilter(ImuFilter):
-    """Each message takes a share of the error away, `gain_acc` or `gain_mag`; the gyroscope is taken to have no bias."""
+    """Each message corrects a fraction of the error, `gain_acc` or `gain_mag`; assumes no gyroscope bias."""
 
     def __init__(self) -> None:
         super().__init__("ComplementaryFilterROS", _COMPLEMENTARY)
 
     def fresh(self) -> Orientation:
-        """One that is corrected by shares."""
+        """Return an orientation that is corrected by fractions."""
         return Orientation(by_share(self.given["gain_acc"]), self.world, by_share(self.given["gain_mag"]))
 
 
@@ -129,5 +129,5 @@ def madgwick(args: list[str] | None = None) -> int:
 
 
 def complementary(args: list[str] | None = None) -> int:
-    """Run the other filter until Ctrl-C."""
+    """Run the complementary filter until Ctrl-C."""
     return run(ComplementaryFilter, args)

@@ -1,1 +1,1 @@
-"""intra_process_demo: messages between nodes of one process."""
+"""intra_process_demo: messages between nodes in one process."""

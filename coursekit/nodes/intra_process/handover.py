@@ -1,4 +1,4 @@
-"""Messages that nodes of one process hand on themselves, as rclcpp does with a std::unique_ptr; rclpy gives copies."""
+"""Hands messages over between nodes in one process, as rclcpp does with a std::unique_ptr; rclpy makes copies."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from typing import Any
 from rclpy.publisher import Publisher
 
 KEPT = 10
-"""How many messages wait at most until their subscription takes them."""
+"""The maximum number of messages waiting for their subscription."""
 
 
 class Handover:
-    """Messages between nodes of one process: the first subscriber that takes one has the publisher's own.
+    """Messages between nodes in one process: the first subscriber to take one gets the publisher's own object.
 
-    Who comes later has the copy that came through the graph, and so has who hears of messages from elsewhere.
-    `key` tells messages apart.
+    Later subscribers, and messages from other processes, use the copy that came through the graph.
+    `key` identifies a message.
     """
 
     def __init__(self, key: Callable[[Any], Any]) -> None:
@@ -24,12 +24,12 @@ class Handover:
         self._given: dict[str, deque[tuple[Any, Any]]] = {}
 
     def publish(self, publisher: Publisher, msg: Any) -> None:
-        """Publish a message that its publisher gives away."""
+        """Publish a message and hand over its ownership."""
         self._given.setdefault(publisher.topic_name, deque(maxlen=KEPT)).append((self._key(msg), msg))
         publisher.publish(msg)
 
     def take(self, topic: str, copy: Any) -> Any:
-        """Return the message that was given away, if this is the first to ask for it; else the copy of it."""
+        """Return the original message to the first caller that asks for it, otherwise the copy."""
         given = self._given.get(topic, deque())
         key = self._key(copy)
         for place, (known, msg) in enumerate(given):

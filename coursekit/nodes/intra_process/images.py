@@ -1,4 +1,4 @@
-"""A pipeline of images: a camera, a watermark, a view; each writes its process and its message's address on the image."""
+"""An image pipeline of camera, watermark and view; each writes its process and the message's address on the image."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ _bridge = CvBridge()
 
 
 def _sign(image: Any, msg: Image, row: int, more: str = "") -> None:
-    """Write on an image which process has it, and where the message is in memory."""
+    """Write the process and the message's memory address on the image."""
     process = current_process()
     text = f"pid: {process.pid if process else 0}, ptr: {id(msg):#x}{more}"
     cv2.putText(image, text, (10, row), cv2.FONT_HERSHEY_SIMPLEX, 0.5, _GREEN)
 
 
 def _fill(msg: Image, image: Any) -> None:
-    """Put an image into a message, which keeps its place in memory and its header."""
+    """Put an image into a message; the message object and its header stay the same."""
     whole = _bridge.cv2_to_imgmsg(image, "bgr8")
     for field in ("height", "width", "encoding", "is_bigendian", "step", "data"):
         setattr(msg, field, getattr(whole, field))
@@ -39,7 +39,7 @@ def _stamp(msg: Image) -> tuple[int, int]:
 
 
 class CameraNode(Node):
-    """Publishes what the first camera sees. RuntimeError without one."""
+    """Publishes images of the first camera. RuntimeError without one."""
 
     def __init__(self, handover: Handover | None = None) -> None:
         super().__init__("camera_node")
@@ -66,7 +66,7 @@ class CameraNode(Node):
 
 
 class WatermarkNode(Node):
-    """Hands images on from `image` to `watermarked_image`, with a greeting."""
+    """Republishes images from `image` on `watermarked_image`, with a greeting."""
 
     def __init__(self, handover: Handover | None = None) -> None:
         super().__init__("watermark_node")
@@ -83,7 +83,7 @@ class WatermarkNode(Node):
 
 
 class ImageViewNode(Node):
-    """Shows `watermarked_image` in a window of the node's name."""
+    """Shows `watermarked_image` in a window named after the node."""
 
     def __init__(self, name: str = "image_view_node", handover: Handover | None = None) -> None:
         super().__init__(name)
@@ -97,24 +97,24 @@ class ImageViewNode(Node):
         cv2.imshow(self.get_name(), image)
 
     def destroy_node(self) -> None:
-        """Close the window, and leave the graph."""
+        """Close the window and destroy the node."""
         if cv2.getWindowProperty(self.get_name(), cv2.WND_PROP_VISIBLE) > 0:
             cv2.destroyWindow(self.get_name())
         super().destroy_node()
 
 
 def camera(args: list[str] | None = None) -> int:
-    """The camera alone."""
+    """Run only the camera."""
     return run(CameraNode, args, refuses=(RuntimeError,))
 
 
 def watermark(args: list[str] | None = None) -> int:
-    """The watermark alone."""
+    """Run only the watermark."""
     return run(WatermarkNode, args)
 
 
 def view(args: list[str] | None = None) -> int:
-    """The view alone."""
+    """Run only the view."""
     return run(ImageViewNode, args)
 
 
@@ -129,10 +129,10 @@ def _together(views: list[str], args: list[str] | None) -> int:
 
 
 def all_in_one(args: list[str] | None = None) -> int:
-    """All three in one process."""
+    """Run all three nodes in one process."""
     return _together(["image_view_node"], args)
 
 
 def two_views(args: list[str] | None = None) -> int:
-    """The same with two views."""
+    """Run the same pipeline with two views."""
     return _together(["image_view_node", "image_view_node2"], args)

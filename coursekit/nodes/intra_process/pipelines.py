@@ -1,4 +1,4 @@
-"""Two nodes of one process that hand numbers on: the message itself, as its address shows."""
+"""Two nodes in one process that pass numbers on without copying, as the address shows."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ FIRST = 42
 
 
 def told(text: str, msg: Int32) -> str:
-    """A line about a message: its value, and where it is in memory."""
+    """Return a line with a message's value and memory address."""
     return f"{text} {msg.data}, and address: 0x{id(msg):X}"
 
 
@@ -24,7 +24,7 @@ def _value(msg: Int32) -> int:
 
 
 class Producer(Node):
-    """Publishes a count each second."""
+    """Publishes a counter every second."""
 
     def __init__(self, name: str, output: str, handover: Handover) -> None:
         super().__init__(name)
@@ -41,7 +41,7 @@ class Producer(Node):
 
 
 class Consumer(Node):
-    """Tells of what it gets."""
+    """Logs what it receives."""
 
     def __init__(self, name: str, source: str, handover: Handover) -> None:
         super().__init__(name)
@@ -53,7 +53,7 @@ class Consumer(Node):
 
 
 class IncrementerPipe(Node):
-    """Takes a number, waits a second, and sends the next one on."""
+    """Receives a number, waits a second, and publishes the next one."""
 
     def __init__(self, name: str, source: str, output: str, handover: Handover) -> None:
         super().__init__(name)
@@ -62,7 +62,7 @@ class IncrementerPipe(Node):
         self._subscription = self.create_subscription(Int32, source, self._pass_on, 10)
 
     def publish(self, msg: Int32) -> None:
-        """Give a number to the next."""
+        """Publish a number to the next node."""
         self._handover.publish(self._publisher, msg)
 
     def _pass_on(self, copy: Int32) -> None:
@@ -77,14 +77,14 @@ class IncrementerPipe(Node):
 
 
 def two_nodes(args: list[str] | None = None) -> int:
-    """One counts, one listens, until Ctrl-C."""
+    """Run a producer and a consumer until Ctrl-C."""
     rclpy.init(args=args)
     handover = Handover(_value)
     return spin_to_the_end(Producer("producer", "number", handover), Consumer("consumer", "number", handover))
 
 
 def cyclic(args: list[str] | None = None) -> int:
-    """A number goes round between two nodes until Ctrl-C."""
+    """Pass a number back and forth between two nodes until Ctrl-C."""
     rclpy.init(args=args)
     handover = Handover(_value)
     pipes = [IncrementerPipe("pipe1", "topic1", "topic2", handover), IncrementerPipe("pipe2", "topic2", "topic1", handover)]

@@ -1,4 +1,4 @@
-"""Gamepads of Linux: /dev/input/js*, whose driver tells of each axis and button as it moves."""
+"""Linux gamepads: /dev/input/js*, whose driver reports each change of an axis or button."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ _CHUNK = 64 * _EVENT.size
 
 
 def devices() -> list[Path]:
-    """The gamepads there are, in their order."""
+    """Return the connected gamepads, in order."""
     found = [path for path in INPUTS.glob("js*") if path.name[2:].isdigit()] if INPUTS.is_dir() else []
     return sorted(found, key=lambda path: int(path.name[2:]))
 
 
 class Device:
-    """An open gamepad: raw axes (-32767 … 32767, right and down positive) and buttons (0, 1), as last told.
+    """An open gamepad: raw axes (-32767 … 32767, right and down positive) and buttons (0, 1), as last reported.
 
     OSError when it cannot be opened.
     """
@@ -49,9 +49,9 @@ class Device:
         return self.path.name
 
     def read(self) -> bool:
-        """Take what was told meanwhile; whether an axis or a button moved. OSError when it was pulled out.
+        """Read pending events. Returns whether an axis or button changed. OSError if the gamepad was unplugged.
 
-        `pressed` names the buttons that went down.
+        `pressed` has the buttons that were pressed.
         """
         self.pressed.clear()
         moved = False
@@ -79,12 +79,12 @@ class Device:
         return changed
 
     def close(self) -> None:
-        """Let go of it."""
+        """Close the device."""
         os.close(self._file)
 
 
 def name_of(path: Path) -> str:
-    """A gamepad's name; empty when it cannot be opened."""
+    """Return a gamepad's name, or '' if it cannot be opened."""
     try:
         device = Device(path)
     except OSError:

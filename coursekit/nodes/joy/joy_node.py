@@ -1,4 +1,4 @@
-"""`ros2 run joy joy_node`: a gamepad's axes and buttons on /joy. Without one it waits until one is plugged in."""
+"""`ros2 run joy joy_node`: publishes a gamepad on /joy. Without one, it waits until one is plugged in."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from coursekit.nodes.running import run
 
 FULL = 32767
 LOOK_SECONDS = 1.0
-"""How often a gamepad is looked for while there is none."""
+"""How often to look for a gamepad while there is none."""
 POLL_SECONDS = 0.005
 _DEFAULTS = {
     "device_id": 0, "device_name": "", "deadzone": 0.05, "autorepeat_rate": 20.0, "sticky_buttons": False,
@@ -21,7 +21,7 @@ _DEFAULTS = {
 
 
 class JoyNode(Node):
-    """Publishes when something moves, and `autorepeat_rate` times a second; ValueError when a parameter cannot work."""
+    """Publishes on changes, and `autorepeat_rate` times a second. ValueError for invalid parameters."""
 
     def __init__(self) -> None:
         super().__init__("joy_node")
@@ -45,7 +45,7 @@ class JoyNode(Node):
         self.create_timer(LOOK_SECONDS, self._look)
 
     def _look(self) -> None:
-        """Open the gamepad that the parameters name, if there is one by now."""
+        """Open the gamepad selected by the parameters, if it is there."""
         if self._device is not None:
             return
         name, number = self._given["device_name"], self._given["device_id"]
@@ -88,7 +88,7 @@ class JoyNode(Node):
         self._out.publish(msg)
 
     def _sticky(self, device: Device) -> list[int]:
-        """Buttons that stay down until they are pressed again."""
+        """Return the state of sticky buttons: on until pressed again."""
         self._toggled.extend([0] * (len(device.buttons) - len(self._toggled)))
         for number in device.pressed:
             self._toggled[number] = 1 - self._toggled[number]
@@ -97,7 +97,7 @@ class JoyNode(Node):
 
 
 def scaled(value: int, deadzone: float) -> float:
-    """An axis as ROS has it: -1 … 1, forward and left positive; 0 within the dead zone, and no step at its edge.
+    """Convert an axis to -1 … 1, forward and left positive; 0 within the dead zone, continuous at its edge.
 
     >>> [scaled(value, 0.5) for value in (0, 16000, 32767, -32768)]
     [0.0, 0.0, -1.0, 1.0]
@@ -115,7 +115,7 @@ def main(args: list[str] | None = None) -> int:
 
 
 def enumerate_devices(args: list[str] | None = None) -> int:
-    """List the gamepads there are."""
+    """List the connected gamepads."""
     print("Joystick Device ID : Joystick Device Name")
     print("-" * 41)
     for number, path in enumerate(devices()):

@@ -1,1 +1,1 @@
-"""laser_filters: a scan goes through filters, one after the other."""
+"""laser_filters: applies a chain of filters to a scan."""

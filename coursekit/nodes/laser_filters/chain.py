@@ -1,4 +1,4 @@
-"""`ros2 run laser_filters scan_to_scan_filter_chain`: scan in, scan_filtered out."""
+"""`ros2 run laser_filters scan_to_scan_filter_chain`: filters /scan to /scan_filtered."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from coursekit.nodes.running import run
 
 
 class FilterChain(Node):
-    """Filters filter1, filter2 and so on, as far as the parameters name them; ValueError when one cannot work."""
+    """Applies filter1, filter2 and so on, as given by the parameters. ValueError for invalid ones."""
 
     def __init__(self) -> None:
         super().__init__(
@@ -54,7 +54,7 @@ class FilterChain(Node):
         return name, work, given
 
     def _matrix(self, target: str, source: str, stamp: Any) -> Any:
-        """The matrix (4, 4) between two frames at a time, or the newest where that time is not known yet."""
+        """Return the 4x4 matrix between two frames at a time, or the latest one if that time is not available yet."""
         try:
             found = self._buffer.lookup_transform_core(target, source, Time.from_msg(stamp)).transform
         except TransformException:

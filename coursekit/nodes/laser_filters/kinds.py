@@ -14,7 +14,7 @@ from coursekit.nav.scans import filters
 from coursekit.nav.scans.making import Array, floats, points_of
 
 Frames = Callable[[str, str, Any], Any]
-"""Frames(target, source, stamp): the matrix (4, 4) between two frames."""
+"""Frames(target, source, stamp): the 4x4 matrix between two frames."""
 
 
 def _ranges(scan: LaserScan) -> Array:
@@ -46,14 +46,14 @@ def angular_bounds(scan: LaserScan, given: dict[str, Any], frames: Frames) -> No
 
 
 def angular_bounds_in_place(scan: LaserScan, given: dict[str, Any], frames: Frames) -> None:
-    """LaserScanAngularBoundsFilterInPlace: what lies between the angles is no obstacle."""
+    """LaserScanAngularBoundsFilterInPlace: removes obstacles between the angles."""
     angles = scan.angle_min + np.arange(len(scan.ranges)) * scan.angle_increment
     between = (angles > given["lower_angle"]) & (angles < given["upper_angle"])
     scan.ranges = floats(np.where(between, scan.range_max + 1.0, _ranges(scan)))
 
 
 def box(scan: LaserScan, given: dict[str, Any], frames: Frames) -> None:
-    """LaserScanBoxFilter: what lies in a box of the robot's frame is the robot itself."""
+    """LaserScanBoxFilter: removes points in a box in the robot's frame, which are the robot itself."""
     ranges = _ranges(scan)
     with np.errstate(invalid="ignore"):
         points = points_of(ranges, scan.angle_min, scan.angle_increment)
@@ -94,4 +94,4 @@ KINDS: dict[str, tuple[Callable[[LaserScan, dict[str, Any], Frames], None], dict
     "ScanShadowsFilter": (shadows, {
         "min_angle": float, "max_angle": float, "neighbors": int, "window": int, "remove_shadow_start_point": False}),
 }  # fmt: skip
-"""The function of each filter, and its parameters with their defaults; a type where it must be given."""
+"""Each filter's function, and its parameters with their defaults; a type means that the parameter is required."""

@@ -1,1 +1,1 @@
-"""The package lifecycle: a managed talker, who listens to it, and who manages it."""
+"""The package lifecycle: a lifecycle talker, its listener, and a client that manages it."""

@@ -1,4 +1,4 @@
-"""Hears the managed talker and its changes of state."""
+"""Listens to the lifecycle talker and its state changes."""
 
 from lifecycle_msgs.msg import TransitionEvent
 from rclpy.node import Node
@@ -8,7 +8,7 @@ from coursekit.nodes.running import run
 
 
 class LifecycleListener(Node):
-    """Logs what comes on /lifecycle_chatter and the talker's transitions."""
+    """Logs messages on /lifecycle_chatter and the talker's transitions."""
 
     def __init__(self) -> None:
         super().__init__("lc_listener")

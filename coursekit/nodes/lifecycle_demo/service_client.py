@@ -1,4 +1,4 @@
-"""Takes the managed talker through its states, ten seconds each."""
+"""Takes the lifecycle talker through its states, ten seconds each."""
 
 import time
 from typing import Any
@@ -11,7 +11,7 @@ from rclpy.node import Node
 from coursekit.nodes.running import to_the_end
 
 MANAGED = "lc_talker"
-PATIENCE = 3.0  # seconds for each answer; activating takes the talker two
+PATIENCE = 3.0  # seconds for each response; the talker needs two to activate
 TRANSITIONS = (
     Transition.TRANSITION_CONFIGURE,
     Transition.TRANSITION_ACTIVATE,
@@ -24,7 +24,7 @@ TRANSITIONS = (
 
 
 class LifecycleServiceClient(Node):
-    """Asks for the talker's state and for transitions."""
+    """Requests the talker's state and transitions."""
 
     def __init__(self) -> None:
         super().__init__("lc_client")
@@ -43,7 +43,7 @@ class LifecycleServiceClient(Node):
         return future.result()
 
     def tell_state(self) -> bool:
-        """Log the talker's state; whether it answered."""
+        """Log the talker's state. Returns whether it responded."""
         answer = self._ask(self._get_state, GetState.Request())
         if answer is None:
             return False
@@ -51,7 +51,7 @@ class LifecycleServiceClient(Node):
         return True
 
     def change(self, transition: int) -> bool:
-        """Ask for a transition; whether it was made."""
+        """Request a transition. Returns whether it succeeded."""
         answer = self._ask(self._change_state, ChangeState.Request(transition=Transition(id=transition)))
         if answer is None:
             return False
@@ -63,7 +63,7 @@ class LifecycleServiceClient(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Make all transitions; stop at the first that fails."""
+    """Request all transitions; stop at the first that fails."""
     rclpy.init(args=args)
     node = LifecycleServiceClient()
     with to_the_end(node):

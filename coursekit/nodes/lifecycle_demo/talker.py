@@ -1,4 +1,4 @@
-"""A managed talker: it speaks only while it is active."""
+"""A lifecycle talker: it publishes only while active."""
 
 import time
 
@@ -9,7 +9,7 @@ from coursekit.nodes.running import run
 
 
 class LifecycleTalker(Node):
-    """Greets on /lifecycle_chatter once a second, from `configure` to `cleanup`; only an active one is heard."""
+    """Publishes a greeting on /lifecycle_chatter every second; messages are only sent while it is active."""
 
     def __init__(self, name: str = "lc_talker") -> None:
         super().__init__(name)
@@ -25,31 +25,31 @@ class LifecycleTalker(Node):
         self._publisher.publish(msg)
 
     def on_configure(self, state: State) -> TransitionCallbackReturn:
-        """Make the publisher and the timer."""
+        """Create the publisher and the timer."""
         self._publisher = self.create_lifecycle_publisher(String, "lifecycle_chatter", 10)
         self._timer = self.create_timer(1.0, self._say)
         self.get_logger().info("on_configure() is called.")
         return TransitionCallbackReturn.SUCCESS
 
     def on_activate(self, state: State) -> TransitionCallbackReturn:
-        """Switch the publisher on; two seconds stand for work that takes time."""
+        """Activate the publisher; the two-second sleep stands for work that takes time."""
         self.get_logger().info("on_activate() is called.")
         time.sleep(2.0)
         return super().on_activate(state)
 
     def on_deactivate(self, state: State) -> TransitionCallbackReturn:
-        """Switch the publisher off."""
+        """Deactivate the publisher."""
         self.get_logger().info("on_deactivate() is called.")
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: State) -> TransitionCallbackReturn:
-        """Take the publisher and the timer away."""
+        """Destroy the publisher and the timer."""
         self._take_away()
         self.get_logger().info("on cleanup is called.")
         return TransitionCallbackReturn.SUCCESS
 
     def on_shutdown(self, state: State) -> TransitionCallbackReturn:
-        """Take them away, if they are there, for good."""
+        """Destroy them, if they exist, and shut down."""
         if state.label != "unconfigured":
             self._take_away()
         self.get_logger().info(f"on shutdown is called from state {state.label}.")
@@ -61,5 +61,5 @@ class LifecycleTalker(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Be there until Ctrl-C."""
+    """Run the node until Ctrl-C."""
     return run(LifecycleTalker, args)

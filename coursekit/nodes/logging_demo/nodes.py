@@ -1,4 +1,4 @@
-"""A node that logs in many ways, and one that sets the levels of loggers when asked."""
+"""A node that logs in many ways, and one that sets logger levels on request."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from coursekit.nodes.running import run, spin_to_the_end
 
 
 class LoggerConfig(Node):
-    """Serves config_logger: the level of a logger of this program."""
+    """Serves config_logger, which sets the level of a logger in this process."""
 
     def __init__(self) -> None:
         super().__init__("logger_config")
@@ -30,7 +30,7 @@ class LoggerConfig(Node):
 
 
 class LoggerUsage(Node):
-    """Counts, and logs: once, always, and, from the eleventh time, what only DEBUG shows."""
+    """Counts and logs: once, always, and, from the eleventh time on, what only DEBUG shows."""
 
     def __init__(self) -> None:
         super().__init__("logger_usage_demo")
@@ -50,7 +50,7 @@ class LoggerUsage(Node):
         msg = String(data=f"Current count: {self._count}")
         log.info(f"Publishing: '{msg.data}'")
         self._publisher.publish(msg)
-        if log.is_enabled_for(LoggingSeverity.DEBUG) and self._divides_twelve():  # not worked out where nobody would see it
+        if log.is_enabled_for(LoggingSeverity.DEBUG) and self._divides_twelve():  # only evaluated if it would be shown
             log.debug("Count divides into 12 (function evaluated to true)")
         if self._count % 2 == 0:
             log.debug("Count is even (expression evaluated to true)")
@@ -67,16 +67,16 @@ class LoggerUsage(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Both in one process, so that the one sets the level of the other."""
+    """Run both nodes in one process, so that one can set the other's level."""
     rclpy.init(args=args)
     return spin_to_the_end(LoggerConfig(), LoggerUsage())
 
 
 def config(args: list[str] | None = None) -> int:
-    """The service alone, as a component."""
+    """Run only the service, as a component."""
     return run(LoggerConfig, args)
 
 
 def usage(args: list[str] | None = None) -> int:
-    """The counting node alone, as a component."""
+    """Run only the counting node, as a component."""
     return run(LoggerUsage, args)

@@ -1,1 +1,1 @@
-"""nav2's nodes beside its planners: the map server, the map saver, the lifecycle manager."""
+"""nav2's nodes other than its planners: the map server, the map saver, the lifecycle manager."""

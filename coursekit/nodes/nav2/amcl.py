@@ -1,4 +1,4 @@
-"""`ros2 run nav2_amcl amcl`: a managed node that localises a robot in the map of /map with particles."""
+"""`ros2 run nav2_amcl amcl`: a lifecycle node that localises a robot in /map with a particle filter."""
 
 from __future__ import annotations
 
@@ -30,13 +30,13 @@ from coursekit.nodes.scanning.planar import of_transform, put
 from coursekit.nodes.scanning.scan_filter import ScanFilter, WakingBuffer, lookup
 
 _USUAL = np.diag([0.25, 0.25, 0.06853891945200942])
-"""Covariance of a start without one: half a metre, 15 degrees."""
+"""Default covariance of an initial pose: half a metre, 15 degrees."""
 _QUIET = 2.0
 _NO_POSE = "AMCL cannot publish a pose or update the transform. Please set the initial pose..."
 
 
 class Amcl(LifecycleNode):
-    """Moves its particles with the odometry, weighs them by the scans, tells /amcl_pose and map → odom."""
+    """Moves particles with the odometry, weights them with scans, publishes /amcl_pose and map → odom."""
 
     def __init__(self) -> None:
         super().__init__("amcl")
@@ -52,7 +52,7 @@ class Amcl(LifecycleNode):
     # -- states
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Read parameters, offer topics and services; FAILURE when a parameter cannot work."""
+        """Read parameters, create topics and services; FAILURE for invalid parameters."""
         self.get_logger().info("Configuring")
         try:
             self._params = filter_parameters(self)
@@ -73,7 +73,7 @@ class Amcl(LifecycleNode):
             self._filter.params = params
 
     def _read_parameters(self) -> None:
-        """Take the node's own parameters; ValueError when they cannot work."""
+        """Read the node's own parameters. ValueError for invalid ones."""
         self._map_frame, self._odom_frame, self._base_frame = (
             str(given(self, f"{name}_frame_id")) for name in ("global", "odom", "base")
         )
@@ -111,7 +111,7 @@ class Amcl(LifecycleNode):
         ]
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Listen to scans."""
+        """Start processing scans."""
         self.get_logger().info("Activating")
         self._active = True
         answer = super().on_activate(state)
@@ -119,13 +119,13 @@ class Amcl(LifecycleNode):
         return answer
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Listen no more."""
+        """Stop processing scans."""
         self.get_logger().info("Deactivating")
         self._active = False
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Forget map and particles."""
+        """Discard the map and the particles."""
         self.get_logger().info("Cleaning up")
         answer = super().on_cleanup(state)
         self._obedience.end()
@@ -139,10 +139,10 @@ class Amcl(LifecycleNode):
         self._filter, self._estimate, self._known = None, None, False
         return answer
 
-    # -- what is heard
+    # -- inputs
 
     def _take_map(self, msg: OccupancyGrid) -> None:
-        """A map; the particles begin anew in it."""
+        """Handle a map; the particles are initialised again."""
         info = msg.info
         if self._filter is not None and self.get_parameter("first_map_only").value:
             return
@@ -162,7 +162,7 @@ class Amcl(LifecycleNode):
         self._begin()
 
     def _begin(self) -> None:
-        """Put the particles where the robot is said to be, once there is a map."""
+        """Initialise the particles at the given pose, once there is a map."""
         if not self._active or self._filter is None:
             return
         if self._anywhere:
@@ -216,7 +216,7 @@ class Amcl(LifecycleNode):
     # -- scans
 
     def _take(self, msg: LaserScan) -> None:
-        """A scan whose transform is known."""
+        """Process a scan whose transform is known."""
         particles = self._filter
         if not self._active or particles is None:
             self.get_logger().warning("Waiting for map....", throttle_duration_sec=_QUIET)
@@ -238,7 +238,7 @@ class Amcl(LifecycleNode):
         self._publish_transform(msg.header.stamp)
 
     def _due(self, odometry: Pose2D) -> bool:
-        """Whether the robot has moved enough, or has just been put somewhere, or someone asks."""
+        """Whether the robot has moved enough, was just given a pose, or an update was requested."""
         if self._before is None or self._forced:
             return True
         motion = self._before.to(odometry)
@@ -246,7 +246,7 @@ class Amcl(LifecycleNode):
         return abs(motion.x) > distance or abs(motion.y) > distance or abs(motion.theta) > turn
 
     def _update(self, particles: ParticleFilter, ends: np.ndarray, odometry: Pose2D, farthest: float, stamp: Any) -> None:
-        """Move and weigh the particles, and tell what came of it."""
+        """Move and weight the particles, and publish the result."""
         if self._before is not None:
             particles.move(np.array(self._before), np.array(odometry))
         self._before, self._forced = odometry, False
@@ -261,7 +261,7 @@ class Amcl(LifecycleNode):
             self._cloud_publisher.publish(cloud_message(particles, self._map_frame, stamp))
 
     def _publish_transform(self, stamp: Any) -> None:
-        """map → odom, valid a little into the future."""
+        """Publish map → odom, valid slightly into the future."""
         if not self.get_parameter("tf_broadcast").value:
             return
         msg = TransformStamped()

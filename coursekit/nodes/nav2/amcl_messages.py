@@ -1,4 +1,4 @@
-"""amcl's output as messages, and its input as numbers."""
+"""Convert amcl's output to messages, and its input to numbers."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from coursekit.slam.scan import Laser
 
 POSE_QOS = QoSProfile(depth=1, reliability=ReliabilityPolicy.RELIABLE, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 SHOWN = 2000
-"""Particles in a message, at the most."""
+"""The maximum number of particles in a message."""
 _PLANE = np.ix_((0, 1, 5), (0, 1, 5))
 
 
 def pose_message(estimate: Estimate, frame: str, stamp: Any) -> PoseWithCovarianceStamped:
-    """The estimate."""
+    """Return the pose estimate as a message."""
     msg = PoseWithCovarianceStamped()
     msg.header.frame_id, msg.header.stamp = frame, stamp
     put(Pose2D.of(estimate.pose), msg.pose.pose.position, msg.pose.pose.orientation)
@@ -33,7 +33,7 @@ def pose_message(estimate: Estimate, frame: str, stamp: Any) -> PoseWithCovarian
 
 
 def cloud_message(particles: ParticleFilter, frame: str, stamp: Any) -> ParticleCloud:
-    """The particles; of very many an even choice."""
+    """Return the particles as a message, evenly sampled if there are many."""
     msg = ParticleCloud()
     msg.header.frame_id, msg.header.stamp = frame, stamp
     step = -(-len(particles.particles) // SHOWN)
@@ -45,7 +45,7 @@ def cloud_message(particles: ParticleFilter, frame: str, stamp: Any) -> Particle
 
 
 def pose_of(msg: PoseWithCovarianceStamped) -> tuple[Pose2D, np.ndarray]:
-    """A pose of the plane and its covariance (3, 3); ValueError when they are no numbers."""
+    """Return a 2D pose and its covariance (3, 3). ValueError for invalid numbers."""
     pose = plane(msg.pose.pose.position, msg.pose.pose.orientation)
     covariance = np.asarray(msg.pose.covariance, dtype=float).reshape(6, 6)[_PLANE]
     if not np.isfinite([*pose]).all() or not np.isfinite(covariance).all():
@@ -54,7 +54,7 @@ def pose_of(msg: PoseWithCovarianceStamped) -> tuple[Pose2D, np.ndarray]:
 
 
 def beam_ends(scan: LaserScan, laser: Laser, beams: int) -> np.ndarray:
-    """(m, 2) where evenly chosen beams of a scan ended, in the robot's frame [m]; those without return are left out."""
+    """Return the (m, 2) end points of evenly chosen beams in the robot's frame [m], without those that hit nothing."""
     ranges = np.asarray(scan.ranges, dtype=np.float64)
     step = max((len(ranges) - 1) // max(beams - 1, 1), 1)
     chosen = np.arange(0, len(ranges), step)

@@ -1,4 +1,4 @@
-"""amcl's parameters, with nav2's names and defaults, and the ones that only this one has."""
+"""amcl's parameters, with nav2's names and defaults, and those that exist only here."""
 
 from __future__ import annotations
 
@@ -58,25 +58,25 @@ DEFAULTS: dict[str, Any] = {
     "z_short": 0.05,
     "random_seed": 0,
 }
-"""`random_seed` is ours: the same seed, scans and odometry give the same particles."""
+"""`random_seed` is an addition: the same seed, scans and odometry give the same particles."""
 _DRIVES = {"nav2_amcl::DifferentialMotionModel": False, "nav2_amcl::OmniMotionModel": True}
 _DRIVES |= {"differential": False, "omnidirectional": True}
 
 
 def declare(node: Node) -> None:
-    """Declare all; whole numbers may stand for real ones."""
+    """Declare all parameters; integers are accepted for floats."""
     for name, default in DEFAULTS.items():
         node.declare_parameter(name, default, ParameterDescriptor(dynamic_typing=True))
 
 
 def given(node: Node, name: str) -> Any:
-    """A parameter: what someone just asks for, or its present value."""
+    """Return a parameter: the value being requested, or the current one."""
     asked: dict[str, Any] = getattr(node, "asked_for", {})
     return asked.get(name, node.get_parameter(name).value)
 
 
 def number(node: Node, name: str) -> float:
-    """A real parameter; ValueError when it is no number."""
+    """Return a float parameter. ValueError if it is not a number."""
     value = given(node, name)
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not math.isfinite(value):
         raise ValueError(f"{name} should be a number, for example {DEFAULTS[name]}, not {value!r}")
@@ -84,7 +84,7 @@ def number(node: Node, name: str) -> float:
 
 
 def filter_parameters(node: Node) -> FilterParameters:
-    """The filter's parameters; ValueError when a value cannot work."""
+    """Return the filter's parameters. ValueError for an invalid value."""
     drive = given(node, "robot_model_type")
     if drive not in _DRIVES:
         raise ValueError(f"unknown robot_model_type {drive!r}: use one of {', '.join(_DRIVES)}")

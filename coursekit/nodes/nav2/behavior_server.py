@@ -1,4 +1,4 @@
-"""`ros2 run nav2_behaviors behavior_server`: turns on the spot, drives straight, waits; never into something."""
+"""`ros2 run nav2_behaviors behavior_server`: spins, drives straight and waits, without collisions."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ _SERVER: dict[str, Any] = {
     "cmd_vel_teleop": "cmd_vel_teleop",
 }
 Step = Callable[[float], tuple[float, float] | None]
-"""Seconds since it began → forward and turning speed, or None when it is done."""
+"""Seconds since the start → linear and angular velocity, or None when done."""
 
 
 class BehaviorServer(Server):
@@ -50,7 +50,7 @@ class BehaviorServer(Server):
         declare(self, _SERVER)
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Offer the behaviours of `behavior_plugins`."""
+        """Create the behaviours in `behavior_plugins`."""
         self.get_logger().info("Configuring")
         try:
             self._read()
@@ -74,14 +74,14 @@ class BehaviorServer(Server):
         return super().on_configure(state)
 
     def _read(self) -> None:
-        """Take the parameters; ValueError when they cannot work."""
+        """Read the parameters. ValueError for invalid ones."""
         given = declare(self, _SERVER)
         if not (given["cycle_frequency"] > 0 and given["simulation_time_step"] > 0 and given["projection_time"] > 0):
             raise ValueError("cycle_frequency, simulation_time_step and projection_time should be greater than 0")
         self.given = given
 
     def _kind(self, name: str) -> Any:
-        """The action and the work of a behaviour by its plugin's name; ValueError for what is not known."""
+        """Return a behaviour's action and coroutine by its plugin name. ValueError for an unknown one."""
         plugin = declare(self, {"plugin": USUAL.get(name, "")}, name)["plugin"]
         self.get_logger().info(f"Creating behavior plugin {name} of type {plugin}")
         if plugin not in KINDS:
@@ -89,7 +89,7 @@ class BehaviorServer(Server):
         return KINDS[plugin]
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Forget all."""
+        """Destroy everything."""
         self._obedience.end()
         for heard in self._heard:
             self.destroy_subscription(heard)
@@ -97,7 +97,7 @@ class BehaviorServer(Server):
         self.destroy_lifecycle_publisher(self._cmd_out)
         return super().on_cleanup(state)
 
-    # -- what is heard
+    # -- inputs
 
     def _take_costmap(self, msg: CostmapMessage) -> None:
         meta = msg.metadata
@@ -118,9 +118,9 @@ class BehaviorServer(Server):
     # -- behaviours
 
     async def behave(self, handle: Any, kind: Any, name: str, step: Step, *, blind: bool = False) -> Any:
-        """Do a behaviour step by step until it is done, or cannot go on, or someone says stop.
+        """Run a behaviour step by step until it is done, fails, or is cancelled.
 
-        It ends as well when something is in the way, unless it is `blind`: then it looks itself.
+        It also ends if an obstacle is in the way, unless it is `blind`, that is, does its own checks.
         """
         self.get_logger().info(f"Running {name}")
         action = next(one for one in self.actions if one.current is handle)
@@ -143,7 +143,7 @@ class BehaviorServer(Server):
         return result
 
     def _step(self, action: Any, handle: Any, name: str, step: Step, gone: float, most: float, blind: bool) -> Any:
-        """One command; how the goal ends, once it does."""
+        """Run one step. Returns the goal's result once it ends."""
         log = self.get_logger()
         if action.replaced(handle):
             return handle.abort
@@ -169,19 +169,19 @@ class BehaviorServer(Server):
     # -- the robot
 
     def pose(self) -> Pose2D | None:
-        """The robot in `global_frame`; None when tf does not know."""
+        """Return the robot's pose in `global_frame`, or None if tf does not have it."""
         try:
             return self._where.robot(self.given["global_frame"])
         except TransformException:
             return None
 
     def heading(self) -> float:
-        """Where the robot looks [rad]."""
+        """Return the robot's heading [rad]."""
         here = self.pose()
         return here.theta if here is not None else 0.0
 
     def free_for(self, speeds: tuple[float, float], seconds: float) -> float:
-        """How long the robot can go on before it touches something that it does not touch already, 1 s at the most."""
+        """Return how long the robot can go on until it hits something that it does not touch already, at most 1 s."""
         here, costs, robot = self.pose(), self._costs, self._robot
         most, step = min(seconds, 1.0), self.given["simulation_time_step"]
         if here is None or costs is None or robot is None:
@@ -196,7 +196,7 @@ class BehaviorServer(Server):
         return 1.0
 
     def slowed(self, speeds: tuple[float, float]) -> tuple[float, float]:
-        """Speeds made so slow that nothing is touched within `projection_time`."""
+        """Return speeds reduced so that nothing is hit within `projection_time`."""
         most = self.given["projection_time"]
         share = min(self.free_for(speeds, most) / most, 1.0)
         if share < 1.0:
@@ -204,7 +204,7 @@ class BehaviorServer(Server):
         return speeds[0] * share, speeds[1] * share
 
     def drive(self, speeds: tuple[float, float]) -> None:
-        """Tell the wheels."""
+        """Publish the velocity command."""
         msg = Twist()
         msg.linear.x, msg.angular.z = speeds
         self._cmd_out.publish(msg)

@@ -1,4 +1,4 @@
-"""The behaviours of a behaviour server; each is a coroutine that works on one goal of an action."""
+"""The behaviours of a behaviour server; each is a coroutine that handles one goal of an action."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Speeds = tuple[float, float]
 
 
 async def spin(server: Any, name: str, handle: Any) -> Any:
-    """Turn on the spot by `target_yaw` [rad]."""
+    """Rotate in place by `target_yaw` [rad]."""
     target, turned, last = handle.request.target_yaw, 0.0, server.heading()
     server.get_logger().info(f"Turning {target:.2f} for spin behavior.")
 
@@ -36,12 +36,12 @@ async def spin(server: Any, name: str, handle: Any) -> Any:
 
 
 async def back_up(server: Any, name: str, handle: Any) -> Any:
-    """Drive straight back."""
+    """Drive straight backwards."""
     return await _go(server, handle, BackUp, name, -abs(handle.request.target.x), -abs(handle.request.speed))
 
 
 async def straight(server: Any, name: str, handle: Any) -> Any:
-    """Drive straight on, or back with negative distance and speed."""
+    """Drive straight ahead, or backwards with negative distance and speed."""
     request = handle.request
     if request.target.x * request.speed < 0:
         server.get_logger().error("Speed and command sign did not match")
@@ -79,7 +79,7 @@ async def wait(server: Any, name: str, handle: Any) -> Any:
 
 
 async def assisted_teleop(server: Any, name: str, handle: Any) -> Any:
-    """Drive as someone says on `cmd_vel_teleop`, slower near things, until `preempt_teleop` or the time is up."""
+    """Follow `cmd_vel_teleop`, slower near obstacles, until `preempt_teleop` or the time is up."""
     wish, ended = Twist(), False
 
     def hear(msg: Twist) -> None:
@@ -113,7 +113,7 @@ KINDS = {
     "nav2_behaviors/AssistedTeleop": (AssistedTeleop, assisted_teleop),
     "nav2_behaviors/Wait": (Wait, wait),
 }
-"""Plugins: their actions and what they do."""
+"""Plugins: their actions and coroutines."""
 USUAL = {
     "spin": "nav2_behaviors/Spin",
     "backup": "nav2_behaviors/BackUp",

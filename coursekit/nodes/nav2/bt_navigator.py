@@ -1,4 +1,4 @@
-"""`ros2 run nav2_bt_navigator bt_navigator`: takes the robot to a pose, by the servers that plan, drive and recover."""
+"""`ros2 run nav2_bt_navigator bt_navigator`: drives the robot to a pose, using planner, controller and behaviours."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ _SERVER: dict[str, Any] = {
     "default_nav_through_poses_bt_xml": "",
 }
 _TREES = {NavigateToPose: "default_nav_to_pose_bt_xml", NavigateThroughPoses: "default_nav_through_poses_bt_xml"}
-"""Parameters that name a tree's file."""
+"""Parameters for the file of a behaviour tree."""
 _OWN = {
     NavigateToPose: "navigate_to_pose_w_replanning_and_recovery.xml",
     NavigateThroughPoses: "navigate_through_poses_w_replanning_and_recovery.xml",
 }
-"""The files of nav2_bt_navigator that count where a parameter names none."""
+"""The default files from nav2_bt_navigator."""
 
 
 class BtNavigator(Server):
@@ -46,10 +46,10 @@ class BtNavigator(Server):
         super().__init__("bt_navigator")
         declare(self, _SERVER)
         self._driver: Any = None
-        """The goal that drives the robot now; one that cannot begin takes no other's place."""
+        """The goal that currently drives the robot; a goal that cannot start does not replace it."""
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Offer the actions; FAILURE when a parameter cannot work."""
+        """Create the actions; FAILURE for invalid parameters."""
         self.get_logger().info("Configuring")
         try:
             given = declare(self, _SERVER)
@@ -70,7 +70,7 @@ class BtNavigator(Server):
         return super().on_configure(state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Take goals; FAILURE when a default tree cannot be loaded."""
+        """Accept goals; FAILURE if a default tree cannot be loaded."""
         for name in _TREES:
             try:
                 load_tree(self._file(name), self._crew, [])
@@ -80,7 +80,7 @@ class BtNavigator(Server):
         return super().on_activate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Offer nothing any more."""
+        """Destroy the actions and subscriptions."""
         for heard in self._heard:
             self.destroy_subscription(heard)
         self._self_client.destroy()
@@ -92,7 +92,7 @@ class BtNavigator(Server):
         self._speed = msg.twist.twist.linear.x
 
     def _clicked(self, msg: PoseStamped) -> None:
-        """A goal that someone clicked."""
+        """Handle a goal from a click."""
         self._self_client.send_goal_async(NavigateToPose.Goal(pose=msg))
 
     def _pose(self) -> Pose2D | None:
@@ -108,14 +108,14 @@ class BtNavigator(Server):
         return await self._go(handle, NavigateThroughPoses, list(handle.request.poses), self._through)
 
     async def _go(self, handle: Any, kind: Any, goals: list[PoseStamped], action: Any) -> Any:
-        """Do a goal, whichever action it came by."""
+        """Execute a goal of either action."""
         log, here = self.get_logger(), self._pose()
         if not goals or here is None:
             log.error("There are no poses to go to" if not goals else "Initial robot pose is not available.")
             handle.abort()
             return kind.Result()
         other = self._through if action is self._to_pose else self._to_pose
-        other.current = None  # a goal of either kind takes the place of one of the other
+        other.current = None  # a goal of one kind replaces one of the other
         to = goals[-1].pose.position
         log.info(f"Begin navigating from current location ({here.x:.2f}, {here.y:.2f}) to ({to.x:.2f}, {to.y:.2f})")
         begin = self.get_clock().now()
@@ -142,12 +142,12 @@ class BtNavigator(Server):
         return kind.Result()
 
     def _file(self, kind: Any) -> str:
-        """The tree of an action: the parameter's, or nav2's own."""
+        """Return the tree file of an action: the parameter's, or nav2's default."""
         share = Path(get_package_share_directory("nav2_bt_navigator"))
         return self.text(_TREES[kind]) or str(share / "behavior_trees" / _OWN[kind])
 
     def _finish(self, handle: Any, action: Any, end: str) -> None:
-        """Say how a goal ended."""
+        """Set and log how a goal ended."""
         log = self.get_logger()
         if end == "stopped" and handle.is_cancel_requested:
             log.info("Goal canceled")

@@ -1,4 +1,4 @@
-"""A topic of clouds, as those of depth cameras, as a costmap takes it in."""
+"""A topic of point clouds, such as from depth cameras, as a source of a costmap."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from coursekit.nodes.nav2.scan_source import Source
 
 
 class CloudSource(Source):
-    """Points between two heights are obstacles, and what lies before them is free; others do not count, as in nav2."""
+    """Points between two heights are obstacles, and the space in front of them is free; others are ignored, as in nav2."""
 
     kind, what = PointCloud2, "cloud"
 
@@ -28,7 +28,7 @@ class CloudSource(Source):
             )
 
     def fault(self, msg: PointCloud2) -> str:
-        """Why a cloud cannot be used; empty when it can."""
+        """Return why a cloud cannot be used, or '' if it can."""
         names = {field.name for field in msg.fields}
         if not names >= {"x", "y", "z"}:
             return f"its fields are {', '.join(sorted(names)) or 'none'}; x, y and z are needed"
@@ -36,7 +36,7 @@ class CloudSource(Source):
         return f"it has {len(msg.data)} bytes for {msg.width} x {msg.height} points of {msg.point_step}" if short else ""
 
     def see(self, msg: PointCloud2, seat: TransformStamped) -> None:
-        """Mark and clear with a cloud of a camera that sits there."""
+        """Mark and clear with a point cloud from a sensor at this pose."""
         points = transform_points(points_of(msg), seat)
         given, high = self.given, points[:, 2]
         counted = points[(high >= given["min_obstacle_height"]) & (high <= given["max_obstacle_height"])]
@@ -46,7 +46,7 @@ class CloudSource(Source):
         self.layer.see((here.x, here.y), ends, far & given["marking"], clearing=given["clearing"])
 
     def _one_a_cell(self, ends: Array) -> Array:
-        """A point for each cell that has some: a camera has thousands of them, and a costmap few cells."""
+        """Return one point per occupied cell: a camera has thousands of points, and a costmap few cells."""
         grid = self.layer.map
         cells = np.floor((ends - (grid.x, grid.y)) / grid.resolution).astype(np.int64)
         _, first = np.unique(cells, axis=0, return_index=True)
@@ -54,7 +54,7 @@ class CloudSource(Source):
 
 
 def points_of(msg: PointCloud2) -> Array:
-    """The points of a cloud that are finite, (n, 3) [m]."""
+    """Return a cloud's finite points, (n, 3) [m]."""
     found = read_points(msg, field_names=["x", "y", "z"])
     points = np.column_stack([np.asarray(found[axis], float).ravel() for axis in "xyz"])
     finite: Array = points[np.isfinite(points).all(axis=1)]

@@ -1,4 +1,4 @@
-"""`ros2 run nav2_collision_monitor collision_monitor`: lets speeds through, slower or not at all near obstacles."""
+"""`ros2 run nav2_collision_monitor collision_monitor`: slows or stops the robot near obstacles."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ _NUMBERS = {
 
 
 class CollisionMonitor(Server):
-    """Between who drives and the wheels: of the zones with something in them the one that asks for least speed counts."""
+    """Filters velocity commands: of the zones with obstacles in them, the one with the lowest speed applies."""
 
     def __init__(self) -> None:
         super().__init__("collision_monitor")
@@ -49,7 +49,7 @@ class CollisionMonitor(Server):
     # -- states
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Listen to the sensors; FAILURE when a parameter cannot work."""
+        """Subscribe to the sensors; FAILURE for invalid parameters."""
         self.get_logger().info("Configuring")
         self.zones: list[RobotZone] = []
         self.sources: list[SensorSource] = []

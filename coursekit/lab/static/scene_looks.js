@@ -58,6 +58,8 @@ class Compass {
 
   draw() {
     const away = this.scene.view.camera.getWorldQuaternion(this.turned ??= this.scene.view.camera.quaternion.clone()).invert();
+    if (this.drawn?.equals(away)) return; // most pictures are of a camera that stands still
+    this.drawn = away.clone();
     for (const [name, axis] of Object.entries(AXES)) {
       const { x, y } = this.scene.vector().set(...axis).applyQuaternion(away);
       const [line, letter] = this.element.querySelector(`.ck-${name}`).children;

@@ -27,14 +27,14 @@ ANSWER = 5.0
 
 
 def arguments(argv: list[str]) -> tuple[argparse.Namespace, list[str]]:
-    """The known words of the command line, with one dash or two, and the unknown ones; a bad number ends the program."""
+    """Return the known arguments, with one dash or two, and the unknown ones; an invalid number exits the program."""
     parser = argparse.ArgumentParser(prog="create", description="Put a model into Gazebo's world.", allow_abbrev=False)
     for name in TEXTS:
         parser.add_argument(f"--{name}", default="")
     for name in NUMBERS:
         parser.add_argument(f"--{name}", type=float, default=0.0)
     parser.add_argument("--allow_renaming", nargs="?", const="true", default="false")
-    options = [re.sub(r"^-(?=[A-Za-z])", "--", word) for word in argv]  # argparse takes -p for the beginning of -param
+    options = [re.sub(r"^-(?=[A-Za-z])", "--", word) for word in argv]  # argparse would read -param as -p
     told, rest = parser.parse_known_args(options)
     return told, [re.sub("^--", "-", word) for word in rest]
 

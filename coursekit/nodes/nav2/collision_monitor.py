@@ -82,19 +82,19 @@ class CollisionMonitor(Server):
             self.sources.append(SensorSource(self, self._where, name, given))
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Let speeds through."""
+        """Start passing velocities on."""
         done = super().on_activate(state)
         self._active = True
         self._show()
         return done
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Let nothing through."""
+        """Stop passing velocities on."""
         self._active = False
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Listen no more."""
+        """Drop the subscriptions."""
         self._close()
         self.destroy_subscription(self._ear)
         for publisher in (self._out, self._state_out):
@@ -110,7 +110,7 @@ class CollisionMonitor(Server):
         if hasattr(self, "_where"):
             self._where.close()
 
-    # -- speeds
+    # -- velocities
 
     def _hear(self, msg: Twist) -> None:
         wish = (msg.linear.x, msg.linear.y, msg.angular.z)
@@ -121,7 +121,7 @@ class CollisionMonitor(Server):
             self._show()
 
     def around_robot(self, corners: Any, header: Any) -> Any:
-        """Corners (n, 2) in a message's frame as the robot's own; None when tf does not know where it was then."""
+        """Transform corners (n, 2) from a message's frame to the robot's; None if tf has no transform for that time."""
         try:
             seat = lookup(self._where.buffer, header.frame_id, self._given["base_frame_id"], header.stamp)
         except TransformException as fault:
@@ -151,7 +151,7 @@ class CollisionMonitor(Server):
             self._state_out.publish(CollisionMonitorState(action_type=_NUMBERS.get(now[0], 0), polygon_name=now[1]))
 
     def _say(self, speeds: Speeds) -> None:
-        """Publish; a robot that stands is told so for `stop_pub_timeout` seconds only, so that others may drive it."""
+        """Publish; stop publishing zero velocities after `stop_pub_timeout` seconds, so that others may drive the robot."""
         now = self.get_clock().now().nanoseconds
         if speeds == STILL:
             if self._stopped_ns < 0:

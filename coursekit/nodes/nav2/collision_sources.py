@@ -1,4 +1,4 @@
-"""What the sensors of a collision monitor see, as points around the robot."""
+"""What a collision monitor's sensors measure, as points around the robot."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _RANGE = {"obstacles_angle": math.pi / 180}
 
 
 class SensorSource:
-    """The newest message of a sensor; `points` are what it saw, from where the robot is now."""
+    """Keeps a sensor's latest message; `points` are what it saw, relative to where the robot is now."""
 
     def __init__(self, node: Any, where: Whereabouts, name: str, settings: dict[str, Any]) -> None:
         self.node, self.where, self.name, self.settings = node, where, name, settings
@@ -45,11 +45,11 @@ class SensorSource:
         self._newest = msg
 
     def close(self) -> None:
-        """Listen no more."""
+        """Drop the subscription."""
         self.node.destroy_subscription(self._heard)
 
     def points(self) -> Array:
-        """What was seen last, (n, 2) in the robot's frame [m]; nothing when it is too old, or tf is missing."""
+        """Return the latest points, (n, 2) in the robot's frame [m]; none if they are too old, or tf is missing."""
         msg = self._newest
         if msg is None or not self.node.get_parameter(f"{self.name}.enabled").value:
             return NOTHING

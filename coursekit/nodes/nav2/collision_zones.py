@@ -20,7 +20,7 @@ _ZONE = {
 
 
 class RobotZone:
-    """A zone by its name in the parameters; one for `approach` without points takes the robot's footprint from its topic."""
+    """A zone, by its name in the parameters; an `approach` zone without points uses the footprint topic."""
 
     def __init__(self, node: Any, name: str) -> None:
         self.node, self.name = node, name
@@ -73,20 +73,20 @@ class RobotZone:
         return np.array(points, float).reshape(-1, 2)
 
     def _take(self, msg: PolygonStamped) -> None:
-        """The robot's outline as a costmap publishes it is where the robot stands; around the robot it is the same one."""
+        """Handle a footprint published by a costmap, at the robot's pose; convert it to the robot's frame."""
         corners = np.array([(one.x, one.y) for one in msg.polygon.points]).reshape(-1, 2)
         around = self.node.around_robot(corners, msg.header) if len(corners) >= 3 else None
         if around is not None:
             self._zone.corners = around
 
     def wish(self, points: Any, speeds: Speeds) -> Speeds | None:
-        """The speeds that the zone allows; None when nothing is in the way."""
+        """Return the speeds that the zone allows, or None if nothing is in the way."""
         known = self._zone.corners is not None or self._zone.radius > 0
         enabled = self.node.get_parameter(f"{self.name}.enabled").value
         return self._zone.wish(points, speeds) if enabled and known else None
 
     def words(self, best: Speeds, wish: Speeds) -> str:
-        """What is done, in nav2's words."""
+        """Describe the action taken, in nav2's words."""
         if self.action == "stop":
             return f"Robot to stop due to {self.name} polygon"
         if self.action == "slowdown":
@@ -96,13 +96,13 @@ class RobotZone:
         left = self.given["time_before_collision"] * (pace(best) / (pace(wish) or 1.0)) ** 0.5
         return f"Robot to approach for {left:f} seconds away from collision"
 
-    # -- the view
+    # -- visualisation
 
     def _open(self) -> Any:
         return self.node.create_lifecycle_publisher(PolygonStamped, self.given["polygon_pub_topic"], 1)
 
     def show(self) -> None:
-        """Publish the outline, if it is to be seen."""
+        """Publish the outline, if it is to be visualised."""
         if self._out is None:
             return
         angles = np.arange(16) * np.pi / 8
@@ -117,7 +117,7 @@ class RobotZone:
         self._out.publish(msg)
 
     def close(self) -> None:
-        """Listen and speak no more."""
+        """Destroy the subscription and the publisher."""
         if self._ear is not None:
             self.node.destroy_subscription(self._ear)
         if self._out is not None:

@@ -1,4 +1,4 @@
-"""The nodes of behaviour trees that look at the clock, the robot and its goals, with nav2's names and ports."""
+"""Behaviour tree nodes that check the clock, the robot and its goals, with nav2's names and ports."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeNod
 
 
 class Paced(TreeNode):
-    """RateController: ticks its child `hz` times a second, and while that is running."""
+    """RateController: ticks its child `hz` times a second, and whenever the child is running."""
 
     arity = (1, 1)
     begun = -math.inf
 
     def step(self) -> str:
-        """Tick when it is time."""
+        """Tick the child when it is due."""
         now, child = self.board["crew"].seconds(), self.children[0]
         if self.status == IDLE:
             self.begun = -math.inf
@@ -28,59 +28,59 @@ class Paced(TreeNode):
         return status
 
     def due(self, now: float) -> bool:
-        """Whether it is time again."""
+        """Whether the child is due."""
         return now - self.begun >= 1.0 / max(self.number("hz", 10.0), 1e-3)
 
     def began(self, now: float) -> None:
-        """Count from here."""
+        """Start the interval now."""
         self.begun = now
 
 
 class PacedBySpeed(Paced):
-    """SpeedController, at its greatest rate."""
+    """SpeedController, always at its maximum rate."""
 
     def due(self, now: float) -> bool:
-        """Whether it is time again."""
+        """Whether the child is due."""
         return now - self.begun >= 1.0 / max(self.number("max_rate", 1.0), 1e-3)
 
 
 class PacedByWay(Paced):
-    """DistanceController: ticks its child each time the robot has gone `distance` [m]."""
+    """DistanceController: ticks its child each time the robot has travelled `distance` [m]."""
 
     place: Any = None
 
     def due(self, now: float) -> bool:
-        """Whether the robot has gone that far."""
+        """Whether the robot has travelled that far."""
         here = self.board["crew"].pose()
         return self.begun == -math.inf or here is None or here.distance(self.place) >= self.number("distance", 1.0)
 
     def began(self, now: float) -> None:
-        """Count from here."""
+        """Measure from here."""
         self.begun, self.place = now, self.board["crew"].pose()
 
 
 class TakeGoal(TreeNode):
-    """GoalUpdater: the newest pose of the topic `goal_update` in place of the goal, if there is one."""
+    """GoalUpdater: replaces the goal with the latest pose on the topic `goal_update`, if there is one."""
 
     arity = (1, 1)
 
     def prepare(self) -> None:
-        """Listen."""
+        """Subscribe."""
         self.heard = self.board["crew"].listen("goal_update")
 
     def step(self) -> str:
-        """Hand the goal on."""
+        """Pass the goal on."""
         self.put("output_goal", self.heard[-1] if self.heard else self.get("input_goal"))
         return self.children[0].tick()
 
 
 class ConditionNode(TreeNode):
-    """A question that is answered at once: `answer(node)`."""
+    """A condition that is evaluated immediately: `answer(node)`."""
 
     answer: Callable[[TreeNode], bool] = staticmethod(lambda node: False)
 
     def step(self) -> str:
-        """Answer."""
+        """Evaluate the condition."""
         return SUCCESS if self.answer(self) else FAILURE
 
 
@@ -93,7 +93,7 @@ def _near(node: TreeNode) -> bool:
 
 
 def _drop_passed(node: TreeNode) -> bool:
-    """RemovePassedGoals: a goal but the last is passed from `radius` [m] on."""
+    """RemovePassedGoals: removes goals, except the last, that are within `radius` [m]."""
     goals = list(node.get("input_goals"))
     while len(goals) > 1 and node.board["crew"].gap(goals[0]) < node.number("radius", 0.5):
         goals.pop(0)
@@ -106,7 +106,7 @@ def _place(pose: Any) -> tuple[float, float]:
 
 
 def _truncate(node: TreeNode) -> bool:
-    """TruncatePath: without its last `distance` metres."""
+    """TruncatePath: removes the last `distance` metres."""
     path, left = node.get("input_path"), node.number("distance", 1.0)
     poses = list(path.poses)
     end = _place(poses[-1]) if poses else (0.0, 0.0)
@@ -135,7 +135,7 @@ def _travelled(node: TreeNode) -> bool:
 
 
 def _chooses(what: str) -> type[ConditionNode]:
-    """A selector: the name that was heard last on its topic, or the default one."""
+    """Return a selector: it outputs the latest name on its topic, or the default one."""
 
     def answer(node: TreeNode) -> bool:
         heard = node.board["crew"].listen_to_text(node.get("topic_name", f"{what}_selector"))
@@ -156,4 +156,4 @@ CONDITIONS: dict[str, type[TreeNode]] = {
     **{f"{name}Selector": _chooses(what) for name, what in (
         ("Planner", "planner"), ("Controller", "controller"), ("Smoother", "smoother"), ("GoalChecker", "goal_checker"))},
 }  # fmt: skip
-"""By their names in XML. A new goal begins the tree anew, so that GoalUpdated never says yes."""
+"""Node types by XML name. A new goal restarts the tree, so GoalUpdated never succeeds."""

@@ -1,4 +1,4 @@
-"""The controller server's plugins, by the parameters of nav2's own."""
+"""The controller server's plugins, with the parameters of nav2."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ _MPPI_NAME = "nav2_mppi_controller::MPPIController"
 
 
 def controller(node: Node, name: str, costmap: CostmapNode, period: float) -> Controller:
-    """A controller by its plugin's name: all are made by the same sampling of speeds, with the limits that they name."""
+    """Create a controller by its plugin name. All sample velocities in the same way, within their own limits."""
     kind = declare(node, {"plugin": _DWB_NAME}, name)["plugin"]
     turn_first = None
     if kind == _SHIM:
@@ -89,7 +89,7 @@ def controller(node: Node, name: str, costmap: CostmapNode, period: float) -> Co
 
 
 def fit(one: Controller, costmap: CostmapNode) -> None:
-    """Tell a controller the robot's outline and the inflation of the costmap."""
+    """Set a controller's footprint and its inflation parameters from the costmap."""
     layer = costmap.layers.inflation or {"inflation_radius": 0.0, "cost_scaling_factor": 10.0}
     one.footprint, one.scaling = costmap.robot, (layer["inflation_radius"], layer["cost_scaling_factor"])
 
@@ -99,7 +99,7 @@ def _of_dwb(given: dict[str, Any]) -> Controller:
         given["min_vel_x"], given["max_vel_x"], given["max_vel_theta"], given["acc_lim_x"],
         abs(given["decel_lim_x"]), given["acc_lim_theta"],
     )  # fmt: skip
-    # nav2 counts cells and scales by half a cell: 32 there is 16 a metre here
+    # nav2 counts cells and scales by half a cell: 32 there is 16 per metre here
     pulls = [given[f"{critic}.scale"] / 2 for critic in ("PathDist", "GoalDist", "PathAlign", "GoalAlign")]
     weights = (*pulls, given["BaseObstacle.scale"], given["PathAlign.forward_point_distance"])
     return Controller(
@@ -126,7 +126,7 @@ _MAKERS: dict[str, tuple[Callable[[dict[str, Any]], Controller], dict[str, Any]]
 
 
 def goal_checkers(node: Node, names: Iterable[str]) -> dict[str, GoalChecker]:
-    """The goal checkers by their names; StoppedGoalChecker is one that waits for the robot to stop."""
+    """Return the goal checkers by name; StoppedGoalChecker waits for the robot to stop."""
     found = {}
     for name in names:
         kind, one = declare(node, _GOAL_KIND, name)["plugin"], declare(node, _GOAL, name)
@@ -139,7 +139,7 @@ def goal_checkers(node: Node, names: Iterable[str]) -> dict[str, GoalChecker]:
 
 
 def progress_checker(node: Node, name: str) -> ProgressChecker:
-    """The progress checker; PoseProgressChecker counts turning as well."""
+    """Return the progress checker; PoseProgressChecker counts rotation as well."""
     kind, given = declare(node, _PROGRESS_KIND, name)["plugin"], declare(node, _PROGRESS, name)
     if kind not in _PROGRESS_KINDS:
         raise ValueError(no_such_plugin("progress_checker", name, kind, "nav2_core::ProgressChecker", _PROGRESS_KINDS))

@@ -1,4 +1,4 @@
-"""`ros2 run nav2_controller controller_server`: drives along paths, around what the local costmap shows."""
+"""`ros2 run nav2_controller controller_server`: follows paths, avoiding obstacles in the local costmap."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from coursekit.nodes.scanning.planar import plane
 
 
 class ControllerServer(Server):
-    """The action follow_path; publishes cmd_vel."""
+    """Provides the action follow_path; publishes cmd_vel."""
 
     def __init__(self) -> None:
         super().__init__("controller_server")
@@ -34,7 +34,7 @@ class ControllerServer(Server):
     # -- states
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Bring the costmap up, make the plugins; FAILURE when a parameter cannot work."""
+        """Configure the costmap, create the plugins; FAILURE for invalid parameters."""
         self.get_logger().info("Configuring controller interface")
         if self.costmap.trigger_configure() != TransitionCallbackReturn.SUCCESS:
             return TransitionCallbackReturn.FAILURE
@@ -52,7 +52,7 @@ class ControllerServer(Server):
         return super().on_configure(state)
 
     def _make_plugins(self) -> None:
-        """Take the parameters; ValueError when they cannot work."""
+        """Read the parameters. ValueError for invalid ones."""
         given = declare(self, SERVER)
         frequency = given["controller_frequency"]
         if not frequency > 0:
@@ -74,19 +74,19 @@ class ControllerServer(Server):
         ]
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Drive when asked."""
+        """Activate the costmap and accept goals."""
         if self.costmap.trigger_activate() is not TransitionCallbackReturn.SUCCESS:
             return TransitionCallbackReturn.FAILURE
         return super().on_activate(state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Stop."""
+        """Stop the robot and deactivate the costmap."""
         self._stop()
         self.costmap.trigger_deactivate()
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Forget plugins and costmap."""
+        """Destroy the plugins and the costmap."""
         self._obedience.end()
         self.costmap.trigger_cleanup()
         for heard in self._heard:
@@ -95,22 +95,22 @@ class ControllerServer(Server):
             self.destroy_lifecycle_publisher(publisher)
         return super().on_cleanup(state)
 
-    # -- what is heard
+    # -- inputs
 
     def _take_odometry(self, msg: Odometry) -> None:
         self._speeds = msg.twist.twist.linear.x, msg.twist.twist.angular.z
 
     def _take_limit(self, msg: SpeedLimit) -> None:
-        """A limit in m/s, or in percent of the greatest speed; 0 is none."""
+        """Handle a limit in m/s, or in percent of the maximum speed; 0 means no limit."""
         self._limit, self._limit_share = (0.0, msg.speed_limit / 100) if msg.percentage else (msg.speed_limit, 0.0)
 
     def _top(self, one: Controller) -> float:
         return self._limit or self._limit_share * one.limits.max_speed
 
-    # -- following
+    # -- path following
 
     async def _follow(self, handle: Any) -> Any:
-        """Drive until the goal is reached, or cannot be, or someone says stop."""
+        """Drive until the goal is reached, fails, or is cancelled."""
         result, request = FollowPath.Result(), handle.request
         fault = self._unknown(request)
         if fault:
@@ -133,7 +133,7 @@ class ControllerServer(Server):
         return result
 
     def _unknown(self, request: Any) -> str:
-        """The fault of a goal; empty when there is none."""
+        """Return what is wrong with a goal, or ''."""
         if request.controller_id and request.controller_id not in self._controllers:
             known = ", ".join(self._controllers)
             return f"FollowPath called with controller name {request.controller_id}, which does not exist. Known: {known}"
@@ -145,11 +145,11 @@ class ControllerServer(Server):
         return "" if request.path.poses else "Invalid path, Path is empty."
 
     def goal_checker(self, name: str) -> GoalChecker:
-        """A goal checker by its name, or the first."""
+        """Return a goal checker by name, or the first one."""
         return self._goals[name or next(iter(self._goals))]
 
     def drive(self, speeds: tuple[float, float]) -> None:
-        """Tell the wheels."""
+        """Publish the velocity command."""
         msg = Twist()
         msg.linear.x, msg.angular.z = speeds
         self._cmd_out.publish(msg)
@@ -159,7 +159,7 @@ class ControllerServer(Server):
 
 
 class _Drive:
-    """One goal of follow_path, step by step."""
+    """One goal of follow_path, executed step by step."""
 
     def __init__(self, server: ControllerServer, handle: Any, one: Controller) -> None:
         self.server, self.handle, self.controller = server, handle, one
@@ -176,7 +176,7 @@ class _Drive:
         self.since_ns: int | None = None
 
     def step(self) -> bool:
-        """One command; whether that was the last."""
+        """Publish one command. Returns whether it was the last."""
         server, handle = self.server, self.handle
         if server.actions[0].replaced(handle):
             handle.abort()
@@ -219,7 +219,7 @@ class _Drive:
         if self.checker.near(here, goal):
             if not self.controller.blocked(costs, here):
                 return self.controller.turn(costs, here, now, wrap(goal.theta - here.theta))
-            self.checker.reset()  # something comes: out of its way first, and then back
+            self.checker.reset()  # something is approaching: avoid it first, then return to the goal
         return self.controller.command(costs, here, now, points, self.server._top(self.controller))
 
     def _arrived(self) -> bool:
@@ -229,7 +229,7 @@ class _Drive:
         return True
 
     def _failed(self, why: str) -> bool:
-        """Stand still; give up when it has lasted too long."""
+        """Stop the robot; abort if the failure lasts too long."""
         server = self.server
         now = server.get_clock().now().nanoseconds
         server._stop()

@@ -1,4 +1,4 @@
-"""Filters of a costmap: masks on a map that say where a robot may not go, or how fast."""
+"""Costmap filters: map masks for keepout zones and speed limits."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _GIVEN: dict[str, Any] = {"enabled": True, "filter_info_topic": "costmap_filter_
 
 
 class Filter:
-    """A mask, as the topic of its CostmapFilterInfo tells it."""
+    """A mask, configured by a CostmapFilterInfo topic."""
 
     types: tuple[int, ...] = ()
 
@@ -35,7 +35,7 @@ class Filter:
         self._heard = [node.create_subscription(CostmapFilterInfo, topic, self._take_info, MAP_QOS)]
 
     def close(self) -> None:
-        """Listen no more."""
+        """Drop the subscriptions."""
         for heard in self._heard:
             self.node.destroy_subscription(heard)
 
@@ -56,7 +56,7 @@ class Filter:
         self.mask, self._frame = from_message(msg), msg.header.frame_id
 
     def at(self, points: np.ndarray, frame: str) -> np.ndarray:
-        """The mask's values at points (n, 2) of a frame: 0 to 100, -1 where it has none."""
+        """Return the mask's values at points (n, 2) in a frame: 0 to 100, -1 outside the mask."""
         assert self.mask is not None
         x, y, yaw = self.mask.origin
         places = (Pose2D(x, y, yaw).inverse() @ self._where.between(self._frame, frame)).transform(points)
@@ -68,7 +68,7 @@ class Filter:
         return found
 
     def apply(self, costs: Costmap, frame: str, robot: tuple[float, float]) -> None:
-        """Do what the filter is for, with a robot at a place of the costmap."""
+        """Apply the filter, with the robot at a position in the costmap."""
         if self.mask is None or self.info is None or not self.given["enabled"]:
             return
         try:
@@ -78,16 +78,16 @@ class Filter:
             self.node.get_logger().error(text, throttle_duration_sec=2.0)
 
     def work(self, costs: Costmap, frame: str, robot: tuple[float, float]) -> None:
-        """The filter's own part."""
+        """Apply the specific filter."""
 
 
 class Keepout(Filter):
-    """Where the mask is dark, the robot may not go; where it is grey, it does not like to."""
+    """The robot may not enter dark areas of the mask, and avoids grey ones."""
 
     types = (0,)
 
     def work(self, costs: Costmap, frame: str, robot: tuple[float, float]) -> None:
-        """Lay the mask over the costs."""
+        """Overlay the mask on the costs."""
         rows, columns = np.indices(costs.cells.shape)
         x, y = costs.x + (columns + 0.5) * costs.resolution, costs.y + (rows + 0.5) * costs.resolution
         said = self.at(np.column_stack([x.ravel(), y.ravel()]), frame).reshape(costs.cells.shape)
@@ -95,7 +95,7 @@ class Keepout(Filter):
 
 
 class Speed(Filter):
-    """The mask's shade where the robot is limits its speed: in percent of the greatest (type 1) or in m/s (type 2)."""
+    """The mask value at the robot limits its speed: in percent of the maximum (type 1) or in m/s (type 2)."""
 
     types = (1, 2)
 
@@ -106,7 +106,7 @@ class Speed(Filter):
         self._before = 0.0
 
     def work(self, costs: Costmap, frame: str, robot: tuple[float, float]) -> None:
-        """Tell a limit that is a new one."""
+        """Publish the limit when it changes."""
         assert self.info is not None
         said = int(self.at(np.array([robot]), frame)[0])
         limit = self.info.base + self.info.multiplier * said if said > 0 else 0.0
@@ -117,7 +117,7 @@ class Speed(Filter):
             self._out.publish(msg)
 
     def close(self) -> None:
-        """Listen and speak no more."""
+        """Destroy the subscriptions and the publisher."""
         super().close()
         self.node.destroy_publisher(self._out)
 
@@ -126,7 +126,7 @@ _KINDS = {"nav2_costmap_2d::KeepoutFilter": Keepout, "nav2_costmap_2d::SpeedFilt
 
 
 def filters(node: Any, names: list[str], where: Whereabouts) -> list[Filter]:
-    """The filters of a costmap; ValueError for kinds that are not known."""
+    """Return a costmap's filters. ValueError for unknown types."""
     found = []
     for name in names:
         kind = declare(node, {"plugin": ""}, name)["plugin"]

@@ -1,4 +1,4 @@
-"""The layers of a costmap node, laid over each other."""
+"""The combined layers of a costmap node."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from coursekit.nodes.nav2.whereabouts import Whereabouts
 
 
 class Layers:
-    """Map, obstacles and inflation of a costmap node; `costmap` is the last one made."""
+    """Map, obstacles and inflation of a costmap node; `costmap` is the latest result."""
 
     def __init__(self, node: Any, where: Whereabouts, given: dict[str, Any], robot: Footprint) -> None:
         self.node, self.given, self.robot = node, given, robot
@@ -84,18 +84,18 @@ class Layers:
 
     @property
     def inflation(self) -> dict[str, Any] | None:
-        """The inflation's parameters; None when there is none, or it is not enabled."""
+        """Return the inflation parameters, or None if there is no enabled inflation layer."""
         return self._inflation if self._inflation is not None and self._inflation["enabled"] else None
 
     def read(self, given: dict[str, Any], robot: Footprint) -> None:
-        """Take the parameters of the node and of all layers again."""
+        """Read the parameters of the node and of all layers again."""
         for name, _, fresh in layers(self.node, given["plugins"]):
             self._given.get(name, {}).update(fresh)
         self.given, self.robot = given, robot
         self._make_spread(self.costmap.resolution)
 
     def close(self) -> None:
-        """Listen no more."""
+        """Drop the subscriptions."""
         for heard in self._heard:
             self.node.destroy_subscription(heard)
         for source in self._sources:
@@ -109,11 +109,11 @@ class Layers:
 
     @property
     def ready(self) -> bool:
-        """Whether the map, if there is to be one, has come."""
+        """Whether the map, if one is needed, has arrived."""
         return self._static is not None or not self.has_static
 
     def _take_map(self, msg: OccupancyGrid) -> None:
-        """A map: the costmap takes its size, and what scans saw elsewhere is kept where it overlaps."""
+        """Handle a map: the costmap takes its size, and keeps scan obstacles where the old and new ones overlap."""
         if self._map is not None and self._map.header == msg.header and self._map.data == msg.data:
             return
         try:
@@ -143,7 +143,7 @@ class Layers:
         self._make_spread(like.resolution)
 
     def update(self, x: float, y: float, yaw: float, now: float) -> Costmap:
-        """The costs now [s], for a robot that stands there."""
+        """Return the costs at time `now` [s], for a robot at this pose."""
         if self.given["rolling_window"]:
             self._roll(x, y)
         made = self.costmap.like(self.empty)
@@ -158,7 +158,7 @@ class Layers:
             combine(made.cells, layer.map.cells)
         if self._movers is not None:
             self._movers.see(made, now)
-        for one in self._filters:  # before the inflation, so that robots keep out with their whole body
+        for one in self._filters:  # before the inflation, so that the whole robot stays out of the zones
             one.apply(made, self.given["global_frame"], (x, y))
         if self.inflation is not None:
             self._spread.spread(made.cells, self.inflation["inflate_unknown"])

@@ -1,4 +1,4 @@
-"""The costmap of a server: a managed node of its own (`/local_costmap/local_costmap`) in the server's process."""
+"""A server's costmap: a lifecycle node of its own (`/local_costmap/local_costmap`) in the server's process."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from coursekit.nodes.nav2.whereabouts import Whereabouts
 
 
 class CostmapNode(LifecycleNode):
-    """Keeps a costmap up to date while it is active, publishes it, and clears it when asked."""
+    """Updates and publishes a costmap while active, and clears it on request."""
 
     def __init__(self, name: str, parent: Any) -> None:
         space = parent.get_namespace().rstrip("/")
@@ -39,7 +39,7 @@ class CostmapNode(LifecycleNode):
     # -- states
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Read parameters, offer topics and services; FAILURE when a parameter cannot work."""
+        """Read parameters, create topics and services; FAILURE for invalid parameters."""
         self.get_logger().info("Configuring")
         try:
             self._read()
@@ -54,7 +54,7 @@ class CostmapNode(LifecycleNode):
         return super().on_configure(state)
 
     def _read(self) -> None:
-        """Take the parameters; ValueError when they cannot work."""
+        """Read the parameters. ValueError for invalid ones."""
         given = declare(self, COSTMAP)
         self.robot = footprint(given)
         self.given = given
@@ -76,7 +76,7 @@ class CostmapNode(LifecycleNode):
         ]
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Begin to keep up to date, once it is known where the robot is."""
+        """Start updating once the robot's pose is known."""
         self.get_logger().info("Activating")
         self.get_logger().info("Checking transform")
         self.where.wait_for_robot(self.frame, self._tell_no_pose)
@@ -85,14 +85,14 @@ class CostmapNode(LifecycleNode):
         return super().on_activate(state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Rest."""
+        """Stop updating."""
         self.get_logger().info("Deactivating")
         self._active = False
         self.destroy_timer(self._timer)
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Forget all."""
+        """Destroy everything."""
         self.get_logger().info("Cleaning up")
         self._obedience.end()
         self.layers.close()
@@ -104,14 +104,14 @@ class CostmapNode(LifecycleNode):
         self.latest = None
         return super().on_cleanup(state)
 
-    # -- work
+    # -- updates
 
     def pose(self) -> Pose2D:
-        """The robot in the costmap's frame; TransformException when it is not known."""
+        """Return the robot's pose in the costmap's frame, or raise TransformException if it is unknown."""
         return self.where.robot(self.frame)
 
     def fresh(self) -> Costmap | None:
-        """The costs made of all that has been heard by now; None while map or robot's pose are missing."""
+        """Return the costs from everything received so far, or None while the map or the robot's pose is missing."""
         if not self.layers.ready:
             return None
         try:
@@ -174,7 +174,7 @@ class CostmapNode(LifecycleNode):
     # -- services
 
     def clear(self) -> None:
-        """Forget what scans have marked."""
+        """Clear what scans have marked."""
         for layer, _ in self.layers.obstacles:
             layer.forget()
 

@@ -1,4 +1,4 @@
-"""A costmap's parameters and those of its layers, with nav2's names and defaults."""
+"""The parameters of a costmap and its layers, with nav2's names and defaults."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ COSTMAP: dict[str, Any] = {
     "update_frequency": 5.0,
     "predicted_seconds": 1.2,
 }
-"""`predicted_seconds` is ours: so far ahead a rolling costmap keeps the way of things that move free; 0 is not at all."""
+"""`predicted_seconds` is an addition: how far ahead a rolling costmap keeps the paths of moving objects free; 0 is off."""
 STATIC: dict[str, Any] = {"enabled": True, "map_subscribe_transient_local": True, "map_topic": ""}
 OBSTACLES: dict[str, Any] = {"enabled": True, "footprint_clearing_enabled": True, "observation_sources": ""}
 RANGES: dict[str, Any] = {
@@ -72,7 +72,7 @@ _USUAL = {
 
 
 def layers(node: Node, names: list[str]) -> list[tuple[str, str, dict[str, Any]]]:
-    """(name, 'static', 'obstacles', 'ranges' or 'inflation', parameters) of each layer; ValueError for other kinds."""
+    """Return (name, 'static', 'obstacles', 'ranges' or 'inflation', parameters) per layer. ValueError for other types."""
     found = []
     for name in names:
         kind = declare(node, {"plugin": _USUAL.get(name, "")}, name)["plugin"]
@@ -84,7 +84,7 @@ def layers(node: Node, names: list[str]) -> list[tuple[str, str, dict[str, Any]]
 
 
 def sources(node: Node, layer: str, names: str) -> list[dict[str, Any]]:
-    """The sensors of an obstacle layer."""
+    """Return the sensors of an obstacle layer."""
     found = []
     for name in names.split():
         source = declare(node, SOURCE, f"{layer}.{name}")
@@ -99,7 +99,7 @@ def sources(node: Node, layer: str, names: str) -> list[dict[str, Any]]:
 
 
 def footprint(given: dict[str, Any]) -> Footprint:
-    """The robot: its footprint if that is given, else a disc; ValueError when neither can be."""
+    """Return the robot's footprint if given, otherwise a disc. ValueError if both are invalid."""
     text = given["footprint"].strip()
     made = Footprint.parse(text) if text not in ("", "[]") else Footprint.disc(given["robot_radius"])
     return made.padded(given["footprint_padding"])

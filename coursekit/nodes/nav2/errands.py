@@ -1,4 +1,4 @@
-"""Goals that a coroutine gives to other servers, and services that it calls."""
+"""Send goals to other servers, and call services, from a coroutine."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from coursekit.nodes.nav2.running import Beat
 
 
 class Errand:
-    """An action of another server, one goal after the other."""
+    """An action client for one goal after another."""
 
     def __init__(self, node: Any, kind: Any, name: str) -> None:
         self.node, self.name = node, name
@@ -21,11 +21,11 @@ class Errand:
         self._result: Any = None
 
     def destroy(self) -> None:
-        """Ask no more."""
+        """Destroy the client."""
         self.client.destroy()
 
     async def begin(self, goal: Any) -> bool:
-        """Give a goal; whether it was taken."""
+        """Send a goal. Returns whether it was accepted."""
         self._result = None
         if not self.client.server_is_ready():
             self.node.get_logger().error(f'"{self.name}" action server not available: is its node running and active?')
@@ -39,28 +39,28 @@ class Errand:
 
     @property
     def ended(self) -> bool:
-        """Whether the last goal has ended, or was not taken."""
+        """Whether the last goal has ended, or was rejected."""
         return self._result is None or self._result.done()
 
     @property
     def succeeded(self) -> bool:
-        """Whether the last goal has ended well."""
+        """Whether the last goal succeeded."""
         done = self._result is not None and self._result.done()
         return bool(done and self._result.result().status == GoalStatus.STATUS_SUCCEEDED)
 
     @property
     def result(self) -> Any:
-        """The last goal's result, once it has ended."""
+        """Return the last goal's result, once it has ended."""
         return self._result.result().result
 
     async def cancel(self) -> None:
-        """Stop the present goal, if there is one, and wait until it has stopped."""
+        """Cancel the current goal, if there is one, and wait until it has ended."""
         if not self.ended:
             await self._handle.cancel_goal_async()
             await self._result
 
     async def do(self, goal: Any, stop: Callable[[], bool] = lambda: False) -> bool:
-        """Give a goal and wait for its end; whether that was a good one. It is cancelled when `stop()` says so."""
+        """Send a goal and wait until it ends. Returns whether it succeeded. It is cancelled when `stop()` is true."""
         if not await self.begin(goal):
             return False
         beat = Beat(self.node, 0.05)
@@ -76,7 +76,7 @@ class Errand:
 
 
 async def call(node: Any, client: Any, request: Any = None) -> Any:
-    """The answer of a service; None if it is not there."""
+    """Return a service's response, or None if the service is not available."""
     if not client.service_is_ready():
         node.get_logger().warning(f"{client.srv_name} is not available")
         return None

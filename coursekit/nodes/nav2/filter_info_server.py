@@ -1,4 +1,4 @@
-"""`ros2 run nav2_map_server costmap_filter_info_server`: tells costmap filters which mask to take, and how."""
+"""`ros2 run nav2_map_server costmap_filter_info_server`: tells costmap filters which mask to use, and how."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ _SERVER: dict[str, Any] = {
 
 
 class FilterInfoServer(Server):
-    """Publishes one CostmapFilterInfo while it is active; late subscribers get it too."""
+    """Publishes one latched CostmapFilterInfo while active."""
 
     def __init__(self) -> None:
         super().__init__("costmap_filter_info_server")
         declare(self, _SERVER)
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Offer the topic; FAILURE when a parameter cannot work."""
+        """Create the topic; FAILURE for invalid parameters."""
         self.get_logger().info("Configuring")
         try:
             given = declare(self, _SERVER)
@@ -39,13 +39,13 @@ class FilterInfoServer(Server):
         return super().on_configure(state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Tell."""
+        """Publish the message."""
         answer = super().on_activate(state)
         self._out.publish(self._msg)
         return answer
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Offer nothing any more."""
+        """Destroy the publisher."""
         self.destroy_lifecycle_publisher(self._out)
         return super().on_cleanup(state)
 

@@ -1,4 +1,4 @@
-"""`ros2 run nav2_lifecycle_manager lifecycle_manager`: brings managed nodes up and down in order."""
+"""`ros2 run nav2_lifecycle_manager lifecycle_manager`: starts and shuts down lifecycle nodes in order."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _DEACTIVATE = (Transition.TRANSITION_DEACTIVATE, "Deactivating")
 _CLEANUP = (Transition.TRANSITION_CLEANUP, "Cleaning up")
 _SHUTDOWN = (Transition.TRANSITION_UNCONFIGURED_SHUTDOWN, "Shutting down")
 
-# command: what it says first, its transitions, whether a failure ends it, what it says last, whether nodes are active then
+# command: first message, transitions, whether a failure stops it, final message, whether nodes are then active
 _COMMANDS: dict[int, tuple[str, tuple[tuple[int, str], ...], bool, str, bool]] = {
     0: ("Starting managed nodes bringup...", (_CONFIGURE, _ACTIVATE), True, "active", True),
     1: ("Pausing managed nodes...", (_DEACTIVATE,), True, "paused", False),
@@ -32,7 +32,7 @@ _COMMANDS: dict[int, tuple[str, tuple[tuple[int, str], ...], bool, str, bool]] =
 
 
 class LifecycleManager(Node):
-    """Takes the nodes of `node_names` through their states, at once with `autostart`, and on manage_nodes."""
+    """Takes the nodes in `node_names` through their states, on start with `autostart`, and on manage_nodes."""
 
     def __init__(self) -> None:
         super().__init__("lifecycle_manager")
@@ -55,7 +55,7 @@ class LifecycleManager(Node):
         self._start = self.create_timer(0.0, self._first) if self.get_parameter("autostart").value else None
 
     def destroy_node(self) -> None:
-        """Destroy the node that asks as well."""
+        """Destroy the client node as well."""
         self._asker.destroy_node()
         super().destroy_node()
 
@@ -75,7 +75,7 @@ class LifecycleManager(Node):
         return response
 
     def _run(self, command: int) -> bool:
-        """Do a command of ManageLifecycleNodes; whether every node followed."""
+        """Run a ManageLifecycleNodes command. Returns whether it succeeded for every node."""
         if command not in _COMMANDS:
             self.get_logger().error(f"Unknown command {command}: 0 startup, 1 pause, 2 resume, 3 reset, 4 shutdown")
             return False
@@ -112,7 +112,7 @@ class LifecycleManager(Node):
             self.get_logger().info(f"Waiting for service {name}/change_state...")
         self.get_logger().info(f"{transition[1]} {name}")
         future = client.call_async(ChangeState.Request(transition=Transition(id=transition[0])))
-        while not future.done() and client.service_is_ready():  # a costmap may wait long for its robot
+        while not future.done() and client.service_is_ready():  # a costmap may wait a long time for its robot
             self._executor_of_asker.spin_until_future_complete(future, 1.0)
         answer = future.result() if future.done() else None
         if answer is None or not answer.success:

@@ -1,4 +1,4 @@
-"""Between maps in memory and nav_msgs/OccupancyGrid."""
+"""Convert between maps in memory and nav_msgs/OccupancyGrid."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MAP_QOS = QoSProfile(depth=1, reliability=ReliabilityPolicy.RELIABLE, durability
 
 
 def to_message(grid: GridMap, frame: str, stamp: Any) -> OccupancyGrid:
-    """The map as a message; its origin's yaw becomes a quaternion."""
+    """Return a map as a message; its origin's yaw becomes a quaternion."""
     msg = OccupancyGrid()
     msg.header.frame_id = frame
     msg.header.stamp = msg.info.map_load_time = stamp
@@ -31,7 +31,7 @@ def to_message(grid: GridMap, frame: str, stamp: Any) -> OccupancyGrid:
 
 
 def from_message(msg: OccupancyGrid) -> GridMap:
-    """The map of a message; ValueError when its data are not width x height."""
+    """Return a message's map. ValueError if its data are not width x height."""
     cells = np.array(msg.data, dtype=np.int8).reshape(msg.info.height, msg.info.width)
     pose = msg.info.origin
     q = pose.orientation

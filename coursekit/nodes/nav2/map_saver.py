@@ -1,4 +1,4 @@
-"""`ros2 run nav2_map_server map_saver_cli` and `map_saver_server`: a map topic into files."""
+"""`ros2 run nav2_map_server map_saver_cli` and `map_saver_server`: save a map topic to files."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
 from coursekit.nodes.running import run
 
 FREE_DEFAULT = 0.25
-"""The threshold that Humble's map saver writes: above 0.196, the shade of the unknown, so that it is loaded as free."""
+"""The threshold written by Humble's map saver; above 0.196, the shade of unknown cells, so they are loaded as free."""
 
 
 class MapSaver(LifecycleNode):
-    """Waits for a map and saves it; as a server it offers save_map from when it is configured."""
+    """Waits for a map and saves it; as a server, it provides save_map once configured."""
 
     def __init__(self) -> None:
         super().__init__("map_saver")
@@ -36,18 +36,18 @@ class MapSaver(LifecycleNode):
         self._free = float(self.declare_parameter("free_thresh_default", FREE_DEFAULT).value)
         self._occupied = float(self.declare_parameter("occupied_thresh_default", OCCUPIED_ABOVE).value)
         self._latched = self.declare_parameter("map_subscribe_transient_local", True).value
-        self._group = ReentrantCallbackGroup()  # maps come while a request waits for them
+        self._group = ReentrantCallbackGroup()  # maps arrive while a request waits for them
         self._service: Any = None
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Offer the service."""
+        """Create the service."""
         self.get_logger().info("Configuring")
         name = f"{self.get_name()}/save_map"
         self._service = self.create_service(SaveMap, name, self._save_map, callback_group=self._group)
         return super().on_configure(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Withdraw the service."""
+        """Destroy the service."""
         self.get_logger().info("Cleaning up")
         self.destroy_service(self._service)
         return super().on_cleanup(state)
@@ -66,7 +66,7 @@ class MapSaver(LifecycleNode):
     async def save(
         self, topic: str, url: str, *, mode: str = "", image_format: str = "", free: float = 0.0, occupied: float = 0.0
     ) -> bool:
-        """Save the next map of `topic` to url.yaml and a picture; thresholds of 0 mean the defaults."""
+        """Save the next map on `topic` to url.yaml and an image; a threshold of 0 means the default."""
         log = self.get_logger()
         log.info(f"Saving map from '{topic}' topic to '{url}' file")
         if not free:
@@ -134,7 +134,7 @@ def _arguments(words: list[str]) -> argparse.Namespace:
 
 
 def main_cli(args: list[str] | None = None) -> int:
-    """Save one map; 1 when none came or it could not be written."""
+    """Save one map. Returns 1 if none arrived or it could not be written."""
     given = _arguments(remove_ros_args(sys.argv if args is None else args)[1:])
     rclpy.init(args=args)
     node = MapSaver()

@@ -1,4 +1,4 @@
-"""`ros2 run nav2_map_server map_server`: a managed node that publishes a map file on /map."""
+"""`ros2 run nav2_map_server map_server`: a lifecycle node that publishes a map file on /map."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from coursekit.nodes.running import run
 
 
 class MapServer(LifecycleNode):
-    """Loads `yaml_filename` when configured, publishes it when activated, and answers map and load_map."""
+    """Loads `yaml_filename` when configured, publishes it when activated, and serves map and load_map."""
 
     def __init__(self) -> None:
         super().__init__("map_server")
@@ -27,7 +27,7 @@ class MapServer(LifecycleNode):
         self._active = False
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Load the map and offer topic and services; FAILURE when the map cannot be loaded."""
+        """Load the map and create the topic and services; FAILURE if the map cannot be loaded."""
         self.get_logger().info("Configuring")
         file = self.get_parameter("yaml_filename").value
         if not file:
@@ -45,7 +45,7 @@ class MapServer(LifecycleNode):
         return super().on_configure(state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Publish the map once; late subscribers get it too."""
+        """Publish the map once, latched."""
         self.get_logger().info("Activating")
         answer = super().on_activate(state)
         self._active = True
@@ -53,13 +53,13 @@ class MapServer(LifecycleNode):
         return answer
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Stop publishing and answering."""
+        """Stop publishing and serving."""
         self.get_logger().info("Deactivating")
         self._active = False
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Forget the map, its topic and its services."""
+        """Discard the map, its topic and its services."""
         self.get_logger().info("Cleaning up")
         answer = super().on_cleanup(state)
         self.destroy_lifecycle_publisher(self._publisher)
@@ -69,7 +69,7 @@ class MapServer(LifecycleNode):
         return answer
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Stop for good."""
+        """Shut down."""
         self.get_logger().info("Shutting down")
         self._active = False
         return super().on_shutdown(state)
@@ -79,7 +79,7 @@ class MapServer(LifecycleNode):
             self._publisher.publish(self._map)
 
     def _load(self, file: str) -> int:
-        """Load a map; LoadMap's result code. After a failure the old map stays."""
+        """Load a map. Returns LoadMap's result code. On failure, the old map is kept."""
         log = get_logger("map_io")
         if not file:
             log.error("YAML file name is empty, can't load!")

@@ -1,4 +1,4 @@
-"""Declaring parameters of nav2's servers, whose plugins bring parameters of their own."""
+"""Declare parameters of nav2's servers, whose plugins have parameters of their own."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ _ANY = ParameterDescriptor(dynamic_typing=True)
 
 
 def declare(node: Node, defaults: Mapping[str, Any], prefix: str = "") -> dict[str, Any]:
-    """Declare what is not declared yet, below `prefix.`; the values by their names. Whole numbers may stand for real ones.
+    """Declare missing parameters under `prefix.` and return all values by name. Integers are accepted for floats.
 
-    The kind of a value must be that of its default, else ValueError.
+    A value's type must match its default, otherwise ValueError is raised.
     """
     found, asked = {}, getattr(node, "asked_for", {})
     for name, default in defaults.items():
@@ -27,9 +27,9 @@ def declare(node: Node, defaults: Mapping[str, Any], prefix: str = "") -> dict[s
 
 
 class Obedience:
-    """Lets a node follow `ros2 param set` while it runs: `read()` takes all from `declare` anew.
+    """Applies `ros2 param set` to a running node: `read()` reads everything from `declare` again.
 
-    What makes `read()` raise ValueError is refused with its words.
+    A change for which `read()` raises ValueError is rejected with that message.
     """
 
     def __init__(self, node: Any, read: Callable[[], None]) -> None:
@@ -49,7 +49,7 @@ class Obedience:
         return SetParametersResult(successful=True)
 
     def end(self) -> None:
-        """Parameters are only kept from now on."""
+        """Stop applying parameter changes."""
         self._node.remove_on_set_parameters_callback(self._asked)
 
 
@@ -64,7 +64,7 @@ def _checked(name: str, value: Any, default: Any) -> Any:
 
 
 def no_such_plugin(what: str, name: str, kind: str, base: str, known: Iterable[str]) -> str:
-    """Words, as nav2's own, about a plugin that is not there.
+    """Return nav2's error message for a missing plugin.
 
     >>> no_such_plugin("global planner", "GridBased", "Astar", "nav2_core::GlobalPlanner", ["a/B", "c/D"])[-67:]
     'nav2_core::GlobalPlanner does not exist. Declared types are a/B c/D'

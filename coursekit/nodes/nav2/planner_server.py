@@ -1,4 +1,4 @@
-"""`ros2 run nav2_planner planner_server`: finds paths through the global costmap."""
+"""`ros2 run nav2_planner planner_server`: plans paths in the global costmap."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from coursekit.nodes.scanning.planar import plane
 
 _SERVER = {"planner_plugins": ["GridBased"], "expected_planner_frequency": 1.0}
 PATIENCE = 30
-"""Tenths of a second that a goal waits for the first costmap."""
+"""How long a goal waits for the first costmap, in tenths of a second."""
 _USUAL = "nav2_navfn_planner/NavfnPlanner"
 _KINDS = {
     _USUAL: 0.5,

@@ -37,7 +37,7 @@ POLICIES = (QoSPolicyKind.DEPTH, QoSPolicyKind.DURABILITY, QoSPolicyKind.HISTORY
 
 
 class Way:
-    """One direction of a topic. `open` subscribes on one side (if lazy, once `wanted` on the other)."""
+    """One direction of a topic. `open` subscribes (if lazy, once `wanted` on the other side); `mend` edits messages."""
 
     def __init__(
         self, source: Node, target: Node, here: tuple[str, str], there: tuple[str, str], one: Bridged,

@@ -17,7 +17,7 @@ from .simulated import robot_name, simulator
 from .tour import Tour
 
 WAIT_SECONDS = 30.0
-"""How long a map may take to arrive: on a server with a class, SLAM gets a tenth of a core [s]."""
+"""How long a map may take to arrive: where SLAM is compiled first, its first map takes half a minute [s]."""
 SCAN_HEIGHT = 0.175
 """The default height at which the true world is cut [m]."""
 _COLOURS = {"truth": "#16a34a", "odometry": "#ea7317", "SLAM": "#2563eb"}

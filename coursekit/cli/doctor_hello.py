@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import contextlib
 import socket
-import struct
 from collections import Counter
 from typing import Any
 
-from ros2multicast.api import DEFAULT_GROUP, DEFAULT_PORT, send
+from ros2multicast.api import DEFAULT_GROUP, DEFAULT_PORT, join, send
 
 from coursekit.processes.session import current
 
@@ -77,12 +76,9 @@ def main(args: Any) -> None:
 def _listening() -> socket.socket:
     """Return a non-blocking socket for multicast datagrams."""
     receiver = socket.socket(socket.AF_INET, socket.SOCK_DGRAM, socket.IPPROTO_UDP)
-    receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     receiver.setblocking(False)
     with contextlib.suppress(OSError):  # without a network no datagrams arrive
-        receiver.bind(("", DEFAULT_PORT))
-        member = struct.pack("4sl", socket.inet_aton(DEFAULT_GROUP), socket.INADDR_ANY)
-        receiver.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, member)
+        join(receiver)
     return receiver
 
 

@@ -45,10 +45,11 @@ def _choices(parser: Any) -> dict[str, Any]:
 
 def list_points(args: Any) -> None:
     """Print the extension points."""
+    added = get_entry_points(EXTENSION_POINT_GROUP_NAME)
     for group in sorted(_groups()):
         print(group)
-        if args.verbose and group in get_entry_points(EXTENSION_POINT_GROUP_NAME):
-            print(f"  {get_entry_points(EXTENSION_POINT_GROUP_NAME)[group].value}")
+        if args.verbose and group in added:
+            print(f"  {added[group].value}")
 
 
 def list_extensions(args: Any) -> None:

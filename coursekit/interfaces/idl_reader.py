@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -49,13 +50,20 @@ def definition_of_idl(path: Path) -> tuple[str, str]:
 
     Raises InterfaceError, with file and line, for text that ROS would not accept.
     """
+    text = read_text(path)
     try:
-        tree = Lark(_GRAMMAR, parser="lalr").parse(read_text(path))
+        tree = _parser().parse(text)
     except UnexpectedInput as error:
-        source = read_text(path).splitlines()[error.line - 1 : error.line] if error.line > 0 else []
+        source = text.splitlines()[error.line - 1 : error.line] if error.line > 0 else []
         why = "this is not IDL as ROS knows it"
         raise InterfaceError(why, file=str(path), line=max(error.line, 1), source="".join(source)) from None
     return _Definition(path, tree).text()
+
+
+@cache
+def _parser() -> Lark:
+    """Return the grammar's parser, whose tables take longer to make than a file to read."""
+    return Lark(_GRAMMAR, parser="lalr")
 
 
 class _Definition:

@@ -61,9 +61,10 @@ class Tools:
         self._publish("/clicked_point", msg, f"({x:.2f}, {y:.2f}, {z:.2f})")
 
     def _header(self) -> Any:
+        from rclpy.time import Time
         from std_msgs.msg import Header
 
-        return Header(frame_id=self.stage.fixed_frame, stamp=self.node.get_clock().now().to_msg())
+        return Header(frame_id=self.stage.fixed_frame, stamp=Time(nanoseconds=self.stage.now()).to_msg())
 
     def _publish(self, topic: str, msg: Any, words: str) -> None:
         if topic not in self._publishers:

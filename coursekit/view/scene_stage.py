@@ -20,6 +20,7 @@ from .looking import Looking
 from .scene import HERE, Scene
 from .scene_camera import Camera, camera_of
 from .scene_still import Still
+from .simulated_time import SimulatedTime
 
 WORLD = ("map", "odom", "world")
 """Preferred fixed frames, the best first."""
@@ -27,16 +28,11 @@ WORLD = ("map", "odom", "world")
 ROOM = 3.0
 """The minimum camera distance for robots that may drive around [m]."""
 
-CLOCK_SECONDS = 1.0
-"""The period of checking for a simulation clock [s]."""
-
 
 class Stage:
     """The content of a viewer. `update()` brings the scene up to date; nothing is drawn between two calls."""
 
     def __init__(self, node: Any, config: Config) -> None:
-        from rclpy.clock import Clock, ClockType
-
         self.node = node
         self.config = config
         self.scene = Scene()
@@ -46,9 +42,7 @@ class Stage:
         self.looking = Looking(self)
         self._guessed = ""
         self._count = 0
-        self._simulated = False
-        self._follow_clock()
-        node.create_timer(CLOCK_SECONDS, self._follow_clock, clock=Clock(clock_type=ClockType.STEADY_TIME))
+        self._time = SimulatedTime(node)
         for one in config.displays:
             self.add(one)
 
@@ -191,18 +185,9 @@ class Stage:
         return f"No transform from [{frame}] to [{fixed}]: they are in two trees, under [{self.root(frame)}] and " \
                f"[{self.root(fixed)}]"  # fmt: skip
 
-    def _follow_clock(self) -> None:
-        """Use the time of /clock while it has a publisher: the frames and goals of a simulation use that time."""
-        from rclpy.parameter import Parameter
-
-        simulated = self.node.count_publishers("/clock") > 0
-        if simulated != self._simulated:
-            self._simulated = simulated
-            self.node.set_parameters([Parameter("use_sim_time", value=simulated)])
-
     def now(self) -> int:
-        """Return the node's time [ns]."""
-        return int(self.node.get_clock().now().nanoseconds)
+        """Return the simulation's time while there is one, else the node's [ns]."""
+        return self._time.now()
 
     # -- status
 

@@ -72,6 +72,13 @@ class Controller:
             raise ControlError(f"parameter '{name}': {error}") from None
         return usual if value is None else list(value) if isinstance(usual, list) else value
 
+    def length(self, name: str) -> float:
+        """Return a parameter in metres; ControlError unless it is more than 0."""
+        metres = float(self.parameter(name, 0.0))
+        if metres <= 0:
+            raise ControlError(f"{name} must be more than 0: give metres")
+        return metres
+
     def command_names(self) -> list[str]:
         """Return the full names of the commands that it claims."""
         return []

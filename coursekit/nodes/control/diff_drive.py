@@ -54,8 +54,8 @@ class DiffDriveController(Controller):
             counts = f"left wheels [{len(self.left)}] and the number of right wheels [{len(self.right)}]"
             told = f"The number of {counts} are different"
             raise ControlError(told if self.left or self.right else "Wheel names parameters are empty!")
-        self._separation = self._length("wheel_separation") * float(self._told["wheel_separation_multiplier"])
-        radius = self._length("wheel_radius")
+        self._separation = self.length("wheel_separation") * float(self._told["wheel_separation_multiplier"])
+        radius = self.length("wheel_radius")
         self._radii = tuple(radius * float(self._told[f"{side}_wheel_radius_multiplier"]) for side in ("left", "right"))
         self._patience = float(self._told["cmd_vel_timeout"])
         self._feedback = "position" if self._told["position_feedback"] else "velocity"
@@ -78,12 +78,6 @@ class DiffDriveController(Controller):
         except ControlError as error:
             self.log.error(f"Error configuring {kind} speed limiter: {error}")
             return SpeedLimiter(lambda _name, usual: usual, kind)
-
-    def _length(self, name: str) -> float:
-        metres = float(self._told[name])
-        if metres <= 0:
-            raise ControlError(f"{name} must be more than 0: give metres")
-        return metres
 
     def _reckoner(self) -> Reckoning:
         frames = self._told["odom_frame_id"], self._told["base_frame_id"]

@@ -25,7 +25,7 @@ class TricycleController(Controller):
     def configure(self) -> None:
         """Read parameters, create topics."""
         self._drives, self._steers = (self._named(f"{kind}_joint_name") for kind in ("traction", "steering"))
-        self._base, self._radius = self._length("wheelbase"), self._length("wheel_radius")
+        self._base, self._radius = self.length("wheelbase"), self.length("wheel_radius")
         self._patience = int(self.parameter("cmd_vel_timeout", 500)) * 1e-3  # in milliseconds
         self._open_loop = bool(self.parameter("open_loop", False))
         self._speed, self._angle = Limits(self, "traction"), Limits(self, "steering")
@@ -42,12 +42,6 @@ class TricycleController(Controller):
         if not value:
             raise ControlError(f"{name} is empty: name a joint of the description's <ros2_control>")
         return value
-
-    def _length(self, name: str) -> float:
-        metres = float(self.parameter(name, 0.0))
-        if metres <= 0:
-            raise ControlError(f"{name} must be more than 0: give metres")
-        return metres
 
     def _reckoner(self) -> Reckoning:
         frames = self.parameter("odom_frame_id", "odom"), self.parameter("base_frame_id", "base_link")

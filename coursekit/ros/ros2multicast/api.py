@@ -18,16 +18,22 @@ def send(data: bytes, *, group: str = DEFAULT_GROUP, port: int = DEFAULT_PORT, t
         sender.sendto(data, (group, port))
 
 
+def join(receiver: socket.socket, group: str = DEFAULT_GROUP, port: int = DEFAULT_PORT) -> bytes:
+    """Have a socket receive the group's datagrams; the membership, by which it can leave."""
+    receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    receiver.bind(("", port))
+    member = struct.pack("4sl", socket.inet_aton(group), socket.INADDR_ANY)
+    receiver.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, member)
+    return member
+
+
 def receive(
     *, group: str = DEFAULT_GROUP, port: int = DEFAULT_PORT, timeout: float | None = None
 ) -> tuple[bytes, tuple[str, int]]:
     """Wait for one datagram; it and its sender. TimeoutError after `timeout` seconds."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM, socket.IPPROTO_UDP) as receiver:
-        receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         receiver.settimeout(timeout)
-        receiver.bind(("", port))
-        member = struct.pack("4sl", socket.inet_aton(group), socket.INADDR_ANY)
-        receiver.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, member)
+        member = join(receiver, group, port)
         try:
             return receiver.recvfrom(_LONGEST)
         finally:

@@ -26,8 +26,11 @@ public:
   }
   size_t getNumSubscribers() const
   {
-    size_t count = ends_ ? ends_->raw->get_subscription_count() : 0;
-    for (auto & other : others()) {
+    if (!ends_) {
+      return 0;
+    }
+    size_t count = ends_->raw->get_subscription_count();
+    for (auto & other : ends_->others) {
       count += other->getNumSubscribers();
     }
     return count;
@@ -39,7 +42,7 @@ public:
       throw Exception("Call to publish() on an invalid image_transport::Publisher");
     }
     ends_->raw->publish(message);
-    for (auto & other : others()) {
+    for (auto & other : ends_->others) {
       if (other->getNumSubscribers() > 0) {  // nobody waits for a form of it that takes time to make
         other->publish(message);
       }
@@ -48,8 +51,10 @@ public:
   void publish(const Image::ConstSharedPtr & message) const {publish(*message);}
   void shutdown()
   {
-    for (auto & other : others()) {
-      other->shutdown();
+    if (ends_) {
+      for (auto & other : ends_->others) {
+        other->shutdown();
+      }
     }
     ends_.reset();
   }
@@ -63,10 +68,6 @@ private:
     rclcpp::Publisher<Image>::SharedPtr raw;
     std::vector<std::shared_ptr<PublisherPlugin>> others;
   };
-  std::vector<std::shared_ptr<PublisherPlugin>> others() const
-  {
-    return ends_ ? ends_->others : std::vector<std::shared_ptr<PublisherPlugin>>();
-  }
   std::shared_ptr<Ends> ends_;
 };
 }  // namespace image_transport

@@ -12,7 +12,7 @@ from coursekit.core.qos import Qos
 from .sides import Inbox
 
 INDEPENDENT = Path(__file__).parents[2] / ".venv-sdk" / "bin" / "python"
-ROBOT = Path(__file__).with_name("independent_robot.py")
+ROBOT = Path(__file__).parents[1] / "fixtures" / "net" / "independent_robot.py"
 HUMBLE = "TypeHashNotSupported"
 
 pytestmark = [
@@ -41,7 +41,8 @@ def robot(request, side):
 def talk(ours):
     """A publisher that the robot hears, and what it says in answer."""
     node = ours.graph.add_node("talker", "/")
-    words, echo = node.publisher("/words", String, Qos(depth=10)), Inbox(node.subscription("/echo", String, Qos(depth=10)))
+    all_twenty = Qos(depth=20)
+    words, echo = node.publisher("/words", String, all_twenty), Inbox(node.subscription("/echo", String, all_twenty))
     ours.until(lambda: len(words.targets) == 1 and echo.source in ours.graph.publishers["/echo"][0].targets)
     ours.link.settle()
     return words, echo

@@ -16,6 +16,7 @@ from coursekit.systems.children import with_utf8
 from coursekit.words.gettext import LANGUAGE
 
 from . import compile_ahead, cpp
+from .kernel_sockets import kernel_options
 from .terminal_settings import terminal_settings
 
 QUIET = ("--ServerApp.log_level=ERROR", "--LabApp.log_level=ERROR")
@@ -89,10 +90,13 @@ def lab_environment(folder: Path) -> dict[str, str]:
 
 def lab_options(folder: Path) -> list[str]:
     """Return the options of a Jupyter server on that copy, regardless of who starts it."""
+    from jupyter_core.paths import jupyter_runtime_dir
+
     options = [
         f"--ServerApp.root_dir={folder}",
         f"--LabServerApp.app_settings_dir={_settings_folder(folder)}",
         *terminal_settings(folder),
+        *kernel_options(Path(jupyter_runtime_dir())),
     ]
     return [*options, "--allow-root"] if rights.is_root() else options
 

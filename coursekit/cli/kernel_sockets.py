@@ -1,0 +1,26 @@
+"""How a Jupyter server talks to its kernels: by Unix sockets, which two kernels that start at once cannot both take.
+
+With ports, jupyter_client looks for free ones before the kernel binds them. On a server where a class starts its kernels
+in the same minute another kernel can be faster: "Address already in use", and a notebook without a kernel.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from coursekit.systems import which
+
+_NAME = len("/kernel-01234567-89ab-cdef-0123-456789abcdef-ipc-5")
+"""Length of a socket's name, which ends in a number of one digit."""
+_LONGEST = 103
+"""Greatest length of a Unix socket's path on macOS; Linux allows 107."""
+
+
+def kernel_options(runtime: Path) -> list[str]:
+    """Return the server's options for its kernels' transport, with Jupyter's runtime folder.
+
+    >>> kernel_options(Path("/home/vera/" + "long" * 30))  # too long for a Unix socket: Jupyter's default, TCP on loopback
+    []
+    """
+    fits = len(str(runtime).encode()) + _NAME <= _LONGEST
+    return ["--KernelManager.transport=ipc"] if fits and not which.WINDOWS else []

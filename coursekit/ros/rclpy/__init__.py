@@ -44,7 +44,7 @@ _lend = lender(__name__)
 
 
 def __getattr__(name: str) -> Any:
-    """Load `rclpy.executors` and the like when they are named: programs do so without importing them."""
+    """Load submodules such as `rclpy.executors` on first access: programs use them without importing them."""
     if name in ("Context", "Future", "Parameter"):
         return _lend(name)
     if name.startswith("__") or importlib.util.find_spec(f"rclpy.{name}") is None:
@@ -53,7 +53,7 @@ def __getattr__(name: str) -> Any:
 
 
 class InitContextManager:
-    """Shuts down at the end of `with rclpy.init():` (ROS releases after Humble)."""
+    """Shuts the context down at the end of `with rclpy.init():` (ROS releases after Humble)."""
 
     def __init__(self, context: Any) -> None:
         self.context = context
@@ -72,7 +72,7 @@ def init(
     domain_id: int | None = None,
     signal_handler_options: SignalHandlerOptions | None = None,
 ) -> InitContextManager:
-    """Begin: read the ROS arguments and join the domain. Twice is an error."""
+    """Initialize the context: read the ROS arguments and join the domain. A second call is an error."""
     context = get_default_context() if context is None else context
     if signal_handler_options is None:
         default = context is get_default_context()
@@ -94,7 +94,7 @@ def get_global_executor() -> Any:
 
 
 def shutdown(*, context: Any = None, uninstall_handlers: bool | None = None) -> None:
-    """End; a second time is an error."""
+    """Shut the context down; a second call is an error."""
     default = context is None or context is get_default_context()
     if default:
         _close_executor()
@@ -104,7 +104,7 @@ def shutdown(*, context: Any = None, uninstall_handlers: bool | None = None) -> 
 
 
 def try_shutdown(*, context: Any = None, uninstall_handlers: bool | None = None) -> None:
-    """End, unless it has ended."""
+    """Shut the context down unless it is already shut down."""
     default = context is None or context is get_default_context()
     if default and get_default_context().ok():
         _close_executor()
@@ -132,7 +132,7 @@ def create_node(
     allow_undeclared_parameters: bool = False,
     automatically_declare_parameters_from_overrides: bool = False,
 ) -> Any:
-    """Make a node."""
+    """Create a node."""
     from rclpy.node import Node
 
     return Node(
@@ -150,7 +150,7 @@ def create_node(
 
 
 def spin_once(node: Any, *, executor: Any = None, timeout_sec: float | None = None) -> None:
-    """Wait for one callback of `node` and run it, at most `timeout_sec`."""
+    """Wait for one callback of `node`, for at most `timeout_sec`, and run it."""
     executor = get_global_executor() if executor is None else executor
     added = False
     try:
@@ -176,7 +176,7 @@ def spin(node: Any, executor: Any = None) -> None:
 def spin_until_future_complete(
     node: Any, future: Any, executor: Any = None, timeout_sec: float | None = None
 ) -> None:
-    """Run the callbacks of `node` until `future` is done, at most `timeout_sec`."""
+    """Run the callbacks of `node` until `future` is done, for at most `timeout_sec`."""
     executor = get_global_executor() if executor is None else executor
     added = False
     try:

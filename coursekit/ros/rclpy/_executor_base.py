@@ -10,7 +10,7 @@ from rclpy.task import Future, Task
 
 
 class Executor(Work):
-    """The base of all executors; a subclass says in `spin_once` how a ready callback is run."""
+    """The base of all executors; a subclass defines in `spin_once` how a ready callback is run."""
 
     def __init__(self, *, context: Any = None) -> None:
         super().__init__(context)
@@ -25,7 +25,7 @@ class Executor(Work):
     # -- nodes
 
     def add_node(self, node: Any) -> bool:
-        """Serve this node; False if it did already. A node is served by one executor, the last that took it."""
+        """Serve this node; False if this executor already serves it. A node has one executor: the last it was added to."""
         _check_is_node(node)
         with self._lock:
             if node in self._nodes:
@@ -37,7 +37,7 @@ class Executor(Work):
         return True
 
     def remove_node(self, node: Any) -> None:
-        """Serve this node no more; it remembers who served it last, so that its tasks find their executor."""
+        """Stop serving this node. It still refers to its last executor, so that its tasks find it."""
         with self._lock:
             if node not in self._nodes:
                 return
@@ -47,7 +47,7 @@ class Executor(Work):
         self.wake()
 
     def get_nodes(self) -> list[Any]:
-        """The nodes that it serves."""
+        """The nodes that this executor serves."""
         return list(self._nodes)
 
     def _attach(self, entity: Any) -> None:
@@ -61,9 +61,9 @@ class Executor(Work):
         nodes: list[Any] | None = None,
         condition: Callable[[], bool] = never,
     ) -> tuple[Task, Any, Any]:
-        """Wait for a callback; a task that runs it when called, its entity and its node.
+        """Wait for a callback; return a task that runs it when called, its entity and its node.
 
-        For executors of your own. Raises TimeoutException, ShutdownException, ExternalShutdownException and
+        For your own executors. Raises TimeoutException, ShutdownException, ExternalShutdownException and
         ConditionReachedException.
         """
         entity, work = self._next_work(timeout_sec, condition)
@@ -73,7 +73,7 @@ class Executor(Work):
         return task, entity, self._node_of(entity)
 
     def _wait_for_ready_callbacks(self, *args: Any, **kwargs: Any) -> Iterator[tuple[Task, Any, Any]]:
-        """`wait_for_ready_callbacks`, again and again."""
+        """Yield the result of `wait_for_ready_callbacks` again and again."""
         while True:
             yield self.wait_for_ready_callbacks(*args, **kwargs)
 
@@ -92,7 +92,7 @@ class Executor(Work):
             spin_once()
 
     def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
-        """Run callbacks until `future` is done, at most `timeout_sec` (None or negative: without end)."""
+        """Run callbacks until `future` is done, for at most `timeout_sec` (None or negative: no limit)."""
         future.add_done_callback(lambda _: self.wake())
         timeout = TimeoutObject(timeout_sec if timeout_sec is None or timeout_sec >= 0 else None)
         while self._context.ok() and not future.done() and not self._is_shutdown:
@@ -102,15 +102,15 @@ class Executor(Work):
                 return
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Wait for one callback and run it, at most `timeout_sec`."""
+        """Wait for one callback, for at most `timeout_sec`, and run it."""
         raise NotImplementedError()
 
     def spin_once_until_future_complete(self, future: Future, timeout_sec: Any = None) -> None:
-        """Like `spin_once`, and returns when `future` is done."""
+        """Like `spin_once`, but also return when `future` is done."""
         raise NotImplementedError()
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
-        """Stop; True. A callback that runs is not waited for, as in Humble: it may be the caller."""
+        """Stop and return True. As in Humble, a running callback is not waited for: it may be the caller."""
         self._is_shutdown = True
         self.wake()
         with self._lock:
@@ -126,7 +126,7 @@ class Executor(Work):
 
 
 def _check_is_node(node: Any) -> None:
-    """Before it is taken: an executor that has taken something else cannot let go of it."""
+    """Reject anything but a node before it is added: the executor could not remove it again."""
     if isinstance(node, type):
         name = node.__name__
         raise TypeError(f"{name} is a class, and an executor serves nodes: make one of it, as in rclpy.spin({name}())")
@@ -134,7 +134,7 @@ def _check_is_node(node: Any) -> None:
 
 
 class _Handler(Task):
-    """Runs an entity's callback when called; the executor is told of its coroutine and its end."""
+    """Runs an entity's callback when called. The executor handles a returned coroutine and the callback's end."""
 
     def __init__(self, executor: Executor, entity: Any, work: Any) -> None:
         super().__init__(self._run_work, executor=executor)

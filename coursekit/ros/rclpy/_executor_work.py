@@ -1,7 +1,7 @@
-"""An executor's next work: ready entities and tasks, and the waiting for them.
+"""An executor's next work: ready entities and tasks, and waiting for them.
 
 Ready entities are in a queue (`coursekit.core.ready_queue`), so a wake-up costs the same with two nodes and with two
-hundred; real rclpy asks every entity in every cycle.
+hundred; real rclpy checks every entity in every cycle.
 """
 
 from __future__ import annotations
@@ -17,11 +17,11 @@ from rclpy.task import Future, Task
 from rclpy.utilities import get_default_context, timeout_sec_to_nsec
 
 _POLL_WEIGHT = 100
-"""A spin that may not wait and finds nothing counts as that many questions to the virtual clock."""
+"""A spin that may not wait and finds nothing counts as this many polls of the virtual clock."""
 
 
 async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
-    """Call `callback`, and await what it returns if it is a coroutine function."""
+    """Call `callback`, and await the result if it is a coroutine."""
     result = callback(*args)
     return await result if inspect.iscoroutine(result) else result
 
@@ -51,7 +51,7 @@ class ConditionReachedException(Exception):
 
 
 class TimeoutObject:
-    """A timeout that later calls share: the time left shrinks."""
+    """A timeout shared by successive calls: the time left shrinks."""
 
     def __init__(self, timeout: float | None) -> None:
         self._clock = current().clock
@@ -59,12 +59,12 @@ class TimeoutObject:
 
     @property
     def timeout(self) -> float | None:
-        """Seconds left, None for 'without end'."""
+        """Seconds left; None for no limit."""
         return None if self._deadline is None else max(0.0, (self._deadline - self._clock.steady()) * 1e-9)
 
 
 def deadline_of(timeout_sec: Any) -> int | None:
-    """When a timeout [s] ends, in ns of the steady clock; None for never."""
+    """The steady-clock time [ns] at which a timeout [s] ends; None for never."""
     if timeout_sec is None:
         return None
     if isinstance(timeout_sec, TimeoutObject):
@@ -74,7 +74,7 @@ def deadline_of(timeout_sec: Any) -> int | None:
 
 
 def never() -> bool:
-    """The condition of a spin that waits for nothing special."""
+    """The condition of a spin without a condition: always False."""
     return False
 
 
@@ -96,7 +96,7 @@ class Work:
         self._overrides_can_execute = type(self).can_execute is not Work.can_execute
 
     def wake(self) -> None:
-        """Have a blocked spin look again."""
+        """Make a blocked spin check for work again."""
         self._queue.wake()
 
     # -- tasks
@@ -124,7 +124,7 @@ class Work:
         return None
 
     def _after_step(self, task: Task) -> None:
-        """A task that is not done waits: for a future, or for the next thing that happens."""
+        """Let an unfinished task wait for the future that it awaits, or else for the next cycle."""
         if task.done() or task.cancelled():
             return
         awaited = task.awaits
@@ -140,7 +140,7 @@ class Work:
                 self._waiting_tasks.append(task)
 
     def _begin_cycle(self, cycle: Any) -> None:
-        """Resume the tasks that wait for nothing special: once before each waiting, as the real executor does."""
+        """Resume the tasks that await no future, once before each wait, as the real executor does."""
         self._cycle, self._past_waiting = cycle, False
         if self._waiting_tasks:
             self._clock.poll(_POLL_WEIGHT)
@@ -155,13 +155,13 @@ class Work:
         return entity.callback_group.can_execute(entity)
 
     def _next_work(self, timeout_sec: Any, condition: Callable[[], bool]) -> tuple[Any, Any]:
-        """Wait for something to do: (entity, function) or (None, task). The entity's group has begun execution.
+        """Wait for work: (entity, function) or (None, task). The entity's group has begun execution.
 
-        A cycle is a look at the tasks, a waiting, and all that is ready then; it goes on in the next call with the same
-        arguments.
+        A cycle checks the tasks, waits once, and serves everything that is ready then. The next call with the same
+        arguments continues it.
         """
         queue = self._queue
-        handle = self._context._handle  # asked below as Context.ok asks it: the call is a fortieth of a message's way
+        handle = self._context._handle  # checked below as in Context.ok: a call costs 1/40 of a message's delivery
         deadline = None if timeout_sec is None else deadline_of(timeout_sec)
         waited = False
         if self._cycle != (cycle := (timeout_sec, condition)):
@@ -200,7 +200,7 @@ class Work:
                 self._begin_cycle(cycle)
 
     def _begin(self, entity: Any) -> Any:
-        """Take an entity's data if its group lets it begin; None if there is nothing to do now."""
+        """Take an entity's data if its group allows it to begin; None if there is nothing to do now."""
         sources = entity._sources()
         served = False
         for source in sources:
@@ -244,7 +244,7 @@ class Work:
                 self._queue.put(other)
 
     def _run(self, entity: Any, work: Any) -> None:
-        """Run work here and now; what it raises is raised."""
+        """Run work in this thread; its exceptions propagate."""
         if entity is None:
             work()
             self._after_step(work)
@@ -264,7 +264,7 @@ class Work:
 
 
 async def _finish(executor: Work, entity: Any, coroutine: Any) -> Any:
-    """Await an entity's coroutine; its group stays taken until it ends."""
+    """Await an entity's coroutine; its group stays busy until it ends."""
     try:
         return await coroutine
     finally:

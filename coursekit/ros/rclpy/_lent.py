@@ -1,6 +1,7 @@
-"""Names that a module of Humble's rclpy has beside its own because it uses them: programs import them from there too.
+"""Names that a module of Humble's rclpy imports for its own use: programs import them from there too.
 
-Each module has a table of its own, as its imports are in Humble: what cannot be imported on a robot cannot be here.
+Each module has its own table, which follows its imports in Humble: a name that cannot be imported on a robot cannot
+be imported here either.
 """
 
 from __future__ import annotations
@@ -81,7 +82,7 @@ _LENT = {
 
 
 def lender(module: str) -> Callable[[str], Any]:
-    """The `__getattr__` of a module that lends the names of its table; they are imported when they are asked for.
+    """The `__getattr__` of a module that re-exports the names in its table; each is imported on access.
 
     >>> lender("rclpy.node")("Rate").__module__
     'rclpy.timer'

@@ -1,4 +1,4 @@
-"""The part of Node that makes and destroys what belongs to it."""
+"""The part of Node that creates and destroys its entities."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class NodeEntities:
 
     @property
     def executor(self) -> Any:
-        """The executor that serves it, or None."""
+        """The executor that serves this node, or None."""
         return self._rclpy_executor() if self._rclpy_executor is not None else None
 
     @executor.setter
@@ -65,12 +65,12 @@ class NodeEntities:
 
     @property
     def default_callback_group(self) -> Any:
-        """The group of everything that is made without one: mutually exclusive."""
+        """The callback group of all entities that are created without one: mutually exclusive."""
         return self._default_callback_group
 
     @property
     def handle(self) -> Any:
-        """The handle."""
+        """The node's handle."""
         return self._rclpy_handle
 
     def _rclpy_own(self, kept: list[Any], entity: Any, group: Any) -> Any:
@@ -111,7 +111,7 @@ class NodeEntities:
         qos_overriding_options: QoSOverridingOptions | None = None,
         publisher_class: type[Publisher] = Publisher,
     ) -> Any:
-        """Make a publisher; `qos_profile` may be just the queue's depth."""
+        """Create a publisher; `qos_profile` may be just the queue depth."""
         profile = _validated_qos(qos_profile)
         group = callback_group or self.default_callback_group
         check_is_valid_msg_type(msg_type)
@@ -140,7 +140,7 @@ class NodeEntities:
         qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool = False,
     ) -> Subscription:
-        """Make a subscription; `callback(msg)` runs in the node's executor. `raw` gives it bytes."""
+        """Create a subscription; `callback(msg)` runs in the node's executor. With `raw`, it receives bytes."""
         profile = _validated_qos(qos_profile)
         group = callback_group or self.default_callback_group
         check_is_valid_msg_type(msg_type)
@@ -173,7 +173,7 @@ class NodeEntities:
         qos_profile: QoSProfile = qos_profile_services_default,
         callback_group: Any = None,
     ) -> Client:
-        """Make a service client."""
+        """Create a service client."""
         group = callback_group or self.default_callback_group
         check_is_valid_srv_type(srv_type)
         full = self._rclpy_checked(srv_name, "service")  # type: ignore[attr-defined]
@@ -191,7 +191,7 @@ class NodeEntities:
         qos_profile: QoSProfile = qos_profile_services_default,
         callback_group: Any = None,
     ) -> Service:
-        """Make a service; `callback(request, response)` fills and returns the response."""
+        """Create a service; `callback(request, response)` fills and returns the response."""
         group = callback_group or self.default_callback_group
         check_is_valid_srv_type(srv_type)
         full = self._rclpy_checked(srv_name, "service")  # type: ignore[attr-defined]
@@ -208,7 +208,7 @@ class NodeEntities:
         clock: Clock | None = None,
         autostart: bool = True,
     ) -> Timer:
-        """Make a timer that calls back every `timer_period_sec` seconds."""
+        """Create a timer that calls `callback` every `timer_period_sec` seconds."""
         group = callback_group or self.default_callback_group
         period_ns = int(float(timer_period_sec) * 1_000_000_000)
         timer = Timer(
@@ -219,12 +219,12 @@ class NodeEntities:
         return timer
 
     def create_guard_condition(self, callback: Callable[[], Any], callback_group: Any = None) -> GuardCondition:
-        """Make a guard condition; its callback runs when it is triggered."""
+        """Create a guard condition; its callback runs when it is triggered."""
         group = callback_group or self.default_callback_group
         return self._rclpy_own(self._rclpy_guards, GuardCondition(callback, group, context=self._context), group)
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
-        """Make a rate, whose `sleep` ends `frequency` times a second."""
+        """Create a rate; its `sleep` returns `frequency` times a second."""
         if frequency <= 0:
             raise ValueError("frequency must be > 0")
         self._rate_group = self._rate_group or ReentrantCallbackGroup()
@@ -238,7 +238,7 @@ class NodeEntities:
         self._rclpy_own(self._rclpy_waitables, waitable, waitable.callback_group)
 
     def remove_waitable(self, waitable: Any) -> None:
-        """Serve it no more."""
+        """Stop serving a waitable."""
         self._rclpy_waitables.remove(waitable)
         for source in waitable._sources():
             source.attach(None, None)
@@ -280,7 +280,7 @@ class NodeEntities:
         return self._rclpy_destroy(self._rclpy_guards, guard)
 
     def destroy_rate(self, rate: Rate) -> bool:
-        """Destroy a rate; who sleeps in it wakes."""
+        """Destroy a rate; threads that sleep in it wake up."""
         timer = self._rclpy_rates.pop(rate, None)
         if timer is None:
             return False

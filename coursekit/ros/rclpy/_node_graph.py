@@ -1,4 +1,4 @@
-"""The part of Node that asks the graph."""
+"""The part of Node that queries the graph."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ NamesAndTypes = list[tuple[str, list[str]]]
 
 
 class NodeGraph:
-    """A node's questions to the graph."""
+    """A node's queries of the graph."""
 
     _rclpy_graph_node: Any
 
@@ -87,19 +87,19 @@ class NodeGraph:
         return self.handle.resolve(full, kind)  # type: ignore[attr-defined]
 
     def count_publishers(self, topic_name: str) -> int:
-        """How many publish on a topic."""
+        """The number of publishers on a topic."""
         return len(self._rclpy_graph.publishers.get(self._rclpy_resolved(topic_name, "topic"), ()))
 
     def count_subscribers(self, topic_name: str) -> int:
-        """How many subscribe to a topic."""
+        """The number of subscriptions to a topic."""
         return len(self._rclpy_graph.subscriptions.get(self._rclpy_resolved(topic_name, "topic"), ()))
 
     def count_services(self, service_name: str) -> int:
-        """How many serve a service."""
+        """The number of servers of a service."""
         return len(self._rclpy_graph.servers.get(self._rclpy_resolved(service_name, "service"), ()))
 
     def count_clients(self, service_name: str) -> int:
-        """How many call a service."""
+        """The number of clients of a service."""
         return len(self._rclpy_graph.clients.get(self._rclpy_resolved(service_name, "service"), ()))
 
     def get_publishers_info_by_topic(
@@ -149,7 +149,7 @@ def profile_of(qos: Qos) -> QoSProfile:
 
 
 def core_qos(profile: QoSProfile) -> Qos:
-    """The core's form of a profile."""
+    """A profile in the core's format."""
     return Qos(
         history=int(profile.history),
         depth=profile.depth,

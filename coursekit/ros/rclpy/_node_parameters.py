@@ -48,7 +48,7 @@ class NodeParameters(ParameterSetting):
         return self.declare_parameters("", [declaration], ignore_override)[0]
 
     def declare_parameters(self, namespace: str, parameters: list[Any], ignore_override: bool = False) -> list[Parameter]:
-        """Declare several: tuples of (name), (name, value or type) or (name, value or type, descriptor)."""
+        """Declare several parameters: tuples of (name), (name, value or type) or (name, value or type, descriptor)."""
         declared: list[Parameter] = []
         descriptors: dict[str, ParameterDescriptor] = {}
         for index, declaration in enumerate(parameters):
@@ -87,7 +87,7 @@ class NodeParameters(ParameterSetting):
         raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
 
     def undeclare_parameter(self, name: str) -> None:
-        """Take a declaration back."""
+        """Undeclare a parameter."""
         if not self.has_parameter(name):
             raise ParameterNotDeclaredException(name)
         if self._descriptors[name].read_only:
@@ -96,7 +96,7 @@ class NodeParameters(ParameterSetting):
         del self._descriptors[name]
 
     def has_parameter(self, name: str) -> bool:
-        """Whether it was declared."""
+        """Whether a parameter is declared."""
         return name in self._parameters
 
     def _rclpy_listed_names(self) -> list[str]:
@@ -106,13 +106,13 @@ class NodeParameters(ParameterSetting):
     # -- reading
 
     def get_parameter_types(self, names: list[str]) -> list[int]:
-        """The types of several, as rcl_interfaces/ParameterType counts them."""
+        """The types of several parameters, as numbers of rcl_interfaces/ParameterType."""
         if not all(isinstance(name, str) for name in names):
             raise TypeError("All names must be instances of type str")
         return [self.get_parameter_type(name) for name in names]
 
     def get_parameter_type(self, name: str) -> int:
-        """The type of a parameter, as rcl_interfaces/ParameterType counts them."""
+        """The type of a parameter, as a number of rcl_interfaces/ParameterType."""
         if name in self._parameters:
             return int(self._parameters[name].type_.value)
         if self._allow_undeclared_parameters:
@@ -126,7 +126,7 @@ class NodeParameters(ParameterSetting):
         return [self.get_parameter(name) for name in names]
 
     def get_parameter(self, name: str) -> Parameter:
-        """A parameter; an undeclared one is an error unless the node allows them."""
+        """A parameter; an undeclared one is an error unless the node allows undeclared parameters."""
         if name in self._parameters:
             parameter = self._parameters[name]
             if parameter.type_ != Parameter.Type.NOT_SET or self._descriptors[name].dynamic_typing:
@@ -145,7 +145,7 @@ class NodeParameters(ParameterSetting):
         return self._parameters[name]
 
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
-        """The parameters below `prefix.`, by the rest of their names."""
+        """The parameters below `prefix.`, keyed by the rest of their names."""
         start = f"{prefix}{PARAMETER_SEPARATOR_STRING}" if prefix else ""
         return {
             name.removeprefix(start): parameter for name, parameter in self._parameters.items() if name.startswith(start)
@@ -160,5 +160,5 @@ class NodeParameters(ParameterSetting):
         raise ParameterNotDeclaredException(name)
 
     def describe_parameters(self, names: list[str]) -> list[ParameterDescriptor]:
-        """The descriptors of several."""
+        """The descriptors of several parameters."""
         return [self.describe_parameter(name) for name in names]

@@ -1,4 +1,4 @@
-"""One type for a name: within a context all ends of a topic or service have it, as with Fast DDS, Humble's middleware."""
+"""One type per name: all endpoints of a topic or service in a context share it, as with Fast DDS, Humble's middleware."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ TOPIC_ENDS = ("publisher", "subscription")
 
 
 def check_type(node: GraphNode, kind: str, name: str, msg_type: Any) -> None:
-    """RCLError where another end of a topic or service in the node's context has another type.
+    """Raise RCLError if another endpoint of a topic or service in the node's context has another type.
 
     `kind` is "publisher", "subscription", "service" or "client".
     """
@@ -29,7 +29,7 @@ def check_type(node: GraphNode, kind: str, name: str, msg_type: Any) -> None:
 
 
 def check_action_type(node: Any, kind: str, name: str, goal_type: Any) -> None:
-    """ValueError where the service that takes an action's goals has another type in the context of a node's handle.
+    """Raise ValueError if an action's goal service has another type in the context of a node's handle.
 
     `kind` is "client" or "server".
     """

@@ -1,4 +1,4 @@
-"""The form of parameters' declarations, and the values that their ranges allow."""
+"""The form of parameter declarations, and the values that parameter ranges allow."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from rclpy.parameter import Parameter
 
 
 def read_declaration(index: int, declaration: Any) -> tuple[str, Any, ParameterDescriptor]:
-    """(name, value, descriptor) of one tuple that was given to declare_parameters.
+    """(name, value, descriptor) of one tuple that was passed to declare_parameters.
 
-    A ParameterValue is left as it is: it gives a type and stands for "there is an override", which the caller knows.
+    A ParameterValue is left unchanged: it only gives a type and requires an override, which the caller checks.
     """
     if len(declaration) < 1 or len(declaration) > 3:
         raise TypeError(
@@ -80,7 +80,7 @@ def _no_step(parameter: Parameter, allowed: Any) -> str:
 
 
 def outside_integer_range(parameter: Parameter, allowed: IntegerRange) -> str:
-    """Why a value is outside of a range; empty when it is inside."""
+    """Why a value is outside a range; empty when it is inside."""
     value, low, high = parameter.value, allowed.from_value, allowed.to_value
     if value in (low, high):
         return ""
@@ -92,7 +92,7 @@ def outside_integer_range(parameter: Parameter, allowed: IntegerRange) -> str:
 
 
 def outside_floating_range(parameter: Parameter, allowed: FloatingPointRange, tolerance: float) -> str:
-    """Why a value is outside of a range; empty when it is inside, or at an end within the relative tolerance."""
+    """Why a value is outside a range; empty when it is inside, or at a limit within the relative tolerance."""
     value, low, high = parameter.value, allowed.from_value, allowed.to_value
     if any(math.isclose(value, end, rel_tol=tolerance) for end in (low, high)):
         return ""

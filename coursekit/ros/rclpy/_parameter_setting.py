@@ -1,4 +1,4 @@
-"""The part of Node that sets parameters: checks, callbacks, and the event that tells of it."""
+"""The part of Node that sets parameters: checks, callbacks, and the event that reports the change."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class ParameterSetting:
     _parameter_event_publisher: Any
 
     def set_parameters(self, parameter_list: list[Parameter]) -> list[SetParametersResult]:
-        """Set several, each by itself, up to the first undeclared one: an error, unless the node allows them."""
+        """Set several parameters one by one. The first undeclared one raises an error, unless the node allows them."""
         results = []
         for parameter in parameter_list:
             self._rclpy_check_declared([parameter])
@@ -59,7 +59,7 @@ class ParameterSetting:
         return self._rclpy_apply(parameters)
 
     def _rclpy_apply(self, parameters: list[Parameter], declares: bool = False) -> SetParametersResult:
-        """Check, ask the callbacks, set, and tell /parameter_events; only declaring may leave one without a value."""
+        """Check, ask the callbacks, set, and publish on /parameter_events; only declaring may leave a parameter unset."""
         for parameter in parameters:
             descriptor = self._descriptors.get(parameter.name)
             result = self._rclpy_check(parameter, descriptor, not declares)
@@ -125,7 +125,7 @@ class ParameterSetting:
         self._parameters[parameter.name] = parameter
 
     def set_descriptor(self, name: str, descriptor: ParameterDescriptor, alternative_value: Any = None) -> Any:
-        """Give a parameter another descriptor; its value must fit, or `alternative_value` is set."""
+        """Replace a parameter's descriptor. The value must fit it; `alternative_value`, if given, replaces the value."""
         if name not in self._parameters:
             if self._allow_undeclared_parameters:
                 return Parameter(name).get_parameter_value()
@@ -151,7 +151,7 @@ class ParameterSetting:
         self._parameters_callbacks.insert(0, callback)
 
     def remove_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], SetParametersResult]) -> None:
-        """Ask it no more; ValueError if it was not there."""
+        """Remove the callback; ValueError if it was not registered."""
         self._parameters_callbacks.remove(callback)
 
     def add_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
@@ -159,15 +159,15 @@ class ParameterSetting:
         self._rclpy_pre_set_callbacks.insert(0, callback)
 
     def remove_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
-        """Ask it no more."""
+        """Remove the callback."""
         self._rclpy_pre_set_callbacks.remove(callback)
 
     def add_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
-        """Tell `callback` of changes that were made (ROS releases after Humble)."""
+        """Have `callback(parameters)` called after each change (ROS releases after Humble)."""
         self._rclpy_post_set_callbacks.insert(0, callback)
 
     def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
-        """Tell it no more."""
+        """Remove the callback."""
         self._rclpy_post_set_callbacks.remove(callback)
 
 

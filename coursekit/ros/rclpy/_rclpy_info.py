@@ -1,4 +1,4 @@
-"""The information with a message, request or response: its bytes, times and numbers."""
+"""The metadata of a message, request or response: its bytes, timestamps and numbers."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from coursekit.processes.session import current
 
 @dataclass
 class RequestInfo:
-    """Number of a request."""
+    """The number of a request."""
 
     sequence_number: int
 
@@ -25,7 +25,7 @@ class ServiceInfo:
 
 
 def service_info(request_id: Any) -> ServiceInfo:
-    """The header of what is taken now: it came at once."""
+    """The header of a request or response taken now: both timestamps are the current time."""
     now = current().clock.now()
     return ServiceInfo(request_id, now, now)
 

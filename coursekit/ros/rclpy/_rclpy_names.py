@@ -38,14 +38,14 @@ class TimerCancelledError(RCLError):
 
 
 class _Named(IntEnum):
-    """Numbers that show themselves by name in every Python, as pybind11's enums do."""
+    """Integers that print as their names in every Python version, as pybind11's enums do."""
 
     def __str__(self) -> str:
         return f"{type(self).__name__}.{self.name}"
 
 
 class ClockType(_Named):
-    """Which clock a time belongs to."""
+    """The kind of clock a time belongs to."""
 
     UNINITIALIZED = 0
     ROS_TIME = 1
@@ -54,7 +54,7 @@ class ClockType(_Named):
 
 
 class ClockChange(_Named):
-    """The kind of a clock's jump."""
+    """The kind of a clock jump."""
 
     ROS_TIME_NO_CHANGE = 1
     ROS_TIME_ACTIVATED = 2

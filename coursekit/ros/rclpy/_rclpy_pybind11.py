@@ -56,7 +56,7 @@ class Handle:
 
     @property
     def pointer(self) -> int:
-        """A number of its own."""
+        """A unique number."""
         return id(self)
 
 
@@ -109,7 +109,7 @@ class Timer(Handle):
         self.clock = clock
 
     def is_timer_ready(self) -> bool:
-        """Whether it is due."""
+        """Whether the timer is due."""
         return self.core.has_work()
 
     def is_timer_canceled(self) -> bool:
@@ -121,27 +121,27 @@ class Timer(Handle):
         self.core.call()
 
     def cancel_timer(self) -> None:
-        """Make it never due."""
+        """Cancel the timer."""
         self.core.cancel()
 
     def reset_timer(self) -> None:
-        """Start its period anew."""
+        """Restart the period."""
         self.core.reset()
 
     def time_until_next_call(self) -> int | None:
-        """Nanoseconds, None when cancelled."""
+        """Nanoseconds until the next call; None when cancelled."""
         return self.core.time_until_next_call()
 
     def time_since_last_call(self) -> int:
-        """Nanoseconds."""
+        """Nanoseconds since the last call."""
         return self.core.base.now() - self.core.last
 
     def get_timer_period(self) -> int:
-        """Nanoseconds."""
+        """The period [ns]."""
         return self.core.period
 
     def change_timer_period(self, period_nanoseconds: int) -> None:
-        """Nanoseconds, from the next call on."""
+        """Set the period [ns] from the next call on."""
         self.core.period = period_nanoseconds
 
     def close(self) -> None:
@@ -149,7 +149,7 @@ class Timer(Handle):
 
 
 class Endpoint(Handle):
-    """A publisher's, subscription's, service's or client's handle."""
+    """The handle of a publisher, subscription, service or client."""
 
     def get_topic_name(self) -> str:
         """The resolved name."""
@@ -188,7 +188,7 @@ class Subscription(Endpoint):
         super().__init__(node.core.subscription(node.name_for("subscription", topic, msg_type), msg_type, _qos_of(qos)))
 
     def take_message(self, msg_type: Any = None, raw: bool = False) -> tuple[Any, dict[str, Any]] | None:
-        """The oldest message and what is known of it; None when there is none."""
+        """The oldest message and its info; None when there is none."""
         self.check()
         entry = self.core.take()
         if entry is None:
@@ -210,7 +210,7 @@ class Service(Endpoint):
         return (None, None) if taken is None else (taken[0], service_info(taken[1]))
 
     def service_send_response(self, response: Any, header: Any) -> None:
-        """Answer the request that `header` names."""
+        """Answer the request that `header` identifies."""
         self.check()
         self.core.respond(getattr(header, "request_id", header), response)
 
@@ -222,12 +222,12 @@ class Client(Endpoint):
         super().__init__(node.core.client(node.name_for("client", name, srv_type), srv_type, _qos_of(qos)))
 
     def send_request(self, request: Any) -> int:
-        """Send a copy; the request's number."""
+        """Send a copy; return the request's number."""
         self.check()
         return self.core.send(request)
 
     def service_server_is_available(self) -> bool:
-        """Whether somebody serves it."""
+        """Whether the service has a server."""
         self.check()
         return self.core.server_is_ready()
 
@@ -239,7 +239,7 @@ class Client(Endpoint):
 
 
 class NodeHandle(Handle):
-    """A node's handle: its names and how it resolves others."""
+    """A node's handle: its names, and how it resolves other names."""
 
     def __init__(self, core: Any, resolve: Any, logger_name: str) -> None:
         super().__init__(core)
@@ -247,7 +247,7 @@ class NodeHandle(Handle):
         self._logger_name = logger_name
 
     def name_for(self, kind: str, name: str, msg_type: Any) -> str:
-        """The resolved name of a new end, such as a "publisher"; RCLError where it has another type."""
+        """The resolved name of a new endpoint, such as a "publisher"; RCLError if the name has another type."""
         resolved: str = self.resolve(name, "topic" if kind in TOPIC_ENDS else "service")
         check_type(self.core, kind, resolved, msg_type)
         return resolved
@@ -274,7 +274,7 @@ class NodeHandle(Handle):
 
 
 def __getattr__(name: str) -> Any:
-    """The names that are defined above this module: Humble's QoSEvent, later EventHandle, and QoS profiles."""
+    """Names defined in higher-level modules: Humble's QoSEvent (later EventHandle) and the QoS profiles."""
     if name in ("QoSEvent", "EventHandle"):
         from rclpy.event_handler import QoSEvent
 

@@ -1,4 +1,4 @@
-"""The threads of a multi-threaded executor: started when they are needed, kept, and never more than were asked for."""
+"""The threads of a multi-threaded executor: started on demand, reused, and limited in number."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ _KEY = "rclpy.thread_pools"
 
 
 class ThreadPool:
-    """Runs jobs in at most `size` threads; one that has ended its job takes the next.
+    """Runs jobs in at most `size` threads; a thread that has finished its job takes the next.
 
-    A thread waits for work on the session's clock, so a Ctrl-C or the end of its process reaches it, and on the virtual
-    clock the order is the same in every run. `concurrent.futures` would wait in C code, which nothing can interrupt.
+    A thread waits for work on the session's clock: a Ctrl-C or the end of its process interrupts the wait, and on the
+    virtual clock the order is the same in every run. `concurrent.futures` would wait in C code, uninterruptibly.
 
     >>> from coursekit.core.clock import WallClock
     >>> clock = WallClock(); pool = ThreadPool(2, clock); done = clock.new_event()
@@ -41,11 +41,11 @@ class ThreadPool:
             process.before_join.append(self.close)
 
     def is_full(self) -> bool:
-        """Whether every thread that there may be has work."""
+        """Whether all `size` threads are busy."""
         return self._started >= self.size and not self._idle
 
     def submit(self, job: Callable[[], Any]) -> None:
-        """Have a thread run `job`, which must not raise; the caller has seen that the pool is not full."""
+        """Run `job` in a thread. `job` must not raise, and the caller must have checked that the pool is not full."""
         with self._lock:
             worker = self._idle.popleft() if self._idle else None
             if worker is None:
@@ -54,7 +54,7 @@ class ThreadPool:
         worker.give(job)
 
     def close(self) -> None:
-        """End the threads that have no work now, and the others after theirs."""
+        """End the idle threads now, and the busy ones after their jobs."""
         with self._lock:
             self._closed = True
             idle = list(self._idle)
@@ -63,7 +63,7 @@ class ThreadPool:
             worker.give(None)
 
     def rest(self, worker: _Worker) -> bool:
-        """Note that a thread has no work; False if it is to end."""
+        """Note that a thread is idle; False if it must end."""
         with self._lock:
             goes_on = not self._closed
             if goes_on:
@@ -81,11 +81,11 @@ class _Worker:
         self._pool = pool
         self._waiter = clock.new_waiter()
         self._jobs: deque[Callable[[], Any] | None] = deque()
-        in_process = current_process() is not None  # which waits for threads that are no daemons, as Python does
+        in_process = current_process() is not None  # a process waits for non-daemon threads, as Python does
         self._thread: threading.Thread | None = threading.Thread(target=self._work, name=name, daemon=not in_process)
 
     def give(self, job: Callable[[], Any] | None) -> None:
-        """Have it run `job`; None ends it."""
+        """Run `job` in this thread; None ends the thread."""
         self._jobs.append(job)
         thread, self._thread = self._thread, None
         if thread is not None:
@@ -96,7 +96,7 @@ class _Worker:
     def _work(self) -> None:
         while (job := self._next()) is not None:
             job()
-            del job  # it knows the executor, which would live on in a thread that waits
+            del job  # it refers to the executor, which a waiting thread would keep alive
             if not self._pool.rest(self):
                 return
 

@@ -1,4 +1,4 @@
-"""The wait set that waitables fill and ask."""
+"""The wait set that waitables fill and query."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from coursekit.processes.session import current
 
 
 class WaitSet:
-    """Stands for rcl's wait set: a waitable adds its handles and asks which of them are ready."""
+    """Replaces rcl's wait set: a waitable adds its handles and asks which of them are ready."""
 
     def __init__(self, *_sizes: Any) -> None:
         self.handles: dict[str, list[Any]] = {}
 
     def clear_entities(self) -> None:
-        """Wait for nothing."""
+        """Remove all entities."""
         self.handles.clear()
 
     def _add(self, kind: str, handle: Any) -> int:
@@ -49,14 +49,14 @@ class WaitSet:
         return self._add("event", handle)
 
     def is_ready(self, kind: str, index: int) -> bool:
-        """Whether that entity is ready."""
+        """Whether the entity at an index is ready."""
         handle = self.handles[kind][index]
         if kind == "guard_condition":
             return handle.core.take()
         return handle.core.has_work()
 
     def wait(self, timeout_nsec: int) -> None:
-        """Wait until one of them is ready, at most so long; negative: without end. They may be waited for elsewhere too."""
+        """Wait until an entity is ready, for at most `timeout_nsec` (negative: no limit). Others may wait for it too."""
         clock = current().clock
         deadline = None if timeout_nsec < 0 else clock.steady() + timeout_nsec
         while not any(source.has_work() for source in self.sources()):
@@ -65,7 +65,7 @@ class WaitSet:
             clock.sleep(0.001)
 
     def sources(self) -> Iterator[Source]:
-        """All that was added."""
+        """The sources of all entities that were added."""
         for handles in self.handles.values():
             for handle in handles:
                 yield handle.core

@@ -26,7 +26,7 @@ class CallbackGroup:
         raise NotImplementedError()
 
     def beginning_execution(self, entity: Any) -> bool:
-        """Note that the callback begins; False if it may not."""
+        """Note that the callback begins; False if it must not begin."""
         raise NotImplementedError()
 
     def ending_execution(self, entity: Any) -> None:

@@ -14,7 +14,7 @@ __getattr__ = lender(__name__)  # names that programs import from here
 
 
 class Client:
-    """Made by `Node.create_client`."""
+    """A service client, created by `Node.create_client`."""
 
     def __init__(
         self,
@@ -35,7 +35,7 @@ class Client:
         self._lock = threading.RLock()
 
     def call(self, request: Any, timeout_sec: float | None = None) -> Any:
-        """Ask, and wait for the response. Never call it in a callback of the executor that has to take the response."""
+        """Send a request and wait for the response; never in a callback of the executor that must take it."""
         self._check_request(request)
         answered = current().clock.new_event()
         future = self.call_async(request)
@@ -48,7 +48,7 @@ class Client:
         return future.result()
 
     def call_async(self, request: Any) -> Future:
-        """Ask; the future gets the response."""
+        """Send a request; the future gets the response."""
         self._check_request(request)
         with self._lock, self.__client:
             number = self.__client.core.peek_number()
@@ -63,7 +63,7 @@ class Client:
             raise TypeError()
 
     def get_pending_request(self, sequence_number: int) -> Future:
-        """The future of a request that is not answered; KeyError if there is none."""
+        """The future of a pending request; KeyError if there is none."""
         with self._lock:
             return self._pending_requests[sequence_number]
 
@@ -75,13 +75,13 @@ class Client:
                     del self._pending_requests[number]
 
     def service_is_ready(self) -> bool:
-        """Whether somebody serves it."""
+        """Whether the service has a server."""
         with self.__client:
             current().clock.poll()
             return self.__client.service_server_is_available()
 
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
-        """Wait until somebody serves it, at most `timeout_sec`; whether somebody does."""
+        """Wait for a server, for at most `timeout_sec`; return whether there is one."""
         clock = current().clock
         deadline = None if timeout_sec is None or timeout_sec < 0 else clock.steady() + int(timeout_sec * 1e9)
         changed = clock.new_event()
@@ -102,7 +102,7 @@ class Client:
 
     @property
     def handle(self) -> _Handle:
-        """The handle."""
+        """The client's handle."""
         return self.__client
 
     @property

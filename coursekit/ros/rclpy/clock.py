@@ -1,4 +1,4 @@
-"""Clocks: system, steady and ROS time; the last follows /clock when `use_sim_time` is set."""
+"""Clocks: system, steady and ROS time; ROS time follows /clock when `use_sim_time` is set."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ __all__ = ["Clock", "ClockChange", "ClockType", "JumpHandle", "JumpThreshold", "
 
 
 class JumpThreshold:
-    """Which jumps of a clock are worth a callback."""
+    """The clock jumps that trigger a callback."""
 
     def __init__(
         self, *, min_forward: Duration | None, min_backward: Duration | None, on_clock_change: bool = True
@@ -33,7 +33,7 @@ class JumpThreshold:
         self.on_clock_change = on_clock_change
 
     def exceeded_by(self, delta: int, toggled: bool) -> bool:
-        """Whether a jump of `delta` nanoseconds counts."""
+        """Whether a jump of `delta` nanoseconds exceeds the threshold."""
         if toggled:
             return bool(self.on_clock_change)
         forward = self.min_forward is not None and delta >= self.min_forward.nanoseconds
@@ -41,7 +41,7 @@ class JumpThreshold:
 
 
 class TimeJump:
-    """A jump that has happened."""
+    """A jump of a clock."""
 
     def __init__(self, clock_change: ClockChange, delta: Duration) -> None:
         if not isinstance(clock_change, ClockChange):
@@ -51,7 +51,7 @@ class TimeJump:
 
     @property
     def clock_change(self) -> ClockChange:
-        """Whether simulation time went on or off."""
+        """Whether simulation time was switched on or off."""
         return self._clock_change
 
     @property
@@ -61,7 +61,7 @@ class TimeJump:
 
 
 class JumpHandle:
-    """A registered jump callback; `unregister()` takes it back."""
+    """A registered jump callback; `unregister()` removes it."""
 
     def __init__(
         self,
@@ -96,7 +96,7 @@ class JumpHandle:
         self._after(TimeJump(change, Duration(nanoseconds=delta)))
 
     def unregister(self) -> None:
-        """No more callbacks."""
+        """Remove the callbacks."""
         if self._clock is not None:
             self._clock.handle.core.remove_watcher(self)
             self._clock = None
@@ -109,7 +109,7 @@ class JumpHandle:
 
 
 class Clock:
-    """A clock of one type; one of ROS time is a `ROSClock`.
+    """A clock of one type; a clock of ROS time is a `ROSClock`.
 
     >>> Clock(clock_type=ClockType.STEADY_TIME).now().clock_type
     <ClockType.STEADY_TIME: 3>
@@ -128,19 +128,19 @@ class Clock:
 
     @property
     def clock_type(self) -> ClockType:
-        """Which time it tells."""
+        """The type of this clock."""
         return self._clock_type
 
     @property
     def handle(self) -> _Handle:
-        """The handle."""
+        """The clock's handle."""
         return self._handle
 
     def __repr__(self) -> str:
         return f"Clock(clock_type={self.clock_type.name})"
 
     def now(self) -> Time:
-        """The time."""
+        """The current time."""
         base = self._handle.core
         base.clock.poll()
         return Time._of(base.now(), self._clock_type)
@@ -152,7 +152,7 @@ class Clock:
         pre_callback: Callable[[], Any] | None = None,
         post_callback: Callable[[TimeJump], Any] | None = None,
     ) -> JumpHandle:
-        """Have callbacks called around jumps that exceed `threshold`."""
+        """Register callbacks that run before and after jumps that exceed `threshold`."""
         if post_callback is None and pre_callback is None:
             raise ValueError("One of pre_callback or post_callback must be callable")
         return JumpHandle(
@@ -160,7 +160,7 @@ class Clock:
         )
 
     def sleep_until(self, until: Time, context: Any = None) -> bool:
-        """Sleep until this clock reaches `until`; False if the context ended or ROS time went on or off meanwhile."""
+        """Sleep until this clock reaches `until`; False if the context ends or ROS time is switched on or off first."""
         context = get_default_context() if context is None else context
         if not context.ok():
             raise NotInitializedException()
@@ -174,7 +174,7 @@ class Clock:
 
 
 class _Sleep:
-    """One `sleep_until`: wakes when time has come, jumps, or the context ends."""
+    """One `sleep_until`: wakes when the time is reached, when the clock jumps, or when the context ends."""
 
     def __init__(self, clock: Clock, until: int, context: Any) -> None:
         self._base = clock.handle.core
@@ -184,7 +184,7 @@ class _Sleep:
         self._event = current().clock.new_event()
 
     def run(self) -> bool:
-        """Whether the time came."""
+        """Sleep; return whether the time was reached."""
         self._base.add_watcher(self, None, self._on_jump)
         self._context.on_shutdown(self._event.set)
         try:
@@ -206,7 +206,7 @@ class _Sleep:
 
 
 class ROSClock(Clock):
-    """ROS time: the system's, or what /clock says while simulation time is used."""
+    """ROS time: the system's time, or the time of /clock while simulation time is used."""
 
     def __new__(cls) -> ROSClock:
         return super().__new__(Clock, clock_type=ClockType.ROS_TIME)

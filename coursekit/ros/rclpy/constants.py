@@ -1,4 +1,4 @@
-"""Numbers that convert units."""
+"""Unit conversion factors."""
 
 from __future__ import annotations
 

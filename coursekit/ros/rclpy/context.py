@@ -1,4 +1,4 @@
-"""Contexts: the life between `init` and `shutdown`, to which nodes and executors belong."""
+"""Contexts: the lifetime between `init` and `shutdown`; nodes and executors belong to one."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSAr
 
 
 class ContextHandle:
-    """An initialised context's content: its arguments, its graph and its nodes."""
+    """The content of an initialized context: its arguments, its graph and its nodes."""
 
     def __init__(self, args: list[str], domain_id: int) -> None:
         self.arguments = _parse(args)
@@ -34,7 +34,7 @@ class ContextHandle:
         """Nothing is held."""
 
     def ok(self) -> bool:
-        """Whether it was not shut down."""
+        """Whether the context has not been shut down."""
         return self.alive
 
     def get_domain_id(self) -> int:
@@ -42,7 +42,7 @@ class ContextHandle:
         return self.domain_id
 
     def shutdown(self) -> None:
-        """End it."""
+        """Shut the context down; a second call is an error."""
         if not self.alive:
             raise RCLError(
                 "failed to shutdown: rcl_shutdown already called on the given context, at ./src/rcl/init.c:241"
@@ -69,23 +69,23 @@ class Context:
 
     @property
     def handle(self) -> ContextHandle | None:
-        """The handle, None before `init`."""
+        """The handle; None before `init`."""
         return self._handle
 
     def destroy(self) -> None:
-        """Let go of it."""
+        """Invalidate the handle."""
         if self._handle is not None:
             self._handle.alive = False
 
     def init(
         self, args: list[str] | None = None, *, initialize_logging: bool = True, domain_id: int | None = None
     ) -> None:
-        """Begin: read the ROS arguments (sys.argv by default) and join the domain."""
+        """Initialize the context: read the ROS arguments (sys.argv by default) and join the domain."""
         if domain_id is not None and domain_id < 0:
             raise RuntimeError(f"Domain id ({domain_id}) should not be lower than zero.")
         words = list(sys.argv if args is None else args)
         for word in words:
-            word.encode()  # UnicodeEncodeError for what is no text
+            word.encode()  # UnicodeEncodeError for text that cannot be encoded
         with self._lock:
             if self._handle is not None and self._handle.ok():
                 raise RuntimeError("Context.init() must only be called once")
@@ -99,12 +99,12 @@ class Context:
         self._handle.session.meet(self._handle.domain_id)
 
     def ok(self) -> bool:
-        """Whether it is between init and shutdown."""
+        """Whether the context is between init and shutdown."""
         handle = self._handle
         return handle is not None and handle.alive
 
     def shutdown(self) -> None:
-        """End; a second time is an error."""
+        """Shut the context down; a second call is an error."""
         if self._handle is None:
             raise RuntimeError("Context must be initialized before it can be shutdown")
         with self._lock:
@@ -112,7 +112,7 @@ class Context:
         self._call_on_shutdown_callbacks()
 
     def try_shutdown(self) -> None:
-        """End, unless it has ended."""
+        """Shut the context down unless it is already shut down."""
         with self._lock:
             if not self.ok():
                 return
@@ -130,7 +130,7 @@ class Context:
             )
 
     def remove_on_shutdown(self, callback: Callable[[], Any]) -> None:
-        """Take a callback back."""
+        """Remove a shutdown callback."""
         with self._lock:
             self._callbacks = [one for one in self._callbacks if _resolve(one) != callback]
 
@@ -149,16 +149,16 @@ class Context:
                 callback()
 
     def get_domain_id(self) -> int:
-        """The ROS domain that it joined."""
+        """The ROS domain that the context has joined."""
         if self._handle is None:
             raise RuntimeError("Context must be initialized before it can have a domain id")
         return self._handle.domain_id
 
     def track_node(self, node: Any) -> None:
-        """Called by a node that joins."""
+        """Do nothing; a node that joins calls this."""
 
     def untrack_node(self, node: Any) -> None:
-        """Called by a node that leaves."""
+        """Do nothing; a node that leaves calls this."""
 
     def __enter__(self) -> Context:
         if self._handle is None:
@@ -195,7 +195,7 @@ def _contexts_here() -> list[Context]:
 
 
 def _end_all(process: Any) -> None:
-    """A process that ends takes its contexts and nodes with it, shut down or not."""
+    """At the end of a process, shut down its contexts and close its remaining nodes."""
     for context in list(process.locals["contexts"]):
         context.try_shutdown()
     for graph in process.session.graphs.values():

@@ -1,4 +1,4 @@
-"""A length of time. In ROS 2: rclpy.duration."""
+"""Durations. In ROS 2: rclpy.duration."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _LARGEST = 2**63 - 1
 
 
 class Duration:
-    """A length of time in nanoseconds, negative or positive, within 64 bits.
+    """A duration in nanoseconds, negative or positive, within 64 bits.
 
     >>> Duration(seconds=1.5).nanoseconds
     1500000000
@@ -29,7 +29,7 @@ class Duration:
 
     @property
     def nanoseconds(self) -> int:
-        """The whole length in nanoseconds."""
+        """The whole duration in nanoseconds."""
         return self._ns
 
     def __repr__(self) -> str:
@@ -65,7 +65,7 @@ class Duration:
         raise TypeError("Can't compare duration with object of type: ", type(other))
 
     def to_msg(self) -> DurationMsg:
-        """Return it as builtin_interfaces/msg/Duration (nanosec never negative)."""
+        """Return a builtin_interfaces/msg/Duration (nanosec never negative)."""
         seconds, nanoseconds = divmod(self._ns, _NS)
         return DurationMsg(sec=seconds, nanosec=nanoseconds)
 
@@ -77,7 +77,7 @@ class Duration:
         return cls(seconds=msg.sec, nanoseconds=msg.nanosec)
 
     def get_c_duration(self) -> Duration:
-        """Return the duration itself: there is no C behind it."""
+        """Return the duration itself: there is no C object behind it."""
         return self
 
 

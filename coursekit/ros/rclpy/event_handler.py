@@ -1,4 +1,4 @@
-"""QoS events: a callback when a deadline passes, a publisher falls silent, or two endpoints do not fit."""
+"""QoS events: callbacks for a missed deadline, a publisher that falls silent, or two incompatible endpoints."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from rclpy.waitable import NumberOfEntities, Waitable
 
 @dataclass
 class QoSRequestedDeadlineMissedInfo:
-    """A subscription's deadline passed."""
+    """A subscription's deadline was missed."""
 
     total_count: int = 0
     total_count_change: int = 0
@@ -24,7 +24,7 @@ class QoSRequestedDeadlineMissedInfo:
 
 @dataclass
 class QoSOfferedDeadlineMissedInfo:
-    """A publisher's deadline passed."""
+    """A publisher's deadline was missed."""
 
     total_count: int = 0
     total_count_change: int = 0
@@ -32,7 +32,7 @@ class QoSOfferedDeadlineMissedInfo:
 
 @dataclass
 class QoSLivelinessLostInfo:
-    """A publisher's lease ran out."""
+    """A publisher's lease expired."""
 
     total_count: int = 0
     total_count_change: int = 0
@@ -137,7 +137,7 @@ _KINDS: dict[Any, tuple[str, Callable[[dict[str, Any]], Any]]] = {
 
 
 class QoSEvent(Handle):
-    """One kind of event of one endpoint; UnsupportedEventTypeError when it has no such events."""
+    """One kind of event of one endpoint; UnsupportedEventTypeError if the endpoint has no such event."""
 
     def __init__(self, parent: Any, event_type: Any) -> None:
         side = "p" if isinstance(event_type, QoSPublisherEventType) else "s"
@@ -147,12 +147,12 @@ class QoSEvent(Handle):
         super().__init__(parent.core.status(kind))
 
     def take_event(self) -> Any:
-        """The changes since the last time."""
+        """The changes since the last call."""
         return self._read(self.core.take())
 
 
 class EventHandler(Waitable):
-    """Calls back when one kind of event of one endpoint has happened."""
+    """Calls a callback on one kind of event of one endpoint."""
 
     def __init__(
         self, *, callback_group: Any, callback: Callable[[Any], Any], event_type: Any, parent_impl: Any
@@ -163,7 +163,7 @@ class EventHandler(Waitable):
         self._event = QoSEvent(parent_impl, event_type)
 
     def is_ready(self, wait_set: Any) -> bool:
-        """Whether it has happened."""
+        """Whether an event has occurred."""
         return self._event.core.has_work()
 
     def take_data(self) -> Any:
@@ -171,7 +171,7 @@ class EventHandler(Waitable):
         return self._event.take_event()
 
     async def execute(self, taken_data: Any) -> None:
-        """Call back."""
+        """Run the callback."""
         from rclpy.executors import await_or_execute
 
         await await_or_execute(self.callback, taken_data)
@@ -185,7 +185,7 @@ class EventHandler(Waitable):
         wait_set.add_event(self._event)
 
     def destroy(self) -> None:
-        """Let go of it."""
+        """Invalidate the event and detach it from the executor."""
         self._event.valid = False
         self._event.core.attach(None, None)
 
@@ -202,14 +202,14 @@ def _warn(logger_name: str, text: str) -> Callable[[Any], None]:
 
 
 class _EventCallbacks:
-    """The common part of both sides."""
+    """The common part of publishers and subscriptions."""
 
     _warning = ""
     _names: tuple[tuple[str, Any], ...] = ()
     use_default_callbacks = True
 
     def create_event_handlers(self, callback_group: Any, handle: Any, topic_name: str) -> list[EventHandler]:
-        """The handlers of the callbacks that were given, and of the default one."""
+        """The handlers of the given callbacks, and of the default callback."""
         handlers = []
         for name, event_type in self._names:
             callback = getattr(self, name)

@@ -20,14 +20,14 @@ class NotInitializedException(Exception):
 
 
 class NoTypeSupportImportedException(Exception):
-    """A class that is no ROS interface was given as a type."""
+    """A class that is not a ROS interface was passed as a type."""
 
     def __init__(self, *args: Any) -> None:
         super().__init__("no type_support imported", *args)
 
 
 class NameValidationException(Exception):
-    """A name breaks the rules; the text points at the first bad character.
+    """A name breaks the rules; the message points at the first bad character.
 
     >>> print(NameValidationException("topic name", "a b", "must not contain a space", 1))
     Invalid topic name: must not contain a space:
@@ -73,7 +73,7 @@ class InvalidServiceNameException(NameValidationException):
 
 
 class ParameterException(Exception):
-    """Root of what parameters raise."""
+    """The base class of exceptions about parameters."""
 
     def __init__(self, error_msg: str, parameters: Any, *args: Any) -> None:
         super().__init__(error_msg, parameters, *args)
@@ -94,14 +94,14 @@ class ParameterAlreadyDeclaredException(ParameterException):
 
 
 class InvalidParameterException(ParameterException):
-    """A parameter's name is no name."""
+    """A parameter's name is invalid."""
 
     def __init__(self, parameter: Any, *args: Any) -> None:
         super().__init__("Invalid parameter name", parameter, *args)
 
 
 class InvalidParameterTypeException(ParameterException):
-    """A value of another type than the parameter was declared with."""
+    """A value's type differs from the declared type of the parameter."""
 
     def __init__(self, desired_parameter: Any, expected_type: Any, *args: Any) -> None:
         was = f"to '{desired_parameter.value}' of type '{desired_parameter.type_.name}'"
@@ -110,7 +110,7 @@ class InvalidParameterTypeException(ParameterException):
 
 
 class InvalidParameterValueException(ParameterException):
-    """A value that the descriptor or a callback of the node refused."""
+    """A value was refused by the parameter's descriptor or by a callback of the node."""
 
     def __init__(self, parameter: Any, value: Any, reason: str, *args: Any) -> None:
         text = f"Invalid parameter value ({value}) for parameter. Reason: {reason}"
@@ -118,7 +118,7 @@ class InvalidParameterValueException(ParameterException):
 
 
 class ParameterImmutableException(ParameterException):
-    """A read-only parameter was to be changed."""
+    """An attempt to change a read-only parameter."""
 
     def __init__(self, parameter: Any, *args: Any) -> None:
         super().__init__("Attempted to modify read-only parameter", parameter, *args)

@@ -56,11 +56,11 @@ class SingleThreadedExecutor(Executor):
         self._run(entity, work)
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Wait for one callback and run it, at most `timeout_sec`."""
+        """Wait for one callback, for at most `timeout_sec`, and run it."""
         self._spin_once(timeout_sec, never)
 
     def spin_once_until_future_complete(self, future: Future, timeout_sec: Any = None) -> None:
-        """Like `spin_once`, and returns when `future` is done."""
+        """Like `spin_once`, but also return when `future` is done."""
         future.add_done_callback(lambda _: self.wake())
         self._spin_once(timeout_sec, future.done)
 
@@ -68,8 +68,8 @@ class SingleThreadedExecutor(Executor):
 class MultiThreadedExecutor(Executor):
     """Runs callbacks in a pool of threads, as far as their callback groups allow.
 
-    Without `num_threads` there are as many as processors that this program may use. What a callback raises is raised by
-    the next spin. `shutdown` does not wait for callbacks that run; a program that ends does.
+    The default of `num_threads` is the number of processors that this program may use. The next spin raises a callback's
+    exception. `shutdown` does not wait for running callbacks; the end of a program does.
     """
 
     def __init__(self, num_threads: int | None = None, *, context: Any = None) -> None:
@@ -84,7 +84,7 @@ class MultiThreadedExecutor(Executor):
         self._pool = ThreadPool(num_threads, self._clock, self.wake)
 
     def wake(self) -> None:
-        """Have a blocked spin look again, also one that waits for a thread."""
+        """Make a blocked spin check for work again, even if it waits for a thread."""
         super().wake()
         self._free.set()
 
@@ -93,7 +93,7 @@ class MultiThreadedExecutor(Executor):
             self._pool.close()
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
-        """Stop; True. Threads that run a callback end with it."""
+        """Stop and return True. Threads that run a callback end after it."""
         stopped = super().shutdown(timeout_sec)
         self._pool.close()
         return stopped
@@ -111,7 +111,7 @@ class MultiThreadedExecutor(Executor):
         self._pool.submit(lambda: self._work(entity, work))
 
     def _wait_for_thread(self, deadline: int | None, condition: Callable[[], bool]) -> None:
-        """Wait until a thread is free; what else ends a spin ends this wait."""
+        """Wait until a thread is free. Everything else that ends a spin also ends this wait."""
         while True:
             self._free.clear()
             if not self._pool.is_full():
@@ -135,7 +135,7 @@ class MultiThreadedExecutor(Executor):
             raise
         except Exception as error:
             self._errors.append(error)
-        except BaseException:  # such as SystemExit: it ends a callback, and neither its thread nor the program
+        except BaseException:  # such as SystemExit: it ends the callback, but neither its thread nor the program
             pass
 
     def _raise_error(self) -> None:
@@ -143,10 +143,10 @@ class MultiThreadedExecutor(Executor):
             raise self._errors.pop(0)
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Wait for one callback and have a thread run it."""
+        """Wait for one callback and run it in a thread of the pool."""
         self._spin_once(timeout_sec, never)
 
     def spin_once_until_future_complete(self, future: Future, timeout_sec: Any = None) -> None:
-        """Like `spin_once`, and returns when `future` is done."""
+        """Like `spin_once`, but also return when `future` is done."""
         future.add_done_callback(lambda _: self.wake())
         self._spin_once(timeout_sec, future.done)

@@ -6,7 +6,7 @@ from coursekit.rcl import names
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
-    """Return the full name as the node means it; ValueError says what is wrong.
+    """Return the full name of a node's topic; ValueError for an invalid name.
 
     >>> expand_topic_name("~/pose", "turtle", "/sim")
     '/sim/turtle/pose'

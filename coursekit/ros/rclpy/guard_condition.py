@@ -1,4 +1,4 @@
-"""Guard conditions: flags that a program raises to have a callback run in the executor."""
+"""Guard conditions: flags that a program triggers to run a callback in the executor."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rclpy._rclpy_pybind11 import GuardCondition as _Handle
 
 
 class GuardCondition:
-    """Made by `Node.create_guard_condition`."""
+    """A guard condition, created by `Node.create_guard_condition`."""
 
     def __init__(self, callback: Callable[[], Any] | None, callback_group: Any, context: Any = None) -> None:
         self._handle = _Handle()
@@ -18,12 +18,12 @@ class GuardCondition:
         self._executor_event = False
 
     def trigger(self) -> None:
-        """Have the callback run."""
+        """Run the callback in the executor."""
         self._handle.trigger_guard_condition()
 
     @property
     def handle(self) -> _Handle:
-        """The handle."""
+        """The guard condition's handle."""
         return self._handle
 
     def destroy(self) -> None:

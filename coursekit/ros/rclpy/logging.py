@@ -26,22 +26,22 @@ def get_logger(name: str) -> RcutilsLogger:
 
 
 def initialize() -> None:
-    """Begin to log: nothing to do, the first message does it."""
+    """Initialize logging. Not required: the first message does it."""
     logging_state()
 
 
 def shutdown() -> None:
-    """End logging: levels that were set are forgotten."""
+    """Shut logging down: reset the levels that were set."""
     logging_state().forget_levels()
 
 
 def clear_config() -> None:
-    """Forget the levels that were set."""
+    """Reset the levels that were set."""
     logging_state().forget_levels()
 
 
 def configure(arguments: RosArguments) -> None:
-    """Do what `--log-level` and `--disable-stdout-logs` of a command line say, and show its warnings."""
+    """Apply a command line's logging options, such as `--log-level` and `--disable-stdout-logs`; log its warnings."""
     state = logging_state()
     state.to_console = arguments.stdout_enabled
     state.to_file = arguments.external_lib_enabled
@@ -52,22 +52,22 @@ def configure(arguments: RosArguments) -> None:
 
 
 def set_logger_level(name: str, level: LoggingSeverity | int, detailed_error: bool = False) -> None:
-    """Set the level of the named logger; '' sets the default. ValueError for a number that is no severity."""
+    """Set the level of the named logger; '' sets the default. ValueError for a number that is not a severity."""
     logging_state().set_level(name, LoggingSeverity(level).value)
 
 
 def get_logger_effective_level(name: str) -> LoggingSeverity:
-    """Return the severity from which the named logger shows messages."""
+    """Return the lowest severity that the named logger shows."""
     return LoggingSeverity(logging_state().effective_level(name))
 
 
 def get_logger_level(name: str) -> LoggingSeverity:
-    """Return the level set for the named logger itself, UNSET when there is none."""
+    """Return the level set for the named logger itself, or UNSET if there is none."""
     return LoggingSeverity(logging_state().level(name))
 
 
 def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
-    """Return the severity that a word means, in any case; RuntimeError for another word.
+    """Return the severity with a name, case-insensitively; RuntimeError for an unknown name.
 
     >>> get_logging_severity_from_string("warn")
     <LoggingSeverity.WARN: 30>
@@ -80,5 +80,5 @@ def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
 
 
 def get_logging_directory() -> Path:
-    """Return where log files are kept: ROS_LOG_DIR, else the folder log in ROS_HOME or ~/.ros."""
+    """Return the folder of log files: ROS_LOG_DIR, else the folder log in ROS_HOME or ~/.ros."""
     return logging_directory(os.environ)

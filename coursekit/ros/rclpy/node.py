@@ -64,8 +64,8 @@ _ROSOUT_QOS = QoSProfile(
 class Node(NodeEntities, NodeParameters, NodeGraph):
     """A participant of the ROS graph.
 
-    Its private names begin with `_rclpy_`, except those that Humble's nodes have too: a program's node inherits them, and
-    has names such as `_check`, `_graph` and `_publishers` of its own.
+    Its private names begin with `_rclpy_`, except those that Humble's nodes also have. A program's node inherits them, and
+    may define names such as `_check`, `_graph` and `_publishers` itself.
     """
 
     _rclpy_handle: Any
@@ -105,7 +105,7 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         self._allow_undeclared_parameters = allow_undeclared_parameters
         if not self._context.ok():
             raise NotInitializedException("cannot create node")
-        if component := take_for_first_node():  # as rclcpp_components makes the nodes of a container
+        if component := take_for_first_node():  # as rclcpp_components creates the nodes of a container
             cli_args, use_global_arguments = [*component.arguments, "--", *(cli_args or [])], False
             parameter_overrides = [*(parameter_overrides or []), *component.parameters]
         self._rclpy_join_graph(node_name, namespace, cli_args, use_global_arguments)
@@ -174,36 +174,36 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
             wanted = [(name, parameter.value, ParameterDescriptor(dynamic_typing=True)) for name, parameter in known]
             self.declare_parameters("", wanted, ignore_override=True)
 
-    # -- what it is
+    # -- properties
 
     @property
     def publishers(self) -> Iterator[Publisher]:
-        """The publishers made by this node."""
+        """The publishers created by this node."""
         yield from list(self._rclpy_publishers)
 
     @property
     def subscriptions(self) -> Iterator[Subscription]:
-        """The subscriptions made by this node."""
+        """The subscriptions created by this node."""
         yield from list(self._rclpy_subscriptions)
 
     @property
     def clients(self) -> Iterator[Client]:
-        """The service clients made by this node."""
+        """The service clients created by this node."""
         yield from list(self._rclpy_clients)
 
     @property
     def services(self) -> Iterator[Service]:
-        """The services made by this node."""
+        """The services created by this node."""
         yield from list(self._rclpy_services)
 
     @property
     def timers(self) -> Iterator[Timer]:
-        """The timers made by this node."""
+        """The timers created by this node."""
         yield from list(self._rclpy_timers)
 
     @property
     def guards(self) -> Iterator[GuardCondition]:
-        """The guard conditions made by this node."""
+        """The guard conditions created by this node."""
         yield from list(self._rclpy_guards)
 
     @property
@@ -213,7 +213,7 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
 
     @property
     def context(self) -> Any:
-        """The context it belongs to."""
+        """The node's context."""
         return self._context
 
     def get_name(self) -> str:
@@ -263,7 +263,7 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
     # -- leaving
 
     def destroy_node(self) -> None:
-        """Leave the graph with all that belongs to the node; harmless the second time."""
+        """Destroy the node and its entities; later calls have no effect."""
         if self._rclpy_handle is None or not self._rclpy_handle.valid:
             return
         if self.executor is not None:

@@ -37,8 +37,8 @@ _LISTS = (list, tuple, array.array)
 class Parameter:
     """A named value.
 
-    `type_` is found from the value when it is not given. Raises TypeError when `type_` is no Parameter.Type
-    or no type fits the value, ValueError when the two do not agree.
+    `type_` is inferred from the value if it is not given. Raises TypeError if `type_` is not a Parameter.Type
+    or no type fits the value, and ValueError if the two do not agree.
 
     >>> Parameter("rate", value=2.5).type_
     <Type.DOUBLE: 3>
@@ -65,7 +65,7 @@ class Parameter:
 
         @classmethod
         def from_parameter_value(cls, parameter_value: Any) -> Parameter.Type:
-            """Return the type that the value has; TypeError when it fits none.
+            """Return the type of a value; TypeError if no type fits.
 
             >>> Parameter.Type.from_parameter_value([True, False])
             <Type.BOOL_ARRAY: 6>
@@ -83,7 +83,7 @@ class Parameter:
             raise TypeError(f"The given value is not a list of one of the allowed types '{parameter_value}'.")
 
         def check(self, parameter_value: Any) -> bool:
-            """Say whether a parameter of this type may hold the value."""
+            """Return whether a parameter of this type may hold the value."""
             if self is Parameter.Type.NOT_SET:
                 return parameter_value is None
             if self.name in _SCALARS:
@@ -118,12 +118,12 @@ class Parameter:
 
     @property
     def type_(self) -> Parameter.Type:
-        """The parameter's value."""
+        """The parameter's type."""
         return self._type_
 
     @property
     def value(self) -> Any:
-        """The value; None when it is not set."""
+        """The value; None if it is not set."""
         return self._value
 
     def get_parameter_value(self) -> ParameterValue:
@@ -134,12 +134,12 @@ class Parameter:
         return message
 
     def to_parameter_msg(self) -> ParameterMsg:
-        """Return the whole as rcl_interfaces/msg/Parameter."""
+        """Return the parameter as rcl_interfaces/msg/Parameter."""
         return ParameterMsg(name=self._name, value=self.get_parameter_value())
 
 
 def _fitting(type_: Parameter.Type, value: Any) -> Any:
-    """The value as its message field takes it: numbers in arrays of eight bytes, the rest in lists."""
+    """The value in the form of its message field: several numbers as an array of 8-byte items, other items as a list."""
     if type_ is Parameter.Type.INTEGER_ARRAY:
         return array.array("q", value)
     if type_ is Parameter.Type.DOUBLE_ARRAY:
@@ -148,7 +148,7 @@ def _fitting(type_: Parameter.Type, value: Any) -> Any:
 
 
 def get_parameter_value(string_value: str) -> ParameterValue:
-    """Guess the value that a word on the command line means (plain YAML rules).
+    """Guess the value of a word on the command line (plain YAML rules).
 
     >>> get_parameter_value("[1, 2]").integer_array_value
     array('q', [1, 2])
@@ -189,8 +189,8 @@ def parameter_dict_from_yaml_file(
 ) -> dict[str, ParameterMsg]:
     """Return the parameters of a YAML file by name.
 
-    `target_nodes` names the nodes to read for (all when not given), `use_wildcard` adds what is said
-    for `/**`, `namespace` is put before every name. Raises RuntimeError when nothing is said for the nodes.
+    `target_nodes` lists the nodes to read for (default: all), `use_wildcard` adds the values for `/**`, and
+    `namespace` is prepended to every name. Raises RuntimeError if there are no values for the nodes.
     """
     with open(parameter_file, encoding="utf-8") as file:
         nodes = _nodes_of(yaml.safe_load(file) or {}, parameter_file)

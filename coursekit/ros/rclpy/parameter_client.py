@@ -1,4 +1,4 @@
-"""Another node's parameters, over its six services. In ROS 2: rclpy.parameter_client."""
+"""Another node's parameters, through its six services. In ROS 2: rclpy.parameter_client."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Done = Callable[[Future], None]
 
 
 class AsyncParameterClient:
-    """Asks and sets the parameters of the node `remote_node_name`; every answer is a Future.
+    """Gets and sets the parameters of the node `remote_node_name`; every response is a Future.
 
     The `callback` of each method, when given, is called with that future once it is done.
     """
@@ -62,11 +62,11 @@ class AsyncParameterClient:
         ]
 
     def services_are_ready(self) -> bool:
-        """Say whether all six services are there."""
+        """Return whether all six services are available."""
         return all(client.service_is_ready() for client in self._clients)
 
     def wait_for_services(self, timeout_sec: float | None = None) -> bool:
-        """Wait for all six; False when `timeout_sec` seconds were not enough."""
+        """Wait for all six services; False if `timeout_sec` seconds passed."""
         clock = session.current().clock
         end = None if timeout_sec is None else clock.steady() + int(timeout_sec * 1e9)
         for client in self._clients:
@@ -78,51 +78,51 @@ class AsyncParameterClient:
     def list_parameters(
         self, prefixes: list[str] | None = None, depth: int | None = None, callback: Done | None = None
     ) -> Future:
-        """Ask for the names below `prefixes`, `depth` levels deep (0 is all)."""
+        """Request the names below `prefixes`, `depth` levels deep (0 is all)."""
         request = ListParameters.Request(prefixes=prefixes or [], depth=depth or 0)
         return _ask(self._list_parameter_client, request, callback)
 
     def get_parameters(self, names: list[str], callback: Done | None = None) -> Future:
-        """Ask for values."""
+        """Request values."""
         return _ask(self._get_parameter_client, GetParameters.Request(names=names), callback)
 
     def get_parameter_types(self, names: list[str], callback: Done | None = None) -> Future:
-        """Ask for types."""
+        """Request types."""
         return _ask(self._get_parameter_types_client, GetParameterTypes.Request(names=names), callback)
 
     def describe_parameters(self, names: list[str], callback: Done | None = None) -> Future:
-        """Ask for descriptors."""
+        """Request descriptors."""
         return _ask(self._describe_parameters_client, DescribeParameters.Request(names=names), callback)
 
     def set_parameters(
         self, parameters: Sequence[Parameter | ParameterMsg], callback: Done | None = None
     ) -> Future:
-        """Set each for itself."""
+        """Set each parameter separately."""
         request = SetParameters.Request(parameters=_messages(parameters))
         return _ask(self._set_parameter_client, request, callback)
 
     def set_parameters_atomically(
         self, parameters: Sequence[Parameter | ParameterMsg], callback: Done | None = None
     ) -> Future:
-        """Set all or none."""
+        """Set all parameters or none."""
         request = SetParametersAtomically.Request(parameters=_messages(parameters))
         return _ask(self._set_parameters_atomically_client, request, callback)
 
     def delete_parameters(self, names: list[str], callback: Done | None = None) -> Future:
-        """Set each to NOT_SET, which undeclares it where the node allows that."""
+        """Set each to NOT_SET, which undeclares it if the node allows that."""
         request = SetParameters.Request(parameters=[ParameterMsg(name=name) for name in names])
         return _ask(self._set_parameter_client, request, callback)
 
     def load_parameter_file(
         self, parameter_file: str, use_wildcard: bool = False, callback: Done | None = None
     ) -> Future:
-        """Set what a YAML file says for the node, each for itself."""
+        """Set the node's parameters from a YAML file, each separately."""
         return self.set_parameters(self._read(parameter_file, use_wildcard), callback)
 
     def load_parameter_file_atomically(
         self, parameter_file: str, use_wildcard: bool = False, callback: Done | None = None
     ) -> Future:
-        """Set what a YAML file says for the node, all or none."""
+        """Set the node's parameters from a YAML file, all or none."""
         return self.set_parameters_atomically(self._read(parameter_file, use_wildcard), callback)
 
     def _read(self, parameter_file: str, use_wildcard: bool) -> list[ParameterMsg]:

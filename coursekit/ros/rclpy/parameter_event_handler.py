@@ -1,4 +1,4 @@
-"""Hearing of changed parameters. In ROS 2: rclpy.parameter_event_handler (Iron and later)."""
+"""Callbacks for parameter changes. In ROS 2: rclpy.parameter_event_handler (Iron and later)."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rclpy.qos import QoSProfile, qos_profile_parameter_events
 
 
 class ParameterCallbackHandle:
-    """A callback for one parameter of one node; give it back to remove it."""
+    """A callback for one parameter of one node; pass it to `remove_parameter_callback` to remove it."""
 
     def __init__(self, parameter_name: str, node_name: str, callback: Callable[[Parameter], None]) -> None:
         self.parameter_name = parameter_name
@@ -21,14 +21,14 @@ class ParameterCallbackHandle:
 
 
 class ParameterEventCallbackHandle:
-    """A callback for every event; give it back to remove it."""
+    """A callback for every event; pass it to `remove_parameter_event_callback` to remove it."""
 
     def __init__(self, callback: Callable[[ParameterEvent], None]) -> None:
         self.callback = callback
 
 
 class ParameterEventHandler:
-    """Calls back when parameters of any node are declared or changed, from `/parameter_events`."""
+    """Runs callbacks when parameters of any node are declared or changed, as reported on `/parameter_events`."""
 
     def __init__(
         self,
@@ -54,7 +54,7 @@ class ParameterEventHandler:
         )
 
     def destroy(self) -> None:
-        """Stop listening."""
+        """Destroy the subscription to `/parameter_events`."""
         self.node.destroy_subscription(self.parameter_event_subscription)
 
     def add_parameter_callback(
@@ -69,7 +69,7 @@ class ParameterEventHandler:
         return handle
 
     def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
-        """Call it no more; ValueError when it is none of this handler's."""
+        """Remove a callback; ValueError if it does not belong to this handler."""
         self._by_parameter.remove(handle)
 
     def add_parameter_event_callback(
@@ -81,14 +81,14 @@ class ParameterEventHandler:
         return handle
 
     def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
-        """Call it no more; ValueError when it is none of this handler's."""
+        """Remove a callback; ValueError if it does not belong to this handler."""
         self._by_event.remove(handle)
 
     @staticmethod
     def get_parameter_from_event(
         event: ParameterEvent, parameter_name: str, node_name: str
     ) -> Parameter | None:
-        """Return the parameter as the event tells of it, or None."""
+        """Return the new or changed parameter of the node in the event, or None."""
         if event.node != node_name:
             return None
         found = ParameterEventHandler.get_parameters_from_event(event)
@@ -109,7 +109,7 @@ class ParameterEventHandler:
             each.callback(event)
 
     def _resolve_path(self, node_path: str | None = None) -> str:
-        """The node's full name; without one, that of the handler's own node."""
+        """A node's full name; without `node_path`, that of the handler's own node."""
         if not node_path:
             return self.node.get_fully_qualified_name()
         return node_path if node_path.startswith("/") else names.join(self.node.get_namespace(), node_path)

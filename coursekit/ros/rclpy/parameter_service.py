@@ -1,4 +1,4 @@
-"""The six services through which other nodes reach a node's parameters. In ROS 2: rclpy.parameter_service."""
+"""The six services through which other nodes access a node's parameters. In ROS 2: rclpy.parameter_service."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ TOPIC_SEPARATOR_STRING = "/"
 
 
 class ParameterService:
-    """Answers for one node, under `~/describe_parameters`, `~/get_parameters`, and so on."""
+    """Serves the parameters of one node, under `~/describe_parameters`, `~/get_parameters`, and so on."""
 
     def __init__(self, node: Any) -> None:
         self._node = weakref.ref(node)
@@ -45,7 +45,7 @@ class ParameterService:
 
     @property
     def node(self) -> Any:
-        """The node; ReferenceError when it is gone."""
+        """The node; ReferenceError if it no longer exists."""
         node = self._node()
         if node is None:
             raise ReferenceError("the node of this parameter service is gone")
@@ -99,7 +99,7 @@ class ParameterService:
 
 
 def is_listed(name: str, prefixes: list[str], depth: int) -> bool:
-    """Say whether ListParameters names the parameter; depth 0 has no limit.
+    """Return whether ListParameters lists the parameter; depth 0 means no limit.
 
     >>> is_listed("b.c.d", ["b"], 1), is_listed("b.c", ["b"], 1), is_listed("a", [], 1)
     (False, True, True)

@@ -14,7 +14,7 @@ __getattr__ = lender(__name__)  # names that programs import from here
 
 
 class Publisher:
-    """Made by `Node.create_publisher`."""
+    """A publisher, created by `Node.create_publisher`."""
 
     def __init__(
         self,
@@ -36,7 +36,7 @@ class Publisher:
         self._context_ok: Any = None
 
     def publish(self, msg: Any) -> None:
-        """Send a copy of `msg`, or a message that is given as its bytes."""
+        """Send a copy of `msg`, which may also be a serialized message (bytes)."""
         if not self.__publisher.valid:
             self.__publisher.check()
         if not isinstance(msg, self.msg_type):
@@ -50,7 +50,7 @@ class Publisher:
         self._core.publish(msg)
 
     def get_subscription_count(self) -> int:
-        """How many subscriptions it reaches."""
+        """The number of matched subscriptions."""
         with self.__publisher:
             return len(self._core.targets)
 
@@ -62,12 +62,12 @@ class Publisher:
 
     @property
     def handle(self) -> _Handle:
-        """The handle."""
+        """The publisher's handle."""
         return self.__publisher
 
     @property
     def logger_name(self) -> str:
-        """Its node's logger."""
+        """The name of its node's logger."""
         return self._core.node.full_name.strip("/").replace("/", ".")
 
     def destroy(self) -> None:
@@ -77,12 +77,12 @@ class Publisher:
         self.__publisher.destroy_when_not_in_use()
 
     def assert_liveliness(self) -> None:
-        """Say that the publisher lives, for liveliness MANUAL_BY_TOPIC."""
+        """Assert that the publisher is alive, for liveliness MANUAL_BY_TOPIC."""
         with self.__publisher:
             self._core.assert_liveliness()
 
     def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:
-        """True: a message is in the subscriptions' queues when `publish` returns."""
+        """Always True: a message is in the subscriptions' queues when `publish` returns."""
         with self.__publisher:
             return True
 

@@ -27,7 +27,7 @@ class QoSPolicyKind(IntEnum):
 
 
 def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
-    """Return the name of a policy number; ValueError for a number that is none.
+    """Return the name of a policy number; ValueError for an unknown number.
 
     >>> qos_policy_name_from_kind(16)
     'RELIABILITY'
@@ -36,14 +36,14 @@ def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
 
 
 class InvalidQoSProfileException(Exception):
-    """A profile that says too little."""
+    """A profile lacks required settings."""
 
     def __init__(self, *args: Any) -> None:
         super().__init__("Invalid QoSProfile", *args)
 
 
 class QoSPolicyEnum(IntEnum):
-    """A policy's choices; each has a short key for command lines.
+    """The values of a policy; each has a short key for command lines.
 
     >>> HistoryPolicy.get_from_short_key("keep_all") is HistoryPolicy.KEEP_ALL.value
     True
@@ -56,12 +56,12 @@ class QoSPolicyEnum(IntEnum):
 
     @classmethod
     def get_from_short_key(cls, name: str) -> int:
-        """Return the value for a lower case name; KeyError when there is none."""
+        """Return the value for a lower case name; KeyError if there is none."""
         return cls[name.upper()].value
 
     @property
     def short_key(self) -> str:
-        """The lower case name of the choice."""
+        """The lower case name of the value."""
         return self.name.lower()
 
     def __str__(self) -> str:
@@ -110,7 +110,7 @@ class DurabilityPolicy(QoSPolicyEnum):
 
 
 class LivelinessPolicy(QoSPolicyEnum):
-    """The policy by which a publisher counts as alive."""
+    """How a publisher shows that it is alive."""
 
     SYSTEM_DEFAULT = 0
     RMW_QOS_POLICY_LIVELINESS_SYSTEM_DEFAULT = 0
@@ -129,7 +129,7 @@ QoSLivelinessPolicy = LivelinessPolicy
 
 
 class _Policy:
-    """One checked attribute of a profile: an enum takes its own numbers, anything else its exact type."""
+    """A type-checked attribute of a profile; an enum attribute also accepts the enum's numbers."""
 
     def __init__(self, kind: type) -> None:
         self._kind = kind
@@ -149,9 +149,9 @@ class _Policy:
 
 
 class QoSProfile:
-    """A publisher's offer or a subscription's request.
+    """The QoS that a publisher offers or a subscription requests.
 
-    `history` or `depth` must be given; KEEP_LAST needs a depth. Raises InvalidQoSProfileException.
+    `history` or `depth` must be given; KEEP_LAST needs a depth. Raises InvalidQoSProfileException if one is missing.
 
     >>> QoSProfile(depth=5).history
     <HistoryPolicy.KEEP_LAST: 1>
@@ -198,11 +198,11 @@ class QoSProfile:
             )
 
     def get_c_qos_profile(self) -> QoSProfile:
-        """Return the profile itself: there is no C behind it."""
+        """Return the profile itself: there is no C object behind it."""
         return self
 
     def to_dict(self) -> dict[str, Any]:
-        """The policies by name, as the C profile gives them: `QoSProfile(**profile.to_dict())` is the same."""
+        """The policies by name, as the C profile returns them: `QoSProfile(**profile.to_dict())` is an equal profile."""
         return {name.lstrip("_"): getattr(self, name) for name in self.__slots__}
 
     def __eq__(self, other: object) -> bool:
@@ -251,11 +251,11 @@ qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPol
 
 
 class PredefinedProfiles:
-    """The class that programs know as rmw_qos_profile_t of rclpy's C module."""
+    """The class that programs access as rmw_qos_profile_t of rclpy's C module."""
 
     @staticmethod
     def predefined(name: str) -> QoSProfile:
-        """Return a profile by its variable's name, for example 'qos_profile_default'; ValueError for another one."""
+        """Return a profile by its variable name, for example 'qos_profile_default'; ValueError for an unknown name."""
         found = globals().get(name)
         if not isinstance(found, QoSProfile):
             known = ", ".join(word for word, value in globals().items() if isinstance(value, QoSProfile) and word[0] != "_")
@@ -281,14 +281,14 @@ class QoSPresetProfiles(Enum):
 
     @classmethod
     def get_from_short_key(cls, name: str) -> QoSProfile:
-        """Return the profile for a lower case name; KeyError when there is none."""
+        """Return the profile for a lower case name; KeyError if there is none."""
         return cls[name.upper()].value
 
 
 def qos_check_compatible(
     publisher_qos: QoSProfile, subscription_qos: QoSProfile
 ) -> tuple[QoSCompatibility, str]:
-    """Say whether the two match, and why not.
+    """Return whether the two profiles are compatible, and the reasons if they may not be.
 
     >>> best_effort = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
     >>> qos_check_compatible(best_effort, QoSProfile(depth=1))

@@ -1,4 +1,4 @@
-"""Policies that parameters may change: `qos_overrides./topic.publisher.depth`. In ROS 2: the same module."""
+"""QoS policies that parameters may override: `qos_overrides./topic.publisher.depth`. In ROS 2: the same module."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ class InvalidQosOverridesError(Exception):
 
 
 class QoSOverridingOptions:
-    """Which policies of an entity become read-only parameters of its node.
+    """The policies of an entity that become read-only parameters of its node.
 
-    `callback` says by a SetParametersResult whether the resulting profile is acceptable; `entity_id` tells
-    two publishers (or subscriptions) of the same topic apart.
+    `callback` accepts or refuses the resulting profile by returning a SetParametersResult. `entity_id` distinguishes
+    two publishers (or subscriptions) of the same topic.
     """
 
     def __init__(
@@ -59,7 +59,7 @@ class QoSOverridingOptions:
 
     @property
     def entity_id(self) -> str | None:
-        """The word that tells entities of one topic apart."""
+        """The word that distinguishes entities of one topic."""
         return self._entity_id
 
     @classmethod
@@ -74,10 +74,10 @@ class QoSOverridingOptions:
 def _declare_qos_parameters(
     entity_type: type, node: Any, topic_name: str, qos: QoSProfile, options: QoSOverridingOptions
 ) -> None:
-    """Declare the parameters of a publisher or subscription and change `qos` to what they say.
+    """Declare the parameters of a publisher or subscription and apply their values to `qos`.
 
     `entity_type` is Publisher or Subscription or derived from one. Raises TypeError for another class,
-    InvalidQosOverridesError when the callback refuses, RuntimeError for an unknown word.
+    InvalidQosOverridesError if the callback refuses the profile, and RuntimeError for an unknown word.
     """
     kind = _entity_name(entity_type)
     suffix = "" if options.entity_id is None else f"_{options.entity_id}"

@@ -1,4 +1,4 @@
-"""Messages to bytes and back. In ROS 2: rclpy.serialization."""
+"""Serialization of messages. In ROS 2: rclpy.serialization."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rclpy._rclpy_pybind11 import RMWError
 
 
 def serialize_message(message: Any) -> bytes:
-    """Return the message as the CDR bytes that travel on the wire; AttributeError for what is no message.
+    """Return the message as CDR bytes, the wire format; AttributeError for anything but a message.
 
     >>> from std_msgs.msg import String
     >>> serialize_message(String(data="hi")).hex(" ")
@@ -21,7 +21,7 @@ def serialize_message(message: Any) -> bytes:
 
 
 def deserialize_message(serialized_message: bytes, message_type: Any) -> Any:
-    """Return the message of the given class that the CDR bytes hold; RMWError when they hold none.
+    """Return the message of the given class from its CDR bytes; RMWError if they contain none.
 
     >>> from std_msgs.msg import String
     >>> deserialize_message(serialize_message(String(data="hi")), String)

@@ -13,7 +13,7 @@ __getattr__ = lender(__name__)  # names that programs import from here
 
 
 class Service:
-    """Made by `Node.create_service`."""
+    """A service server, created by `Node.create_service`."""
 
     def __init__(
         self,
@@ -32,7 +32,7 @@ class Service:
         self.qos_profile = qos_profile
 
     def send_response(self, response: Any, header: Any) -> None:
-        """Answer the request that `header` came with."""
+        """Answer the request that `header` belongs to."""
         if not isinstance(response, self.srv_type.Response):
             raise TypeError()
         with self.__service:
@@ -40,7 +40,7 @@ class Service:
 
     @property
     def handle(self) -> _Handle:
-        """The handle."""
+        """The service's handle."""
         return self.__service
 
     @property

@@ -1,4 +1,4 @@
-"""Ctrl-C and `kill`: what rclpy does about them, for each process."""
+"""rclpy's handling of Ctrl-C and `kill` in each process."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ class SignalHandlerGuardCondition:
         self.handle = GuardCondition()
 
     def destroy(self) -> None:
-        """Let go of it."""
+        """Destroy the guard condition."""
         self.handle.destroy_when_not_in_use()
 
 
 def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
-    """React to SIGINT (contexts end, then KeyboardInterrupt) and SIGTERM (contexts end)."""
+    """Handle SIGINT (shut contexts down, then KeyboardInterrupt) and SIGTERM (shut contexts down)."""
     process = current_process()
     if process is not None:
         process.locals["signal_options"] = options
@@ -48,7 +48,7 @@ def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions
 
 
 def _react(signum: int) -> bool:
-    """In a process: end its contexts; SIGTERM is thereby dealt with."""
+    """Handle a signal in a process: shut its contexts down. True if no further handling is needed, as for SIGTERM."""
     process = current_process()
     options = process.locals.get("signal_options", 0) if process is not None else 0
     if signum == signal.SIGINT and options & SignalHandlerOptions.SIGINT:
@@ -60,7 +60,7 @@ def _react(signum: int) -> bool:
 
 
 def _install_in_interpreter(options: SignalHandlerOptions) -> None:
-    """The interpreter's own signals; a kernel's belong to Jupyter, and only a main thread may install any."""
+    """Install the interpreter's handlers. A kernel's belong to Jupyter, and only the main thread may install any."""
     if current().embedded or threading.current_thread() is not threading.main_thread():
         return
     for signum, bit in ((signal.SIGINT, 1), (signal.SIGTERM, 2)):
@@ -88,7 +88,7 @@ def _end_and_pass_on(signum: int, frame: Any) -> None:
 
 
 def uninstall_signal_handlers() -> None:
-    """React no more."""
+    """Remove the signal handlers."""
     process = current_process()
     if process is not None:
         process.locals["signal_options"] = SignalHandlerOptions.NO
@@ -117,12 +117,12 @@ _HANDLERS = Change(
 
 
 def patches() -> list[Change]:
-    """The changes of `rclpy.init` in a plain interpreter."""
+    """The changes that `rclpy.init` makes in a plain interpreter."""
     return [_HANDLERS]
 
 
 def get_current_signal_handlers_options() -> SignalHandlerOptions:
-    """The signals that are reacted to now."""
+    """The signals that are handled now."""
     process = current_process()
     options = _interpreter["options"] if process is None else process.locals.get("signal_options", 0)
     return SignalHandlerOptions(options)

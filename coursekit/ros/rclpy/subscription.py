@@ -16,7 +16,7 @@ __getattr__ = lender(__name__)  # names that programs import from here
 
 
 class Subscription:
-    """Made by `Node.create_subscription`."""
+    """A subscription, created by `Node.create_subscription`."""
 
     class CallbackType(Enum):
         """The kinds of callbacks, by their arguments."""
@@ -60,7 +60,7 @@ class Subscription:
 
     @property
     def handle(self) -> _Handle:
-        """The handle."""
+        """The subscription's handle."""
         return self.__subscription
 
     @property
@@ -70,13 +70,13 @@ class Subscription:
             return self._core.name
 
     def get_publisher_count(self) -> int:
-        """How many publishers reach it."""
+        """The number of matched publishers."""
         with self.__subscription:
             return sum(self._core in one.targets for one in self._core.graph.publishers.get(self._core.name, ()))
 
     @property
     def logger_name(self) -> str:
-        """Its node's logger."""
+        """The name of its node's logger."""
         return self._core.node.full_name.strip("/").replace("/", ".")
 
     def destroy(self) -> None:
@@ -105,7 +105,7 @@ class Subscription:
 
 
 def _callback_type(callback: Callable[..., Any]) -> Subscription.CallbackType:
-    """Whether the callback wants to know more than the message, as later ROS versions offer."""
+    """Whether the callback also takes the message info, as in later ROS versions."""
     try:
         parameters = inspect.signature(callback).parameters.values()
     except (TypeError, ValueError):

@@ -15,7 +15,7 @@ _in_task: ContextVar[bool] = ContextVar("rclpy_in_task", default=False)
 
 
 class Future:
-    """The outcome of something that is not finished yet; it can be awaited.
+    """The result of an operation that may not be finished yet; it can be awaited.
 
     >>> future = Future()
     >>> future.set_result(42)
@@ -41,18 +41,18 @@ class Future:
 
     def __await__(self) -> Generator[Future | None, None, Any]:
         while not self._done:
-            yield self if _in_task.get() else None  # asyncio and `coroutine.send(None)` take a bare yield only
+            yield self if _in_task.get() else None  # asyncio and `coroutine.send(None)` accept only a bare yield
         return self.result()
 
     def cancel(self) -> None:
-        """Give up, unless it is done."""
+        """Cancel the future unless it is done."""
         with self._lock:
             if not self._done:
                 self._cancelled = True
         self._run_callbacks()
 
     def cancelled(self) -> bool:
-        """Whether it was given up."""
+        """Whether the future was cancelled."""
         return self._cancelled
 
     def done(self) -> bool:
@@ -60,7 +60,7 @@ class Future:
         return self._done
 
     def result(self) -> Any:
-        """The result; raises the exception if that is what was set; None while not done."""
+        """The result; None while not done. Raises the exception if one was set."""
         if self._exception is not None:
             raise self.exception()  # type: ignore[misc]
         return self._result
@@ -88,7 +88,7 @@ class Future:
         self._run_callbacks()
 
     def add_done_callback(self, callback: Callable[[Any], Any]) -> None:
-        """Call `callback(future)` when done, at once if it is done already."""
+        """Call `callback(future)` when done, or at once if the future is already done."""
         with self._lock:
             pending = not self._done
             if pending:
@@ -97,7 +97,7 @@ class Future:
             self._call(callback)
 
     def remove_done_callback(self, callback: Callable[[Any], Any]) -> bool:
-        """Take a callback back; whether it was there."""
+        """Remove a callback; return whether it was registered."""
         with self._lock:
             if callback not in self._callbacks:
                 return False
@@ -148,10 +148,10 @@ class Task(Future):
         self._executing = False
         self._task_lock = threading.Lock()
         self.awaits: Future | None = None
-        """The future that a coroutine waits for; None when it asked to be resumed as soon as possible."""
+        """The future that a coroutine waits for; None if it asked to be resumed as soon as possible."""
 
     def __call__(self) -> None:
-        """Run until it is done, or until a coroutine has to wait."""
+        """Run until the task is done, or until its coroutine has to wait."""
         if self._done or self._cancelled or self._executing:
             return
         if not self._task_lock.acquire(blocking=False):
@@ -196,7 +196,7 @@ class Task(Future):
         self._kwargs = {}
 
     def executing(self) -> bool:
-        """Whether it runs at this moment."""
+        """Whether the task is running now."""
         return self._executing
 
     def cancel(self) -> None:

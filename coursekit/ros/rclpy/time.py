@@ -1,4 +1,4 @@
-"""A point in time. In ROS 2: rclpy.time."""
+"""Points in time. In ROS 2: rclpy.time."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _LARGEST = 2**63 - 1
 
 
 class Time:
-    """A point in time in nanoseconds, of one kind of clock; points of different clocks never compare.
+    """A point in time in nanoseconds of one kind of clock; times of different clocks cannot be compared.
 
     >>> Time(seconds=2) - Time(seconds=3)
     Duration(nanoseconds=-1000000000)
@@ -41,7 +41,7 @@ class Time:
 
     @classmethod
     def _of(cls, nanoseconds: int, clock_type: ClockType) -> Time:
-        """A time of which is known that it is sound."""
+        """Create a time from values that are known to be valid."""
         made = object.__new__(cls)
         made._ns = nanoseconds
         made._clock_type = clock_type
@@ -111,7 +111,7 @@ class Time:
     __hash__ = None  # type: ignore[assignment]
 
     def _other(self, other: object) -> int:
-        """The other time's nanoseconds; `time == 5` must not quietly be False, so anything else raises."""
+        """The other time's nanoseconds; TypeError for anything else: `time == 5` must not silently be False."""
         if not isinstance(other, Time):
             raise TypeError("Can't compare time with object of type: ", type(other))
         if self._clock_type != other._clock_type:
@@ -119,7 +119,7 @@ class Time:
         return other._ns
 
     def to_msg(self) -> TimeMsg:
-        """Return it as builtin_interfaces/msg/Time (the kind of clock is not kept)."""
+        """Return a builtin_interfaces/msg/Time (without the kind of clock)."""
         seconds, nanoseconds = divmod(self._ns, CONVERSION_CONSTANT)
         return TimeMsg(sec=seconds, nanosec=nanoseconds)
 

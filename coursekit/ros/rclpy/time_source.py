@@ -63,7 +63,7 @@ class TimeSource:
         node.add_on_set_parameters_callback(self._on_parameters)
 
     def detach_node(self) -> None:
-        """Follow no node."""
+        """Stop following the node."""
         node = self._get_node()
         if node is not None and self._clock_sub is not None:
             self._unsubscribe()
@@ -78,7 +78,7 @@ class TimeSource:
         self._associated_clocks.append(clock)
 
     def clock_callback(self, msg: Any) -> None:
-        """A time has come on /clock."""
+        """Apply a time from /clock to the attached clocks."""
         self._last_time_set = Time.from_msg(msg.clock)
         for clock in self._associated_clocks:
             clock.set_ros_time_override(self._last_time_set)

@@ -16,7 +16,7 @@ from rclpy.utilities import get_default_context
 
 
 class TimerInfo:
-    """When a timer should have been called and when it was (passed to callbacks that take an argument)."""
+    """The expected and the actual time of a timer call (passed to callbacks that take an argument)."""
 
     def __init__(self, *, expected_call_time: int, actual_call_time: int, clock_type: Any) -> None:
         from rclpy.time import Time
@@ -26,7 +26,7 @@ class TimerInfo:
 
 
 class Timer:
-    """Made by `Node.create_timer`; calls back every `timer_period_ns` nanoseconds of `clock`."""
+    """A timer, created by `Node.create_timer`; its callback runs every `timer_period_ns` nanoseconds of `clock`."""
 
     def __init__(
         self,
@@ -53,7 +53,7 @@ class Timer:
 
     @property
     def handle(self) -> _Handle:
-        """The handle."""
+        """The timer's handle."""
         return self.__timer
 
     def destroy(self) -> None:
@@ -62,7 +62,7 @@ class Timer:
 
     @property
     def clock(self) -> Any:
-        """The clock that it runs on."""
+        """The clock that the timer runs on."""
         return self._clock
 
     @property
@@ -77,37 +77,37 @@ class Timer:
             self.__timer.change_timer_period(int(value))
 
     def is_ready(self) -> bool:
-        """Whether it is due."""
+        """Whether the timer is due."""
         with self.__timer:
             return self.__timer.is_timer_ready()
 
     def is_canceled(self) -> bool:
-        """Whether it was cancelled."""
+        """Whether the timer was cancelled."""
         with self.__timer:
             return self.__timer.is_timer_canceled()
 
     def cancel(self) -> None:
-        """Stop; `reset` starts it again."""
+        """Stop the timer; `reset` starts it again."""
         with self.__timer:
             self.__timer.cancel_timer()
 
     def reset(self) -> None:
-        """Start the period anew, cancelled or not."""
+        """Restart the period, whether cancelled or not."""
         with self.__timer:
             self.__timer.reset_timer()
 
     def time_since_last_call(self) -> int:
-        """Nanoseconds."""
+        """Nanoseconds since the last call."""
         with self.__timer:
             return self.__timer.time_since_last_call()
 
     def time_until_next_call(self) -> int | None:
-        """Nanoseconds, negative when late, None when cancelled."""
+        """Nanoseconds until the next call, negative when late; None when cancelled."""
         with self.__timer:
             return self.__timer.time_until_next_call()
 
     def _begin_period(self) -> None:
-        """Count the first period from now, when whoever asked for the timer gets it, not from when it began to be made."""
+        """Start the first period now, when `create_timer` returns the timer, not when its construction began."""
         if not self.__timer.is_timer_canceled():
             self.__timer.reset_timer()
 
@@ -134,7 +134,7 @@ def _nothing() -> None:
 
 
 def _takes_argument(callback: Callable[..., Any] | None) -> bool:
-    """Whether the callback asks for a TimerInfo, as later ROS versions offer."""
+    """Whether the callback takes a TimerInfo, as in later ROS versions."""
     if callback is None:
         return False
     try:
@@ -149,9 +149,9 @@ def _takes_argument(callback: Callable[..., Any] | None) -> bool:
 
 
 class Rate:
-    """Sleeps so that a loop runs at a steady rate; the node must be spun meanwhile, in another thread.
+    """Sleeps to run a loop at a constant rate. Another thread must spin the node meanwhile.
 
-    A period that began while nobody slept ends the next sleep at once: a loop may spin and sleep by turns.
+    A period that began while no thread slept ends the next sleep at once: a loop may alternate spinning and sleeping.
     """
 
     def __init__(self, timer: Timer, *, context: Any) -> None:
@@ -170,7 +170,7 @@ class Rate:
         self.destroy()
 
     def destroy(self) -> None:
-        """Wake whoever sleeps; use `Node.destroy_rate` instead."""
+        """Wake sleeping threads; use `Node.destroy_rate` instead."""
         self._is_destroyed = True
         self._tick()
 

@@ -1,4 +1,4 @@
-"""The graph's knowledge of one publisher or subscription."""
+"""The graph's information about one publisher or subscription."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rclpy.qos import QoSProfile, qos_profile_unknown
 
 
 class TopicEndpointTypeEnum(IntEnum):
-    """Which end of the topic."""
+    """The kind of a topic endpoint."""
 
     INVALID = 0
     PUBLISHER = 1
@@ -17,7 +17,7 @@ class TopicEndpointTypeEnum(IntEnum):
 
 
 class TopicEndpointInfo:
-    """Node, type, number and QoS of an endpoint. AssertionError for values of other types, and for unknown names.
+    """Node, type, identifier and QoS of an endpoint. AssertionError for values of other types, and for unknown names.
 
     >>> TopicEndpointInfo(node_name="talker", endpoint_type=1).endpoint_type.name
     'PUBLISHER'
@@ -46,7 +46,7 @@ class TopicEndpointInfo:
 
     @property
     def node_name(self) -> str:
-        """The node it belongs to."""
+        """The name of its node."""
         return self._node_name
 
     @node_name.setter
@@ -76,7 +76,7 @@ class TopicEndpointInfo:
 
     @property
     def endpoint_type(self) -> TopicEndpointTypeEnum:
-        """Which end it is; may be set by number."""
+        """The kind of endpoint; may be set by number."""
         return self._endpoint_type
 
     @endpoint_type.setter
@@ -86,7 +86,7 @@ class TopicEndpointInfo:
 
     @property
     def endpoint_gid(self) -> list[int]:
-        """The bytes of its global number."""
+        """The bytes of its global identifier."""
         return self._endpoint_gid
 
     @endpoint_gid.setter
@@ -96,7 +96,7 @@ class TopicEndpointInfo:
 
     @property
     def qos_profile(self) -> QoSProfile:
-        """Its policies; may be set by a dictionary of them."""
+        """Its policies; may be set from a dictionary."""
         return self._qos_profile
 
     @qos_profile.setter

@@ -1,4 +1,4 @@
-"""Whether a name is left out of lists. In ROS 2: the same module."""
+"""Names that are omitted from lists. In ROS 2: the same module."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ HIDDEN_TOPIC_PREFIX = "_"
 
 
 def topic_or_service_is_hidden(name: str) -> bool:
-    """Say whether a part of the name begins with an underscore.
+    """Return whether a part of the name begins with an underscore.
 
     >>> topic_or_service_is_hidden("/fibonacci/_action/status")
     True

@@ -1,4 +1,4 @@
-"""Checks that a class is an interface of the kind that is wanted."""
+"""Checks that a class is an interface of the expected kind."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from rclpy.exceptions import NoTypeSupportImportedException
 
 
 def check_for_type_support(interface: Any) -> None:
-    """Raise unless `interface` was made from a .msg, .srv or .action file."""
+    """Raise unless `interface` was generated from a .msg, .srv or .action file."""
     try:
         support = interface.__class__._TYPE_SUPPORT
     except AttributeError as error:

@@ -8,7 +8,7 @@ from rclpy.context import Context
 
 
 def get_default_context(*, shutting_down: bool = False) -> Context:
-    """The process's default context, made on first use."""
+    """The process's default context, created on first use."""
     kept = locals_here()
     context = kept.get("context")
     if context is None:
@@ -25,7 +25,7 @@ def ok(*, context: Context | None = None) -> bool:
 
 
 def shutdown(*, context: Context | None = None) -> None:
-    """End the context."""
+    """Shut the context down."""
     if context is None:
         get_default_context(shutting_down=True).shutdown()
     else:
@@ -33,12 +33,12 @@ def shutdown(*, context: Context | None = None) -> None:
 
 
 def try_shutdown(*, context: Context | None = None) -> None:
-    """End the context, unless it has ended."""
+    """Shut the context down unless it is already shut down."""
     (context or get_default_context()).try_shutdown()
 
 
 def remove_ros_args(args: list[str] | None = None) -> list[str]:
-    """`args` (sys.argv by default) without those meant for ROS."""
+    """`args` (sys.argv by default) without the ROS arguments."""
     import sys
 
     return _remove(sys.argv if args is None else args)
@@ -50,12 +50,12 @@ def get_rmw_implementation_identifier() -> str:
 
 
 def get_available_rmw_implementations() -> set[str]:
-    """The middlewares that can be chosen."""
+    """The available middlewares."""
     return {"rmw_coursekit"}
 
 
 def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
-    """Seconds to nanoseconds; -1 for None and negative ones, which mean 'without end'."""
+    """Convert seconds to nanoseconds; -1 for None and negative values, which mean no limit."""
     if timeout_sec is None or timeout_sec < 0:
         return -1
     return int(float(timeout_sec) * 1_000_000_000)

@@ -1,4 +1,4 @@
-"""Say whether a topic or service name is valid. In ROS 2: rclpy.validate_full_topic_name."""
+"""Validate a full topic or service name. In ROS 2: rclpy.validate_full_topic_name."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Say whether a namespace is valid. In ROS 2: rclpy.validate_namespace."""
+"""Validate a namespace. In ROS 2: rclpy.validate_namespace."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Say whether a node name is valid. In ROS 2: rclpy.validate_node_name."""
+"""Validate a node name. In ROS 2: rclpy.validate_node_name."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Say whether a parameter name is valid. In ROS 2: rclpy.validate_parameter_name."""
+"""Validate a parameter name. In ROS 2: rclpy.validate_parameter_name."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from rclpy.exceptions import InvalidParameterException
 
 
 def validate_parameter_name(name: str) -> bool:
-    """Return True, or raise InvalidParameterException: any text but the empty one is a name."""
+    """Return True, or raise InvalidParameterException: any non-empty text is valid."""
     if name:
         return True
     raise InvalidParameterException(name)

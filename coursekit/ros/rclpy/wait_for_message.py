@@ -14,7 +14,7 @@ __getattr__ = lender(__name__)  # names that programs import from here
 def wait_for_message(
     msg_type: Any, node: Any, topic: str, time_to_wait: float | int = -1, *, qos_profile: Any = 1
 ) -> tuple[bool, Any]:
-    """(True, message) for the next message on `topic`; (False, None) after `time_to_wait` seconds, -1 for no end."""
+    """(True, message) for the next message on `topic`; (False, None) after `time_to_wait` seconds (-1: no limit)."""
     received = Future()
 
     def receive(msg: Any) -> None:
@@ -22,7 +22,7 @@ def wait_for_message(
             received.set_result(msg)
 
     subscription = node.create_subscription(msg_type, topic, receive, qos_profile)
-    executor = SingleThreadedExecutor(context=node.context)  # aside from the one that the node may have
+    executor = SingleThreadedExecutor(context=node.context)  # separate from the executor that the node may have
     executor._attach(subscription)
     try:
         executor.spin_until_future_complete(received, None if time_to_wait < 0 else time_to_wait)

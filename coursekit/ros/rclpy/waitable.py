@@ -1,4 +1,4 @@
-"""Waitables: entities of a program's own, made of several handles, that an executor waits for."""
+"""Waitables: custom entities, made of several handles, that an executor waits for."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from rclpy._rclpy_pybind11 import WaitSet
 
 
 class NumberOfEntities:
-    """How many handles of each kind a waitable adds."""
+    """The number of handles of each kind that a waitable adds."""
 
     __slots__ = (  # noqa: RUF023 - the order in which it prints
         "num_subscriptions",
@@ -49,7 +49,7 @@ class NumberOfEntities:
 
 
 class Waitable:
-    """Base class; a subclass says what it waits for, takes the data and executes."""
+    """Base class; a subclass defines what it waits for, takes the data and executes."""
 
     def __init__(self, callback_group: Any) -> None:
         callback_group.add_entity(self)
@@ -76,22 +76,22 @@ class Waitable:
         raise NotImplementedError("Must be implemented by subclass")
 
     def take_data(self) -> Any:
-        """Take the data, so that it is not ready again at once."""
+        """Take the data; the waitable must not be ready again at once."""
         raise NotImplementedError("Must be implemented by subclass")
 
     async def execute(self, taken_data: Any) -> Any:
-        """Work on what was taken."""
+        """Process the taken data."""
         raise NotImplementedError("Must be implemented by subclass")
 
     def get_num_entities(self) -> NumberOfEntities:
-        """How many entities of each kind it uses."""
+        """The number of entities of each kind that it uses."""
         raise NotImplementedError("Must be implemented by subclass")
 
     def add_to_wait_set(self, wait_set: Any) -> None:
-        """Add its entities."""
+        """Add its entities to the wait set."""
         raise NotImplementedError("Must be implemented by subclass")
 
-    # -- how an executor of ours serves it
+    # -- for coursekit's executors
 
     def _sources(self) -> list[Any]:
         """The entities that make it ready; the handles are collected once."""
@@ -101,7 +101,7 @@ class Waitable:
         return list(self._wait_set.sources())
 
     def _take(self) -> Any:
-        """The work to do, None when it turns out not to be ready."""
+        """The work to do; None if the waitable is not ready after all."""
         if not self.is_ready(self._wait_set):
             return None
         data = self.take_data()

@@ -1,4 +1,4 @@
-"""Actions: goals that take a while, with feedback, a result, and a way to cancel. In ROS 2: rclpy.action."""
+"""Actions: goals that take a while, with feedback, a result, and cancellation. In ROS 2: rclpy.action."""
 
 from rclpy.action.client import ActionClient
 from rclpy.action.graph import (

@@ -1,4 +1,4 @@
-"""Using an action. In ROS 2: rclpy.action.client."""
+"""Action clients. In ROS 2: rclpy.action.client."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ __getattr__ = lender(__name__)  # names that programs import from here
 
 _POLL_SEC = 0.01
 _LATE_FEEDBACK = 50
-"""Finished goals whose feedback is still passed on."""
+"""The number of finished goals whose feedback is still passed on."""
 
 
 class ActionClient(Waitable):
@@ -74,7 +74,7 @@ class ActionClient(Waitable):
             GoalStatusArray, names.status, self._heard_status, status_sub_qos_profile, callback_group=group
         )
 
-    # -- what the server says
+    # -- messages from the server
 
     def _heard_feedback(self, message: Any) -> Any:
         callback = self._feedback_callbacks.get(bytes(message.goal_id.uuid))
@@ -94,7 +94,7 @@ class ActionClient(Waitable):
                 self._forget_feedback(key)
 
     def _forget_feedback(self, key: bytes) -> None:
-        """Let go of a finished goal's callback, but not at once: feedback may be on the way."""
+        """Drop a finished goal's callback, but not at once: feedback may still arrive."""
         if key in self._feedback_callbacks and key not in self._finished:
             self._finished.append(key)
         while len(self._finished) > _LATE_FEEDBACK:
@@ -103,7 +103,7 @@ class ActionClient(Waitable):
     # -- goals
 
     def send_goal(self, goal: Any, **kwargs: Any) -> Any:
-        """Send a goal and wait for its result; not in a callback of the executor that has to take it.
+        """Send a goal and wait for its result; never in a callback of the executor that must take it.
 
         Takes the options of send_goal_async. Raises TypeError for anything but the action's Goal.
         """
@@ -160,7 +160,7 @@ class ActionClient(Waitable):
 
         def answered(response: Any) -> Any:
             goal_handle._update_status(response.status)
-            self._feedback_callbacks.pop(bytes(goal_handle.goal_id.uuid), None)  # who has the result wants no more
+            self._feedback_callbacks.pop(bytes(goal_handle.goal_id.uuid), None)  # no feedback after the result
             return response
 
         return _then(self._result_client.call_async(request), answered)
@@ -168,7 +168,7 @@ class ActionClient(Waitable):
     # -- the server
 
     def server_is_ready(self) -> bool:
-        """Say whether a server is there with all its services and topics."""
+        """Whether a server is available with all its services and topics."""
         topics = (self._feedback_subscription.topic_name, self._status_subscription.topic_name)
         return all(client.service_is_ready() for client in self._clients) and all(
             self._node.count_publishers(topic) for topic in topics
@@ -179,7 +179,7 @@ class ActionClient(Waitable):
         return self._goal_client, self._cancel_client, self._result_client
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
-        """Wait for a server; False when `timeout_sec` seconds were not enough or ROS was shut down."""
+        """Wait for a server; False if `timeout_sec` seconds passed or ROS was shut down."""
         clock = session.current().clock
         end = None if timeout_sec is None or timeout_sec < 0 else clock.steady() + int(timeout_sec * 1e9)
         while not self.server_is_ready():
@@ -190,28 +190,28 @@ class ActionClient(Waitable):
                 clock.sleep(_POLL_SEC if left is None else min(left, _POLL_SEC))
         return True
 
-    # -- as a waitable: clients and subscriptions do the waiting
+    # -- Waitable's methods: the clients and subscriptions wait instead
 
     def is_ready(self, wait_set: Any) -> bool:
-        """Never: its clients and subscriptions are ready by themselves."""
+        """Always False: its clients and subscriptions become ready themselves."""
         return False
 
     def take_data(self) -> dict[str, Any]:
-        """Nothing: its clients and subscriptions take their own data."""
+        """An empty dict: its clients and subscriptions take their own data."""
         return {}
 
     async def execute(self, taken_data: Any) -> None:
-        """Nothing to do."""
+        """Do nothing."""
 
     def get_num_entities(self) -> NumberOfEntities:
         """Three clients, two subscriptions."""
         return NumberOfEntities(num_clients=3, num_subs=2)
 
     def add_to_wait_set(self, wait_set: Any) -> None:
-        """Nothing: its clients and subscriptions are in the executor's queue."""
+        """Do nothing: its clients and subscriptions are in the executor's queue."""
 
     def destroy(self) -> None:
-        """Let go of the services and topics; answers that are still to come are lost."""
+        """Destroy the clients and subscriptions; responses that have not arrived yet are lost."""
         for client in self._clients:
             self._node.destroy_client(client)
         self._node.destroy_subscription(self._feedback_subscription)
@@ -224,7 +224,7 @@ def _check_handle(goal_handle: Any) -> None:
 
 
 def _then(source: Future, change: Callable[[Any], Any]) -> Future:
-    """A future that gets `change(result)` of the source; cancelling it cancels the source."""
+    """A future of `change(result)` of the source; cancelling it cancels the source."""
     target = Future()
 
     def done(finished: Future) -> None:

@@ -1,4 +1,4 @@
-"""One goal as its client sees it."""
+"""A goal on the client's side."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class ClientGoalHandle:
-    """The result of `send_goal_async`: whether the goal was accepted, and the way to its result."""
+    """The result of `send_goal_async`: whether the goal was accepted, and access to its result."""
 
     def __init__(self, action_client: ActionClient, goal_id: Any, goal_response: Any) -> None:
         self._action_client = action_client
@@ -44,12 +44,12 @@ class ClientGoalHandle:
 
     @property
     def accepted(self) -> bool:
-        """Whether the server took the goal."""
+        """Whether the server accepted the goal."""
         return self._goal_response.accepted
 
     @property
     def status(self) -> int:
-        """A number of action_msgs/msg/GoalStatus, the last one heard of."""
+        """The last known status, a number of action_msgs/msg/GoalStatus."""
         return self._status
 
     def _update_status(self, status: int) -> None:
@@ -57,17 +57,17 @@ class ClientGoalHandle:
             self._status = status
 
     def cancel_goal(self) -> Any:
-        """Ask to cancel and wait for the answer; not in a callback of the executor that has to take it."""
+        """Request cancellation and wait for the response; never in a callback of the executor that must take it."""
         return self._action_client._cancel_goal(self)
 
     def cancel_goal_async(self) -> Future:
-        """Ask to cancel; the future gets an action_msgs/srv/CancelGoal response."""
+        """Request cancellation; the future gets an action_msgs/srv/CancelGoal response."""
         return self._action_client._cancel_goal_async(self)
 
     def get_result(self) -> Any:
-        """Wait for the result; not in a callback of the executor that has to take it."""
+        """Wait for the result; never in a callback of the executor that must take it."""
         return self._action_client._get_result(self)
 
     def get_result_async(self) -> Future:
-        """Ask for the result; the future gets a response with `status` and `result`."""
+        """Request the result; the future gets a response with `status` and `result`."""
         return self._action_client._get_result_async(self)

@@ -1,4 +1,4 @@
-"""The answers of an action server's callbacks, and the callbacks when a program gives none."""
+"""The return values of an action server's callbacks, and the default callbacks."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from rclpy.action.goal_handle import ServerGoalHandle
 
 
 class GoalResponse(Enum):
-    """A goal callback's answer."""
+    """The return value of a goal callback."""
 
     REJECT = 1
     ACCEPT = 2
 
 
 class CancelResponse(Enum):
-    """A cancel callback's answer."""
+    """The return value of a cancel callback."""
 
     REJECT = 1
     ACCEPT = 2
@@ -33,5 +33,5 @@ def default_goal_callback(goal_request: Any) -> GoalResponse:
 
 
 def default_cancel_callback(cancel_request: Any) -> CancelResponse:
-    """Refuse to cancel."""
+    """Reject every request to cancel."""
     return CancelResponse.REJECT

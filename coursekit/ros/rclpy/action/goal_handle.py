@@ -1,4 +1,4 @@
-"""One goal as its server sees it."""
+"""A goal on the server's side."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class ServerGoalHandle:
-    """Made by an action server for each goal that it accepts."""
+    """A goal that an action server has accepted; the server creates it."""
 
     def __init__(self, action_server: ActionServer, goal_info: GoalInfo, goal_request: Any) -> None:
         self._action_server: ActionServer | None = action_server
@@ -32,7 +32,7 @@ class ServerGoalHandle:
 
     @property
     def request(self) -> Any:
-        """The goal that was asked for."""
+        """The requested goal."""
         return self._goal_request
 
     @property
@@ -47,7 +47,7 @@ class ServerGoalHandle:
 
     @property
     def is_cancel_requested(self) -> bool:
-        """Whether somebody wants the goal to end; answer by `canceled()` and a result."""
+        """Whether cancellation was requested; respond with `canceled()` and a result."""
         return self._status == GoalStatus.STATUS_CANCELING
 
     @property
@@ -56,14 +56,14 @@ class ServerGoalHandle:
         return self._status
 
     def execute(self, execute_callback: Callable[[ServerGoalHandle], Any] | None = None) -> None:
-        """Start the goal with the callback, or with the server's own; RCLError when it has ended."""
+        """Execute the goal with the callback, or with the server's own; RCLError if the goal has ended."""
         if not self.is_cancel_requested:
             self._update_state(GoalEvent.EXECUTE)
         if self._action_server is not None:
             self._action_server.notify_execute(self, execute_callback)
 
     def publish_feedback(self, feedback: Any) -> None:
-        """Tell the clients how it goes; TypeError for anything but the action's Feedback."""
+        """Publish feedback to the clients; TypeError for anything but the action's Feedback."""
         server = self._action_server
         if server is None:
             return
@@ -75,15 +75,15 @@ class ServerGoalHandle:
         server._publish_feedback(self.goal_id, feedback)
 
     def succeed(self) -> None:
-        """Say that the goal is reached; RCLError when it is not being executed."""
+        """Mark the goal as succeeded; RCLError if it is not being executed."""
         self._end(GoalEvent.SUCCEED)
 
     def abort(self) -> None:
-        """Say that the goal cannot be reached; RCLError when it is not being executed."""
+        """Mark the goal as aborted; RCLError if it is not being executed."""
         self._end(GoalEvent.ABORT)
 
     def canceled(self) -> None:
-        """Say that the goal is given up; RCLError when nobody asked for it."""
+        """Mark the goal as canceled; RCLError if no cancellation was requested."""
         self._end(GoalEvent.CANCELED)
 
     def _end(self, event: GoalEvent) -> None:
@@ -99,6 +99,6 @@ class ServerGoalHandle:
         self._action_server._publish_status()
 
     def destroy(self) -> None:
-        """Let go of the server; nothing that is done to the handle has an effect any more."""
+        """Detach the handle from the server; later calls have no effect."""
         with self._lock:
             self._action_server = None

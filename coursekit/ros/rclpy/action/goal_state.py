@@ -43,7 +43,7 @@ _NEXT = {
 
 
 def next_status(status: int, event: GoalEvent) -> int:
-    """Return the status after the event; RCLError when the event cannot happen in it.
+    """Return the status after the event; RCLError if the event is invalid in the current status.
 
     >>> next_status(GoalStatus.STATUS_EXECUTING, GoalEvent.SUCCEED) == GoalStatus.STATUS_SUCCEEDED
     True
@@ -56,5 +56,5 @@ def next_status(status: int, event: GoalEvent) -> int:
 
 
 def is_cancelable(status: int) -> bool:
-    """Say whether a goal can still be cancelled."""
+    """Return whether a goal can still be cancelled."""
     return (status, GoalEvent.CANCEL_GOAL) in _NEXT

@@ -1,4 +1,4 @@
-"""Which actions there are. In ROS 2: rclpy.action.graph."""
+"""The actions in the graph. In ROS 2: rclpy.action.graph."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ class ActionNames(NamedTuple):
 
 
 def action_names(role: str, action_name: str) -> ActionNames:
-    """Return the names for an action; ValueError when it is no name. `role` is 'server' or 'client'.
+    """Return the names for an action; ValueError for an invalid name. `role` is 'server' or 'client'.
 
     >>> action_names("client", "fibonacci").status
     'fibonacci/_action/status'

@@ -1,4 +1,4 @@
-"""Serving an action. In ROS 2: rclpy.action.server."""
+"""Action servers. In ROS 2: rclpy.action.server."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ from rclpy.waitable import NumberOfEntities, Waitable
 class ActionServer(Waitable):
     """Serves an action: three services and two topics below `<action_name>/_action/`.
 
-    `execute_callback(goal_handle)` does the work and returns the action's Result; `goal_callback(goal)` says
-    whether to take a goal, `handle_accepted_callback(goal_handle)` when to execute it,
+    `execute_callback(goal_handle)` does the work and returns the action's Result. `goal_callback(goal)` accepts or
+    rejects a goal, `handle_accepted_callback(goal_handle)` decides when to execute it, and
     `cancel_callback(goal_handle)` whether it may be cancelled. A result is kept for `result_timeout` seconds.
     """
 
@@ -86,7 +86,7 @@ class ActionServer(Waitable):
         self._serve(impl.GetResultService, names.get_result, self._result_asked, result_service_qos_profile)
 
     def _serve(self, type_: Any, name: str, answer: Callable[..., Any], qos: QoSProfile) -> None:
-        """Create a service whose requests `answer(service, request, header)` answers when it pleases."""
+        """Create a service; `answer(service, request, header)` may respond to a request at any time."""
         service = self._node.create_service(
             type_, name, _unused, qos_profile=qos, callback_group=self.callback_group
         )
@@ -105,7 +105,7 @@ class ActionServer(Waitable):
             await await_or_execute(self._handle_accepted_callback, handle)
 
     async def _accepted(self, request: Any) -> ServerGoalHandle | None:
-        """The handle of the goal, if its id is new and the goal callback takes it."""
+        """The handle of the goal, if its id is new and the goal callback accepts it."""
         key = bytes(request.goal_id.uuid)
         if key in self._goal_handles:
             return None
@@ -128,7 +128,7 @@ class ActionServer(Waitable):
     def notify_execute(
         self, goal_handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None
     ) -> None:
-        """Have the node's executor run the callback (or the server's own) for the goal."""
+        """Run the callback (or the server's own) for the goal in the node's executor."""
         callback = self._execute_callback if execute_callback is None else execute_callback
         executor = self._node.executor
         if executor is None:
@@ -190,7 +190,7 @@ class ActionServer(Waitable):
             future.add_done_callback(lambda done: service.send_response(done.result(), header))
 
     def notify_goal_done(self) -> None:
-        """Plan to forget the goals that have ended, `result_timeout` seconds from now."""
+        """Schedule the removal of goals that have ended, `result_timeout` seconds from now."""
         if self._result_timeout < 0:
             return
         clock = session.current().clock
@@ -207,7 +207,7 @@ class ActionServer(Waitable):
         if handle is not None:
             handle.destroy()
 
-    # -- telling
+    # -- publishing
 
     def _publish_status(self) -> None:
         with self._lock:
@@ -224,48 +224,48 @@ class ActionServer(Waitable):
         """The action's class."""
         return self._action_type
 
-    # -- callbacks may change; None goes back to the default
+    # -- callbacks may be replaced; None restores the default
 
     def register_handle_accepted_callback(self, handle_accepted_callback: Any) -> None:
-        """Set who decides when an accepted goal is executed."""
+        """Set the callback that decides when an accepted goal is executed."""
         self._handle_accepted_callback = handle_accepted_callback or default_handle_accepted_callback
 
     def register_goal_callback(self, goal_callback: Any) -> None:
-        """Set who accepts or rejects goals."""
+        """Set the callback that accepts or rejects goals."""
         self._goal_callback = goal_callback or default_goal_callback
 
     def register_cancel_callback(self, cancel_callback: Any) -> None:
-        """Set who accepts or rejects requests to cancel."""
+        """Set the callback that accepts or rejects requests to cancel."""
         self._cancel_callback = cancel_callback or default_cancel_callback
 
     def register_execute_callback(self, execute_callback: Any) -> None:
-        """Set who does the work; TypeError for what cannot be called."""
+        """Set the callback that executes goals; TypeError if it is not callable."""
         if not callable(execute_callback):
             raise TypeError("Failed to register goal execution callback: not callable")
         self._execute_callback = execute_callback
 
-    # -- as a waitable: the services do the waiting
+    # -- Waitable's methods: the services wait instead
 
     def is_ready(self, wait_set: Any) -> bool:
-        """Never: its services are ready by themselves."""
+        """Always False: its services become ready themselves."""
         return False
 
     def take_data(self) -> dict[str, Any]:
-        """Nothing: its services take their own data."""
+        """An empty dict: its services take their own data."""
         return {}
 
     async def execute(self, taken_data: Any) -> None:
-        """Nothing to do."""
+        """Do nothing."""
 
     def get_num_entities(self) -> NumberOfEntities:
-        """One timer for results that expire, three services."""
+        """One timer, for expiring results, and three services."""
         return NumberOfEntities(num_timers=1, num_services=3)
 
     def add_to_wait_set(self, wait_set: Any) -> None:
-        """Nothing: its services are in the executor's queue."""
+        """Do nothing: its services are in the executor's queue."""
 
     def destroy(self) -> None:
-        """Stop serving; goals that are being executed run on, and nobody hears of it."""
+        """Stop serving. Executing goals continue, but their status, feedback and results are not sent."""
         for alarm in self._ended.values():
             alarm.cancel()
         self._ended.clear()
@@ -279,5 +279,5 @@ class ActionServer(Waitable):
 
 
 def _unused(request: Any, response: Any) -> Any:
-    """Stands where a service wants a callback; the action server answers instead."""
+    """A placeholder for the callback that a service requires; the action server responds instead."""
     return response

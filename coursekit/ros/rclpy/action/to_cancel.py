@@ -1,4 +1,4 @@
-"""Which goals a request to cancel means. In ROS 2: rcl_action_process_cancel_request."""
+"""The goals that a request to cancel selects. In ROS 2: rcl_action_process_cancel_request."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from rclpy.action.goal_state import is_cancelable
 
 
 def goals_to_cancel(asked: GoalInfo, handles: list[Any]) -> tuple[int, list[Any]]:
-    """Return the return code and the goals meant.
+    """Return the return code and the selected goals.
 
-    An id means that goal; a stamp means the goals accepted until then; neither means every goal.
+    An id selects that goal; a stamp selects the goals accepted until then; neither selects every goal.
     """
     wanted = bytes(asked.goal_id.uuid)
     stamp = _nanoseconds(asked.stamp)

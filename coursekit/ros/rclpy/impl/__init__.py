@@ -1,1 +1,1 @@
-"""The part that real rclpy has in C++."""
+"""The part that real rclpy implements in C++."""

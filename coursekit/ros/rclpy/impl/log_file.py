@@ -1,4 +1,4 @@
-"""The file that keeps what one program logs. In ROS 2: rcl_logging_spdlog."""
+"""The log file of one program. In ROS 2: rcl_logging_spdlog."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _NO_FILE_NAME = re.compile(r"[^\w.+-]")
 
 
 def logging_directory(environ: Mapping[str, str]) -> Path:
-    """Where log files go: ROS_LOG_DIR, else the folder log in ROS_HOME or in ~/.ros.
+    """The folder of log files: ROS_LOG_DIR, else the folder log in ROS_HOME or in ~/.ros.
 
     >>> logging_directory({"ROS_HOME": "/tmp/ros"}).as_posix()
     '/tmp/ros/log'
@@ -24,10 +24,10 @@ def logging_directory(environ: Mapping[str, str]) -> Path:
 
 
 class LogFile:
-    """Appends lines to PROGRAM_PID_MILLISECONDS.log; the first line makes the folder and the file.
+    """Appends lines to PROGRAM_PID_MILLISECONDS.log; the first line creates the folder and the file.
 
-    Between lines the file is closed, so that a session of many programs holds none of them open. A folder that cannot be
-    written costs the file, never the program.
+    The file is closed between lines: a session of many programs keeps none of their files open. If the folder is not
+    writable, there is no log file, but the program continues.
     """
 
     def __init__(self, environ: Mapping[str, str], program: str, pid: int) -> None:
@@ -41,7 +41,7 @@ class LogFile:
         if self._lost:
             return
         try:
-            begins = os.O_TRUNC if self._path is None else 0  # on the virtual clock each run has the same names
+            begins = os.O_TRUNC if self._path is None else 0  # on the virtual clock each run has the same file names
             if self._path is None:
                 self._folder.mkdir(parents=True, exist_ok=True)
                 self._path = self._folder / self._name

@@ -1,4 +1,4 @@
-"""Filters that keep a line of code from logging every time: once, skip_first, throttle."""
+"""Filters for repeated log messages of a line of code: once, skip_first, throttle."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ class SkipFirst:
 
 
 class Throttle:
-    """Lets a message through when the last one is `throttle_duration_sec` seconds ago or more.
+    """Lets a message through if the last one was at least `throttle_duration_sec` seconds ago.
 
-    On simulated time, which begins at 0, the first one comes after that long, as in ROS.
+    On simulated time, which begins at 0, the first message passes only after that duration, as in ROS.
     """
 
     def __init__(self, options: dict[str, Any]) -> None:
@@ -78,7 +78,7 @@ _SWITCHES = ("skip_first", "once")
 
 
 def get_filters_from_kwargs(**kwargs: Any) -> list[str]:
-    """Return the names of the filters that the options ask for; TypeError for an unknown option.
+    """Return the names of the filters that the options request; TypeError for an unknown option.
 
     >>> get_filters_from_kwargs(once=True, skip_first=True)
     ['skip_first', 'once']

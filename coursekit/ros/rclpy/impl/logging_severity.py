@@ -1,4 +1,4 @@
-"""How bad a log message is. In ROS 2: rclpy.impl.logging_severity."""
+"""The severities of log messages. In ROS 2: rclpy.impl.logging_severity."""
 
 from rclpy.impl.logging_state import LoggingSeverity
 

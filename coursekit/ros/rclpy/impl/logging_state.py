@@ -1,4 +1,4 @@
-"""One process's logging: levels, where lines go, who listens for /rosout."""
+"""The logging of one process: levels, outputs, and listeners for /rosout."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from rclpy.impl.log_file import LogFile
 
 
 class LoggingSeverity(IntEnum):
-    """How grave a message is; UNSET takes the parent logger's level."""
+    """The severity of a message; UNSET means the parent logger's level."""
 
     UNSET = 0
     DEBUG = 10
@@ -27,7 +27,7 @@ class LoggingSeverity(IntEnum):
 
 
 Listener = Callable[[int, str, str, str, str, int, int], None]
-"""Called with level, logger name, text, file, function, line, stamp in nanoseconds."""
+"""Called with level, logger name, text, file, function, line, and stamp in nanoseconds."""
 
 DEFAULT_FORMAT = "[{severity}] [{time}] [{name}]: {message}"
 _TOKEN = re.compile(r"\{([a-z_]+)\}")
@@ -36,7 +36,7 @@ _NAMES = {level.value: level.name for level in LoggingSeverity}
 
 
 class LoggingState:
-    """Levels and outputs of one process; read from its environment when it first logs.
+    """The levels and outputs of one process, read from its environment at its first log message.
 
     >>> state = LoggingState({})
     >>> state.set_level("a", 30)
@@ -56,9 +56,9 @@ class LoggingState:
         self._format = _unescaped(environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT") or DEFAULT_FORMAT)
 
     def set_level(self, name: str, level: int) -> None:
-        """Set the level of a logger and of those below it that have none; '' is all of them.
+        """Set the level of a logger and of those below it that have none; '' means all loggers.
 
-        UNSET takes the level back; for '' it lets everything through.
+        UNSET removes the level; for '' it lets everything through.
         """
         self._effective.clear()
         if level or not name:
@@ -67,7 +67,7 @@ class LoggingState:
             self._levels.pop(name, None)
 
     def level(self, name: str) -> int:
-        """Return the level set for the logger itself, UNSET when there is none."""
+        """Return the level set for the logger itself, or UNSET if there is none."""
         return self._levels.get(name, 0)
 
     def effective_level(self, name: str) -> int:
@@ -82,16 +82,16 @@ class LoggingState:
             return self._effective[name]
 
     def levels_of(self, other: LoggingState) -> None:
-        """Have the same levels as another from now on, whoever sets them."""
+        """Share the levels of another state from now on."""
         self._levels, self._effective = other._levels, other._effective
 
     def forget_levels(self) -> None:
-        """Go back to INFO for every logger."""
+        """Reset every logger to INFO."""
         self._levels = {"": LoggingSeverity.INFO.value}
         self._effective.clear()
 
     def write(self, level: int, name: str, text: str, caller: tuple[str, str, int], stamp: int) -> None:
-        """Show and keep one line; `caller` is file, function and line, `stamp` nanoseconds since the epoch."""
+        """Write one line to the console and the file; `caller` is file, function and line, `stamp` ns since the epoch."""
         if not (self.to_console or self.to_file):
             return
         if self._format == DEFAULT_FORMAT:
@@ -131,7 +131,7 @@ _KEY = "rclpy.logging"
 
 
 def logging_state() -> LoggingState:
-    """Return the state of the process that is running, or of the session for the interpreter's own code."""
+    """Return the state of the current process, or of the session for the interpreter's own code."""
     kept = locals_here()
     state: LoggingState | None = kept.get(_KEY)
     if state is None:
@@ -142,6 +142,6 @@ def logging_state() -> LoggingState:
 
 
 def share_levels(part: Process) -> None:
-    """Let a program that is a part of the running one have its loggers' levels, as nodes of one process have."""
+    """Share the running program's logger levels with `part`, a part of it, as nodes of one process share them."""
     state = part.locals[_KEY] = LoggingState(os.environ, part.name, part.pid)
     state.levels_of(logging_state())

@@ -1,4 +1,4 @@
-"""Whether two profiles match, in rmw's words."""
+"""The compatibility check of two profiles, with rmw's messages."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _AUTOMATIC, _MANUAL = 1, 3
 
 
 class QoSCompatibility(IntEnum):
-    """The verdict on a publisher and a subscription."""
+    """The compatibility of a publisher and a subscription."""
 
     OK = 0
     WARNING = 1
@@ -19,7 +19,7 @@ class QoSCompatibility(IntEnum):
 
 
 def check(publisher: Any, subscription: Any) -> tuple[QoSCompatibility, str]:
-    """Return the verdict on two rclpy profiles and its reasons; an error leaves warnings out."""
+    """Return the compatibility of two rclpy profiles and its reasons; after an error, warnings are omitted."""
     errors = [f"ERROR: {reason};" for reason in _errors(publisher, subscription)]
     if errors:
         return QoSCompatibility.ERROR, "".join(errors)
@@ -68,7 +68,7 @@ def _warnings(publisher: Any, subscription: Any) -> list[str]:
 
 
 def _open_choice(offer: Any, wish: Any, weak: int, strong: int, texts: tuple[str, str, str]) -> list[str]:
-    """A choice left to the system may turn out not to match."""
+    """The warning about a policy that is left to the system: it may turn out not to match."""
     both, weak_offer, strong_wish = texts
     offer_open, wish_open = not _is_said(offer), not _is_said(wish)
     if offer_open and wish_open:

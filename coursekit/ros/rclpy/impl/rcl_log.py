@@ -13,7 +13,7 @@ def _wanted() -> bool:
 
 
 def node_made(name: str, namespace: str, domain: int) -> None:
-    """Say that a node was made."""
+    """Log the creation of a node."""
     if _wanted():
         _LOGGER.debug(f"Initializing node '{name}' in namespace '{namespace}'")
         _LOGGER.debug(f"Using domain ID of '{domain}'")
@@ -21,7 +21,7 @@ def node_made(name: str, namespace: str, domain: int) -> None:
 
 
 def entity_made(entity: str, kind: str, given: str, full_name: str) -> None:
-    """Say that a publisher, subscription, client or service (`entity`) of a topic or a service (`kind`) was made."""
+    """Log the creation of a publisher, subscription, client or service (`entity`) of a topic or a service (`kind`)."""
     if _wanted():
         _LOGGER.debug(f"Initializing {entity} for {kind} name '{given}'")
         _LOGGER.debug(f"Expanded and remapped {kind} name '{full_name}'")
@@ -29,12 +29,12 @@ def entity_made(entity: str, kind: str, given: str, full_name: str) -> None:
 
 
 def timer_made(period_ns: int) -> None:
-    """Say that a timer was made."""
+    """Log the creation of a timer."""
     if _wanted():
         _LOGGER.debug(f"Initializing timer with period: {period_ns}ns")
 
 
 def timer_called() -> None:
-    """Say that an executor calls a timer."""
+    """Log that an executor calls a timer."""
     if _wanted():
         _LOGGER.debug("Calling timer")

@@ -12,26 +12,26 @@ from rclpy.impl.logging_state import Listener, LoggingSeverity, logging_state
 
 
 def add_rosout(name: str, callback: Listener) -> None:
-    """Tell `callback` of every message that the logger `name` and its children let through."""
+    """Call `callback` with every message that the logger `name` and its children let through."""
     logging_state().listeners[name] = callback
 
 
 def remove_rosout(name: str) -> None:
-    """Tell it no more."""
+    """Remove the callback of the logger `name`."""
     logging_state().listeners.pop(name, None)
 
 
 _SHOWN = 60
-"""Characters of a wrong message that its error repeats."""
+"""The number of characters of a wrong message that its error repeats."""
 
 
 class _CallSite:
-    """The options that a line of code gave the logger the first time: later calls must agree with them."""
+    """The logging options of a line of code at its first call; later calls must agree with them."""
 
     __slots__ = ("code", "filters", "name", "severity", "states")
 
     def __init__(self, code: Any, severity: int, name: str, options: dict[str, Any]) -> None:
-        self.code = code  # held, so that no other code gets its id
+        self.code = code  # kept alive: no other code object may get its id
         self.severity = severity
         self.name = name
         self.filters = get_filters_from_kwargs(**options) if options else []
@@ -54,10 +54,10 @@ class _CallSite:
 
 
 class RcutilsLogger:
-    """A named logger; the part of the name before a dot is its parent.
+    """A named logger; the part of the name before the last dot is its parent.
 
-    The options of every call: `once`, `skip_first`, `throttle_duration_sec` (seconds) with
-    `throttle_time_source_type` (a Clock), `name`. Calls return whether the message was shown.
+    Every call takes the options `once`, `skip_first`, `throttle_duration_sec` (seconds) with
+    `throttle_time_source_type` (a Clock), `name`. Calls return whether the message was logged.
 
     >>> RcutilsLogger("robot").get_child("arm").name
     'robot.arm'
@@ -77,43 +77,43 @@ class RcutilsLogger:
         return child
 
     def set_level(self, level: LoggingSeverity | int) -> None:
-        """Show messages of this severity and above; ValueError for a number that is no severity."""
+        """Show messages of this severity and above; ValueError for a number that is not a severity."""
         logging_state().set_level(self.name, LoggingSeverity(level).value)
 
     def get_effective_level(self) -> LoggingSeverity:
-        """Return the severity from which messages are shown."""
+        """Return the lowest severity that is shown."""
         return LoggingSeverity(logging_state().effective_level(self.name))
 
     def is_enabled_for(self, severity: LoggingSeverity | int) -> bool:
-        """Say whether messages of the severity are shown."""
+        """Return whether messages of the severity are shown."""
         return LoggingSeverity(severity).value >= logging_state().effective_level(self.name)
 
     def log(self, message: str, severity: LoggingSeverity | int, **kwargs: Any) -> bool:
-        """Log with the severity; ValueError when it is none, or when a line of code changes its mind."""
+        """Log with the severity; ValueError if it is invalid, or if a line of code changes its severity, name or filters."""
         return self._log(message, LoggingSeverity(severity).value, kwargs)
 
     def debug(self, message: str, **kwargs: Any) -> bool:
-        """Log what only helps to find errors."""
+        """Log a message that only helps to find errors."""
         return self._log(message, 10, kwargs)
 
     def info(self, message: str, **kwargs: Any) -> bool:
-        """Log what goes as it should."""
+        """Log a message about normal operation."""
         return self._log(message, 20, kwargs)
 
     def warning(self, message: str, **kwargs: Any) -> bool:
-        """Log what may go wrong."""
+        """Log a warning about something that may go wrong."""
         return self._log(message, 30, kwargs)
 
     def warn(self, message: str, **kwargs: Any) -> bool:
-        """Log as `warning` does."""
+        """Same as `warning`."""
         return self._log(message, 30, kwargs)
 
     def error(self, message: str, **kwargs: Any) -> bool:
-        """Log what went wrong."""
+        """Log an error."""
         return self._log(message, 40, kwargs)
 
     def fatal(self, message: str, **kwargs: Any) -> bool:
-        """Log what ends the program."""
+        """Log an error that ends the program."""
         return self._log(message, 50, kwargs)
 
     def _log(self, message: str, severity: int, options: dict[str, Any]) -> bool:
@@ -137,7 +137,7 @@ class RcutilsLogger:
         return True
 
     def _passes(self, frame: FrameType, severity: int, name: str, options: dict[str, Any]) -> bool:
-        """Whether the line of code that `frame` stands on keeps to its word, and its filters let it speak."""
+        """Whether the filters of the current line of `frame` let the message through; ValueError if its options changed."""
         key = (id(frame.f_code), frame.f_lasti)
         site = self.contexts.get(key)
         if site is None:
@@ -148,7 +148,7 @@ class RcutilsLogger:
 
 
 def _as_text(message: Any) -> str:
-    """What is logged; rclpy's C code takes text only, so a number that worked here would fail on a robot."""
+    """The text to log. rclpy's C code takes text only: a number that worked here would fail on a robot."""
     if isinstance(message, str):
         return str(message)
     if message is None:
@@ -164,7 +164,7 @@ def _as_text(message: Any) -> str:
 
 
 def _caller() -> FrameType:
-    """The nearest frame outside of this file."""
+    """The nearest frame outside this file."""
     frame = sys._getframe(3)
     while frame.f_back is not None and frame.f_code.co_filename == __file__:
         frame = frame.f_back

@@ -1,4 +1,4 @@
-"""Nodes whose states others manage. In ROS 2: rclpy.lifecycle."""
+"""Nodes with managed states. In ROS 2: rclpy.lifecycle."""
 
 from rclpy.lifecycle.managed_entity import ManagedEntity, SimpleManagedEntity
 from rclpy.lifecycle.node import LifecycleNode, LifecycleNodeMixin

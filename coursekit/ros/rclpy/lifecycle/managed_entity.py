@@ -1,4 +1,4 @@
-"""Parts of a node that follow its states. In ROS 2: rclpy.lifecycle.managed_entity."""
+"""Entities that follow the states of their node. In ROS 2: rclpy.lifecycle.managed_entity."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from rclpy.lifecycle.state_machine import TransitionCallbackReturnType as Transi
 
 
 class ManagedEntity:
-    """Base class: a callback per transition, each answering SUCCESS unless it is overridden."""
+    """Base class with one callback per transition; each returns SUCCESS unless overridden."""
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Prepare what is needed to work."""
+        """Prepare to work."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
@@ -22,11 +22,11 @@ class ManagedEntity:
         return TransitionCallbackReturn.SUCCESS
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Make ready to go."""
+        """Prepare for the shutdown."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Begin to work."""
+        """Start working."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
@@ -39,13 +39,13 @@ class ManagedEntity:
 
 
 class SimpleManagedEntity(ManagedEntity):
-    """An entity that works while the node is active, and not otherwise."""
+    """An entity that works only while its node is active."""
 
     def __init__(self) -> None:
         self._enabled = False
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Begin to work."""
+        """Start working."""
         self._enabled = True
         return TransitionCallbackReturn.SUCCESS
 
@@ -56,14 +56,14 @@ class SimpleManagedEntity(ManagedEntity):
 
     @property
     def is_activated(self) -> bool:
-        """Whether it works."""
+        """Whether the entity is active."""
         return self._enabled
 
     @staticmethod
     def when_enabled(
         wrapped: Callable[..., Any] | None = None, *, when_not_enabled: Callable[..., Any] | None = None
     ) -> Callable[..., Any]:
-        """Decorate a method: it is called while the entity works, `when_not_enabled` otherwise."""
+        """Decorate a method: it is called while the entity is active, and `when_not_enabled` otherwise."""
 
         def decorate(method: Callable[..., Any]) -> Callable[..., Any]:
             @wraps(method)

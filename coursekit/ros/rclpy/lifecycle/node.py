@@ -1,4 +1,4 @@
-"""Nodes whose states others manage. In ROS 2: rclpy.lifecycle.node."""
+"""Nodes with managed states. In ROS 2: rclpy.lifecycle.node."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _CALLBACKS = {
 
 
 class LifecycleNodeMixin(ManagedEntity):
-    """A managed node: its callbacks pass each transition on to the entities it manages."""
+    """A managed node: its callbacks pass each transition on to its managed entities."""
 
     def __init__(self, *, enable_communication_interface: bool = True, callback_group: Any = None) -> None:
         if not isinstance(enable_communication_interface, bool):
@@ -59,7 +59,7 @@ class LifecycleNodeMixin(ManagedEntity):
         return self._rclpy_change_state(4)
 
     def trigger_shutdown(self) -> TransitionCallbackReturn:
-        """Go from unconfigured, inactive or active to finalized; RCLError from elsewhere."""
+        """Go from unconfigured, inactive or active to finalized; RCLError from any other state."""
         by_state = {1: 5, 2: 6, 3: 7}
         state = self._state_machine.current_state[0]
         if state not in by_state:
@@ -67,7 +67,7 @@ class LifecycleNodeMixin(ManagedEntity):
         return self._rclpy_change_state(by_state[state])
 
     def add_managed_entity(self, entity: ManagedEntity) -> None:
-        """Let the entity follow the node's states; TypeError for what is no ManagedEntity."""
+        """Make the entity follow the node's states; TypeError for anything but a ManagedEntity."""
         if not isinstance(entity, ManagedEntity):
             raise TypeError("Expected a rclpy.lifecycle.ManagedEntity instance.")
         self._managed_entities.append(entity)
@@ -82,7 +82,7 @@ class LifecycleNodeMixin(ManagedEntity):
         return publisher
 
     def destroy_lifecycle_publisher(self, publisher: LifecyclePublisher) -> bool:
-        """Destroy a publisher of create_lifecycle_publisher; False when it is not of this node."""
+        """Destroy a publisher of create_lifecycle_publisher; False if it does not belong to this node."""
         if publisher in self._managed_entities:
             self._managed_entities.remove(publisher)
         node: Any = self
@@ -109,7 +109,7 @@ class LifecycleNodeMixin(ManagedEntity):
         return self._rclpy_pass_on("on_deactivate", state)
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Tell the managed entities of an error."""
+        """Report an error to the managed entities."""
         return self._rclpy_pass_on("on_error", state)
 
     def _rclpy_pass_on(self, callback: str, state: LifecycleState) -> TransitionCallbackReturn:
@@ -120,10 +120,10 @@ class LifecycleNodeMixin(ManagedEntity):
         return TransitionCallbackReturn.SUCCESS
 
     def _rclpy_change_state(self, transition_id: int) -> TransitionCallbackReturn:
-        """Go through a transition: its callback, and on_error when that ends with an error.
+        """Make a transition: run its callback, and on_error if the callback ends with an error.
 
         Raises:
-            RCLError: when the state has no such transition.
+            RCLError: if the current state has no such transition.
         """
         state_id, label = self._state_machine.current_state
         before = LifecycleState(label, state_id)
@@ -134,7 +134,7 @@ class LifecycleNodeMixin(ManagedEntity):
         return answer
 
     def _rclpy_change_if_possible(self, transition_id: int) -> TransitionCallbackReturn:
-        """The service's callback: a client that asks for an impossible transition is told so, and the node lives on."""
+        """The callback of change_state: an impossible transition is logged and reported to the client, not raised."""
         state = self._state_machine.current_state
         try:
             return self._rclpy_change_state(transition_id)
@@ -143,7 +143,7 @@ class LifecycleNodeMixin(ManagedEntity):
             return TransitionCallbackReturn.ERROR
 
     def _rclpy_call_back(self, before: LifecycleState) -> TransitionCallbackReturn:
-        """Call the callback of the state that the node passes through, and leave that state as it says."""
+        """Run the callback of the current transition state, and leave that state according to the result."""
         callback = _CALLBACKS[self._state_machine.current_state[0]]
         try:
             answer = TransitionCallbackReturn(getattr(self, callback)(before))

@@ -1,4 +1,4 @@
-"""How other nodes see and change a node's state: five services and a topic."""
+"""The interface for other nodes to see and change a node's state: five services and a topic."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ ChangeById = Callable[[int], TransitionCallbackReturn]
 
 
 def event_of(start: int, goal: int) -> TransitionEvent:
-    """Return the message that tells of a change (like rcl's, it names the states only)."""
+    """Return the message about a state change (like rcl's, it contains only the states)."""
     return TransitionEvent(start_state=_state(start), goal_state=_state(goal))
 
 
@@ -52,7 +52,7 @@ class LifecycleServices:
             setattr(machine, word, service.handle)
 
     def _change_state(self, request: Any, response: Any) -> Any:
-        """The label says which transition when there is one, otherwise the id."""
+        """Make the requested transition: the label selects it if there is one, otherwise the id."""
         wanted = request.transition
         try:
             if wanted.label:

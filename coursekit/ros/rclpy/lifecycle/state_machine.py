@@ -10,7 +10,7 @@ from rclpy._rclpy_pybind11 import RCLError
 
 
 class TransitionCallbackReturnType(IntEnum):
-    """How a transition's callback ended."""
+    """The result of a transition callback."""
 
     SUCCESS = 97
     FAILURE = 98
@@ -20,19 +20,19 @@ class TransitionCallbackReturnType(IntEnum):
         return f"{type(self).__name__}.{self.name}"
 
     def to_label(self) -> str:
-        """The label of the transition that this end leads through."""
+        """The label of the transition that follows this result."""
         return f"transition_{self.name.lower()}"
 
 
 class LifecycleState(NamedTuple):
-    """A state as callbacks get it."""
+    """A state as passed to callbacks."""
 
     label: str
     state_id: int
 
 
 class Transition(NamedTuple):
-    """A way from one state to another."""
+    """A transition from one state to another."""
 
     transition_id: int
     label: str
@@ -56,7 +56,7 @@ STATES = {
 
 
 def _asked(number: int, label: str, start: int, through: int, success: int, failure: int) -> list[Transition]:
-    """A transition that is asked for, and the three ways in which its callback may end it."""
+    """A requested transition, and the three transitions that may follow its callback."""
     return [Transition(number, label, start, through), *_ends(number * 10, through, success, failure)]
 
 
@@ -82,7 +82,7 @@ TRANSITIONS: list[Transition] = [
 
 
 class StateMachine:
-    """A node's state. `notify(start, goal)` is called with every change that asks for it.
+    """A node's state. `notify(start, goal)` is called on every change, unless `publish_update` is False.
 
     >>> machine = StateMachine()
     >>> machine.trigger_transition_by_label("configure")
@@ -102,22 +102,22 @@ class StateMachine:
 
     @property
     def initialized(self) -> bool:
-        """Whether it can be asked: always, here."""
+        """Whether the state machine is initialized: always, here."""
         return True
 
     @property
     def current_state(self) -> tuple[int, str]:
-        """Id and label of the state."""
+        """The id and the label of the current state."""
         return self._state, STATES[self._state]
 
     @property
     def available_states(self) -> list[tuple[int, str]]:
-        """Ids and labels of all states."""
+        """The ids and labels of all states."""
         return list(STATES.items())
 
     @property
     def available_transitions(self) -> list[Transition]:
-        """The transitions out of the state."""
+        """The transitions out of the current state."""
         return [each for each in TRANSITIONS if each.start == self._state]
 
     @property
@@ -126,15 +126,15 @@ class StateMachine:
         return list(TRANSITIONS)
 
     def get_transition_by_label(self, label: str) -> int:
-        """Return the id of the transition of that name out of the state; RCLError when there is none."""
+        """Return the id of the current state's transition with that label; RCLError if there is none."""
         return self._find(label, lambda each: each.label == label).transition_id
 
     def trigger_transition_by_id(self, transition_id: int, publish_update: bool = True) -> None:
-        """Go; RCLError when the state has no such transition."""
+        """Make the transition; RCLError if the current state has no such transition."""
         self._go(self._find(transition_id, lambda each: each.transition_id == transition_id), publish_update)
 
     def trigger_transition_by_label(self, label: str, publish_update: bool = True) -> None:
-        """Go; RCLError when the state has no such transition."""
+        """Make the transition; RCLError if the current state has no such transition."""
         self._go(self._find(label, lambda each: each.label == label), publish_update)
 
     def _find(self, wanted: object, fits: Callable[[Transition], bool]) -> Transition:

@@ -1,4 +1,4 @@
-"""The part of the launch system that knows nodes, parameters, remappings and namespaces."""
+"""The part of the launch system for nodes, parameters, remappings and namespaces."""
 
 from . import actions, descriptions, event_handlers, events, substitutions, utilities
 from .parameters_type import SomeParameters

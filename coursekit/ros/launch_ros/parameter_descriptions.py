@@ -1,4 +1,4 @@
-"""Descriptions of parameters, their values, and files of them."""
+"""Descriptions of parameters, parameter values, and parameter files."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ EvaluatedParameterValue = str | int | float | bool | bytes | list[str] | list[in
 
 
 class ParameterValue:
-    """A parameter's value with the type it is to have, for example `value_type=str`.
+    """A parameter's value with its required type, for example `value_type=str`.
 
-    Without a type, what a substitution gives is read by YAML's rules.
+    Without a type, the text of a substitution is read by YAML's rules.
     """
 
     def __init__(self, value: Any, *, value_type: Any = None) -> None:
@@ -39,12 +39,12 @@ class ParameterValue:
 
     @property
     def value(self) -> Any:
-        """The value; before it is evaluated perhaps substitutions."""
+        """The value; it may contain substitutions until it is evaluated."""
         return self.__value if self.__evaluated is None else self.__evaluated
 
     @property
     def value_type(self) -> Any:
-        """The type it is to have, None for YAML's choice."""
+        """The required type; None if YAML's rules decide."""
         return self.__value_type
 
     def evaluate(self, context: LaunchContext) -> EvaluatedParameterValue:
@@ -68,17 +68,17 @@ class Parameter:
 
     @property
     def name(self) -> Any:
-        """The name; before it is evaluated its substitutions."""
+        """The name, or its substitutions until it is evaluated."""
         return self.__name if self.__evaluated_name is None else self.__evaluated_name
 
     @property
     def value(self) -> Any:
-        """The value; before it is evaluated perhaps substitutions."""
+        """The value; it may contain substitutions until it is evaluated."""
         return self.__value.value
 
     @property
     def value_type(self) -> Any:
-        """The type the value is to have, None for YAML's choice."""
+        """The required type of the value; None if YAML's rules decide."""
         return self.__value.value_type
 
     def evaluate(self, context: LaunchContext) -> tuple[str, EvaluatedParameterValue]:
@@ -94,7 +94,7 @@ class Parameter:
 
 
 class ParameterFile:
-    """A file of parameters; with `allow_substs` its text may hold `$(var name)` and the like."""
+    """A parameter file; with `allow_substs` its text may contain substitutions such as `$(var name)`."""
 
     def __init__(
         self,
@@ -117,19 +117,19 @@ class ParameterFile:
 
     @property
     def param_file(self) -> Any:
-        """The path; before it is evaluated its substitutions."""
+        """The path, or its substitutions until it is evaluated."""
         return self.__param_file if self.__evaluated is None else self.__evaluated
 
     @property
     def allow_substs(self) -> Any:
-        """Whether the text may hold substitutions."""
+        """Whether the text may contain substitutions."""
         return self.__allow_substs
 
     def evaluate(self, context: LaunchContext) -> Path:
-        """Return the path; with substitutions, that of a copy in which they have been performed.
+        """Return the path; with `allow_substs`, that of a copy in which the substitutions have been performed.
 
         Raises:
-            SubstitutionFailure: when the file, or the copy, is not YAML.
+            SubstitutionFailure: if the file, or the copy, is not YAML.
         """
         if self.__evaluated is None:
             path = Path(perform_substitutions(context, self.__param_file))
@@ -140,7 +140,7 @@ class ParameterFile:
         return self.__evaluated
 
     def cleanup(self) -> None:
-        """Delete the copy that `evaluate` made, and forget it."""
+        """Delete the copy that `evaluate` created, and forget its path."""
         if self.__is_copy and self.__evaluated is not None:
             self.__evaluated.unlink(missing_ok=True)
             self.__evaluated, self.__is_copy = None, False

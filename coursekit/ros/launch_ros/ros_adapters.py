@@ -1,4 +1,4 @@
-"""The launch's own node, for what can only be heard or asked in the graph."""
+"""The launch's own node, for topics and services that only a node can use."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ KEY = "ros_adapter"
 
 
 class ROSAdapter:
-    """A node with a context and an executor of its own, spun beside the launch."""
+    """A node with its own context and executor, which spins in parallel to the launch."""
 
     def __init__(self, *, argv: list[str] | None = None, autostart: bool = True) -> None:
         self.__argv = argv
@@ -25,7 +25,7 @@ class ROSAdapter:
             self.start()
 
     def start(self) -> None:
-        """Make the node and begin to spin."""
+        """Create the node and start spinning."""
         import rclpy
         import rclpy.context
         import rclpy.executors
@@ -50,7 +50,7 @@ class ROSAdapter:
             pass  # the launch is over
 
     def shutdown(self) -> None:
-        """End the node and the spinning."""
+        """Stop spinning and destroy the node."""
         if self.__ros_context is not None and self.__ros_context.ok():
             self.__ros_executor.shutdown(timeout_sec=0)
             self.__ros_node.destroy_node()
@@ -74,7 +74,7 @@ class ROSAdapter:
 
 
 def get_ros_adapter(context: LaunchContext) -> ROSAdapter:
-    """Return the launch's adapter, made on first use; it ends with the launch."""
+    """Return the launch's adapter, created on first use; it ends with the launch."""
     adapter: ROSAdapter | None = context.get_locals_as_dict().get(KEY)
     if adapter is None:
         adapter = ROSAdapter(argv=context.argv)
@@ -89,5 +89,5 @@ def _end(context: LaunchContext, adapter: ROSAdapter) -> None:
 
 
 def get_ros_node(context: LaunchContext) -> Any:
-    """Return the launch's node, made on first use."""
+    """Return the launch's node, created on first use."""
     return get_ros_adapter(context).ros_node

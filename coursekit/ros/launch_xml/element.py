@@ -1,4 +1,4 @@
-"""XML elements that know their line."""
+"""XML elements with their line numbers."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from xml.parsers import expat
 
 @dataclass
 class Element:
-    """One XML element: tag, attributes, children, text, and place."""
+    """One XML element: tag, attributes, children, text, and position (file:line)."""
 
     tag: str
     attrib: dict[str, str]
@@ -19,13 +19,13 @@ class Element:
 
 
 def read_elements(text: str, name: str) -> Element:
-    """Return the root element of an XML text; `name` is the file's, for messages.
+    """Return the root element of an XML text; `name` is the file name for messages.
 
     >>> read_elements('<launch><log message="hi"/></launch>', 'a.xml').children[0].attrib
     {'message': 'hi'}
 
     Raises:
-        expat.ExpatError: when the text is not XML.
+        expat.ExpatError: if the text is not XML.
     """
     parser = expat.ParserCreate()
     roots: list[Element] = []
@@ -49,7 +49,7 @@ def read_elements(text: str, name: str) -> Element:
 
 
 def as_element(element: Any) -> Element:
-    """Return an element of ElementTree as one of ours; one of ours stays.
+    """Convert an element of ElementTree to an Element; an Element is returned unchanged.
 
     >>> from xml.etree import ElementTree
     >>> as_element(ElementTree.fromstring('<launch><log message="hi"/></launch>')).children[0].tag

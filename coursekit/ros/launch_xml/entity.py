@@ -11,7 +11,7 @@ from .element import as_element
 
 
 class Entity(frontend.Entity):
-    """One XML element; attributes are text that is read as the wanted type."""
+    """One XML element; attributes are text that is converted to the requested type."""
 
     def __init__(self, xml_element: Any, *, parent: Entity | None = None) -> None:
         self.__element = as_element(xml_element)
@@ -26,12 +26,12 @@ class Entity(frontend.Entity):
 
     @property
     def parent(self) -> Entity | None:
-        """The element around this one."""
+        """The parent element."""
         return self.__parent
 
     @property
     def place(self) -> str:
-        """The element's place, as file:line."""
+        """The element's position as file:line."""
         return self.__element.place
 
     @property
@@ -41,7 +41,7 @@ class Entity(frontend.Entity):
         return [Entity(child, parent=self) for child in self.__element.children]
 
     def assert_entity_completely_parsed(self) -> None:
-        """Raise ValueError when an attribute or nested tag was never asked for."""
+        """Raise ValueError if an attribute or nested tag was never read."""
         tags = [child.tag for child in self.__element.children if child.tag not in self.__read_children]
         if tags:
             raise ValueError(f"Unexpected nested tag(s) found in `{self.type_name}`: {set(tags)}")
@@ -69,7 +69,7 @@ class Entity(frontend.Entity):
             ) from error
 
     def __attribute(self, name: str) -> str | list[str]:
-        """Return an attribute's text, split where `name-sep` says so."""
+        """Return an attribute's text, split at the separator in `name-sep` if that is given."""
         self.__read_attributes.update((name, name + "-sep"))
         text = self.__element.attrib[name]
         separator = self.__element.attrib.get(name + "-sep")

@@ -19,7 +19,7 @@ class Parser(frontend.Parser):
         """Return the root element and a parser.
 
         Raises:
-            ValueError: when the text is not XML; says file, line and column.
+            ValueError: if the text is not XML; the message contains file, line and column.
         """
         if isinstance(file, str):
             with open(file, encoding="utf-8") as opened:
@@ -35,5 +35,5 @@ class Parser(frontend.Parser):
 
     @classmethod
     def get_file_extensions(cls) -> set[str]:
-        """Return the file name endings of this format."""
+        """Return the file name extensions of this format."""
         return {"xml"}

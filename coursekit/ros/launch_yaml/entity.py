@@ -10,7 +10,7 @@ from launch.utilities.type_utils import is_instance_of
 
 
 class Entity(frontend.Entity):
-    """One `name: attributes` of a YAML launch file."""
+    """One element of a YAML launch file: `name: attributes`."""
 
     def __init__(
         self,
@@ -46,17 +46,17 @@ class Entity(frontend.Entity):
 
     @property
     def parent(self) -> Entity | None:
-        """The element around this one."""
+        """The parent element."""
         return self.__parent
 
     @property
     def line(self) -> int:
-        """The line this element starts in."""
+        """The line in which this element starts."""
         return int(self.__line)
 
     @property
     def place(self) -> str:
-        """The element's place, as file:line."""
+        """The element's position as file:line."""
         return f"{self.__file_name}:{self.__line}"
 
     @property
@@ -74,7 +74,7 @@ class Entity(frontend.Entity):
         return [Entity(child, parent=self, file_name=self.__file_name) for child in children]
 
     def assert_entity_completely_parsed(self) -> None:
-        """Raise ValueError when a key was never asked for."""
+        """Raise ValueError if a key was never read."""
         if isinstance(self.__element, list):
             if not self.__children_called:
                 raise ValueError(

@@ -1,4 +1,4 @@
-"""YAML whose mappings know their line."""
+"""A YAML loader whose mappings have line numbers."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def read_yaml(text: str) -> Any:
     2
 
     Raises:
-        yaml.YAMLError: when the text is not YAML.
+        yaml.YAMLError: if the text is not YAML.
     """
     loader = PlacedLoader(text)
     try:

@@ -19,7 +19,7 @@ class Parser(frontend.Parser):
         """Return the root element and a parser.
 
         Raises:
-            ValueError: when the text is not YAML, or its root is not one element.
+            ValueError: if the text is not YAML, or its root is not one element.
         """
         if isinstance(file, str):
             with open(file, encoding="utf-8") as opened:
@@ -37,5 +37,5 @@ class Parser(frontend.Parser):
 
     @classmethod
     def get_file_extensions(cls) -> set[str]:
-        """Return the file name endings of this format."""
+        """Return the file name extensions of this format."""
         return {"yaml", "yml"}

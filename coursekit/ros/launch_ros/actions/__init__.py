@@ -1,4 +1,4 @@
-"""Actions around nodes."""
+"""Actions for nodes."""
 
 from .composable_node_container import ComposableNodeContainer
 from .lifecycle_node import LifecycleNode

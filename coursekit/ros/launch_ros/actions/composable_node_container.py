@@ -17,7 +17,7 @@ from .node import Node
 
 @expose_action("node_container")
 class ComposableNodeContainer(Node):
-    """Starts a container, and has it load components. What a Node takes, it takes as well."""
+    """Starts a container and loads components into it. It takes all arguments of Node."""
 
     def __init__(
         self,
@@ -38,7 +38,7 @@ class ComposableNodeContainer(Node):
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Start the container; return what loads its components."""
+        """Start the container; return the entities that follow, such as the action that loads its components."""
         from .load_composable_nodes import LoadComposableNodes
 
         entities = list(super().execute(context) or [])

@@ -20,7 +20,7 @@ from .node import Node
 
 @expose_action("lifecycle_node")
 class LifecycleNode(Node):
-    """Starts a lifecycle node, emits StateTransition when it changes and obeys ChangeState."""
+    """Starts a lifecycle node, emits StateTransition when its state changes, and handles ChangeState."""
 
     def __init__(
         self, *, name: SomeSubstitutionsType, namespace: SomeSubstitutionsType, **kwargs: Any
@@ -35,7 +35,7 @@ class LifecycleNode(Node):
         return True
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Start the node; listen to its transitions."""
+        """Start the node and subscribe to its transitions."""
         import lifecycle_msgs.msg
         import lifecycle_msgs.srv
 
@@ -69,7 +69,7 @@ class LifecycleNode(Node):
         )
 
     def __call(self, transition_id: int, context: LaunchContext) -> None:
-        """Ask the node for the transition, in an execution context of its own; a shutdown ends the waiting."""
+        """Request the transition from the node, in a separate execution context; a shutdown ends the wait."""
         from lifecycle_msgs.srv import ChangeState as ChangeStateService
 
         logger = get_logger("launch_ros.actions.lifecycle_node")

@@ -26,7 +26,7 @@ GOALS = {
 
 
 class LifecycleTransition(Action):
-    """Has each named node make the transitions, one after the other."""
+    """Makes each named node perform the transitions, one after the other."""
 
     def __init__(
         self,
@@ -42,7 +42,7 @@ class LifecycleTransition(Action):
             raise ValueError("LifecycleTransition needs at least one node name and one transition")
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Return the first transition and what continues after each."""
+        """Return the first transition, and the event handlers that start the next one after each."""
         entities: list[LaunchDescriptionEntity] = []
         for name in self.__names:
             entities += self.__of_node(perform_substitutions(context, name))

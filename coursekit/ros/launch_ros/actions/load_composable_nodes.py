@@ -24,10 +24,10 @@ from .load_request import get_composable_node_load_request
 
 @expose_action("load_composable_node")
 class LoadComposableNodes(Action):
-    """Has a running container load components, one after the other.
+    """Loads components into a running container, one after the other.
 
-    The container is given by its action or by the full name of its node; it is waited for. What cannot be loaded is
-    an error in the log, not the end of the launch.
+    The container is given by its action or by the full name of its node. The action waits for it. A component that
+    cannot be loaded causes an error in the log, but does not end the launch.
     """
 
     def __init__(
@@ -57,7 +57,7 @@ class LoadComposableNodes(Action):
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Write the requests now, while the scope's settings hold; ask the container beside the launch."""
+        """Create the requests now, while the scope's settings apply; send them in parallel to the launch."""
         from composition_interfaces.srv import LoadNode
 
         self.__container_name = self.__name_of_container(context)

@@ -1,4 +1,4 @@
-"""The request to a container for a component."""
+"""The request to a container to load a component."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ from ..utilities import (
 
 
 def get_composable_node_load_request(description: ComposableNode, context: LaunchContext) -> Any:
-    """Return the LoadNode request of a component; None when its condition does not hold.
+    """Return the LoadNode request of a component; None if its condition is false.
 
-    Namespace, remappings and parameters that the launch set before (PushRosNamespace, SetRemap, SetParameter, ...)
-    are in it.
+    It contains the namespace, remappings and parameters that the launch has set before (PushRosNamespace, SetRemap,
+    SetParameter, ...).
     """
     from composition_interfaces.srv import LoadNode
 

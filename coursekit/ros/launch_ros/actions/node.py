@@ -45,8 +45,8 @@ from .node_frontend import parse_node
 class Node(ExecuteProcess):
     """Starts an executable with ROS arguments: name, namespace, parameters, remappings.
 
-    Parameters are a list of files and mappings; later ones win. Remappings are (from, to) tuples. The
-    namespace is put below those of PushRosNamespace unless it is absolute.
+    Parameters are a list of files and mappings; later entries win. Remappings are (from, to) tuples. The
+    namespace is nested in those of PushRosNamespace unless it is absolute.
     """
 
     UNSPECIFIED_NODE_NAME = "<node_name_unspecified>"
@@ -98,7 +98,7 @@ class Node(ExecuteProcess):
         _, kwargs = super().parse(entity, parser, ignore=["cmd", "name"])
         return cls, {**kwargs, **parse_node(cls, entity, parser)}
 
-    # -- what others see
+    # -- properties
 
     @property
     def node_package(self) -> SomeSubstitutionsType | None:
@@ -112,7 +112,7 @@ class Node(ExecuteProcess):
 
     @property
     def node_name(self) -> str:
-        """The node's full name, known once the action was carried out."""
+        """The node's full name; RuntimeError before the action is executed."""
         if self.__final_node_name is None:
             raise RuntimeError("cannot access 'node_name' before executing action")
         return self.__final_node_name
@@ -129,23 +129,23 @@ class Node(ExecuteProcess):
 
     @property
     def expanded_remapping_rules(self) -> list[tuple[str, str]] | None:
-        """The remappings as text, known once the action was carried out."""
+        """The remappings as text; None before the action is executed."""
         return self.__expanded_remappings
 
     def is_node_name_fully_specified(self) -> bool:
-        """Return whether name and namespace were both given."""
+        """Return whether name and namespace are both known."""
         return "<" not in self.node_name
 
-    # -- carrying it out
+    # -- execution
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Start the node; warn when another one of the same name was started."""
+        """Start the node; warn if another node of the same name has been started."""
         self._perform_substitutions(context)
         arguments = {"name": f"__node:={self.__expanded_node_name}", "ns": f"__ns:={self.__expanded_node_namespace}"}
         context.extend_locals({"ros_specific_arguments": arguments})
         try:
             result = super().execute(context)
-        except NotCompiled as error:  # on a robot it would start: the rest does here, too
+        except NotCompiled as error:  # on a robot it would start: here the rest starts
             get_logger("launch_ros.actions.node").error(f"{error.why}; the launch goes on without it")
             return None
         if self.is_node_name_fully_specified():
@@ -159,7 +159,7 @@ class Node(ExecuteProcess):
         return result
 
     def _perform_substitutions(self, context: LaunchContext) -> None:
-        """Find out names, parameters and remappings, once, and add them to the command line."""
+        """Evaluate names, parameters and remappings, once, and add them to the command line."""
         if self.__final_node_name is not None:
             return
         self.__expand_names(context)
@@ -196,10 +196,10 @@ class Node(ExecuteProcess):
             raise
 
     def __global_parameters(self, context: LaunchContext) -> list[str]:
-        """Return the arguments for what SetParameter and SetParametersFromFile set before.
+        """Return the arguments for the parameters that SetParameter and SetParametersFromFile have set before.
 
         Raises:
-            FileNotFoundError: when a file of theirs does not exist.
+            FileNotFoundError: if one of their files does not exist.
         """
         arguments: list[str] = []
         settings: Any = context.launch_configurations.get("global_params", [])
@@ -234,7 +234,7 @@ class Node(ExecuteProcess):
         return ["--params-file", path]
 
     def _create_params_file_from_dict(self, params: dict[str, Any]) -> str:
-        """Write a parameter file for this node, or for all when its name is not known; return its path."""
+        """Write a parameter file for this node, or for all nodes if its name is unknown; return its path."""
         key = self.node_name if self.is_node_name_fully_specified() else "/**"
         path = temporary_files.new_path("launch_params_")
         with open(path, "w", encoding="utf-8") as file:

@@ -29,7 +29,7 @@ ATTRIBUTES = {"name": "name", "exec_name": "exec_name", "pkg": "package", "names
 
 
 def parse_node(cls: type[Node], entity: Entity, parser: Parser) -> dict[str, Any]:
-    """Return the keyword arguments of a Node that its element gives."""
+    """Return the keyword arguments of a Node from its element."""
     kwargs: dict[str, Any] = {"executable": parser.parse_substitution(entity.get_attr("exec"))}
     for attribute, keyword in ATTRIBUTES.items():
         value = entity.get_attr(attribute, optional=True)
@@ -49,7 +49,7 @@ def parse_node(cls: type[Node], entity: Entity, parser: Parser) -> dict[str, Any
 
 
 def parse_remaps(entity: Entity, parser: Parser) -> list[tuple[Any, Any]]:
-    """Return the `<remap from= to=/>` of an element."""
+    """Return the (from, to) pairs of an element's `<remap from= to=/>`."""
     remaps = entity.get_attr("remap", data_type=list[Entity], optional=True) or []
     pairs = [
         (parser.parse_substitution(remap.get_attr("from")), parser.parse_substitution(remap.get_attr("to")))
@@ -61,11 +61,11 @@ def parse_remaps(entity: Entity, parser: Parser) -> list[tuple[Any, Any]]:
 
 
 def parse_parameters(entities: list[Entity], parser: Parser) -> list[Any]:
-    """Return the `<param>` elements as a Node takes them: files and mappings, in their order.
+    """Return the `<param>` elements in the form of Node's argument: files and mappings, in order.
 
     Raises:
-        RuntimeError: when a param has both a name and a file.
-        ValueError: when it has neither.
+        RuntimeError: if a param has both a name and a file.
+        ValueError: if it has neither.
     """
     return [_parse_parameter(entity, parser) for entity in entities]
 

@@ -1,4 +1,4 @@
-"""Puts nodes below a namespace."""
+"""Puts nodes into a namespace."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from ..utilities import make_namespace_absolute, prefix_namespace
 @expose_action("push_ros_namespace")
 @expose_action("push-ros-namespace")
 class PushROSNamespace(Action):
-    """Puts the nodes that come after it, in the same group, below a namespace."""
+    """Puts the following nodes in the same group into a namespace."""
 
     def __init__(self, namespace: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

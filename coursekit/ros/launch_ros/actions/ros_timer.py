@@ -1,4 +1,4 @@
-"""Does something later, by ROS time."""
+"""Executes actions after a period of ROS time."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from ..ros_adapters import get_ros_node
 
 @expose_action("ros_timer")
 class ROSTimer(TimerAction):
-    """Does something once, after a period of ROS time: /clock's when use_sim_time was set before."""
+    """Executes actions once after a period of ROS time: the time of /clock if use_sim_time was set before."""
 
     def __init__(
         self,
@@ -35,7 +35,7 @@ class ROSTimer(TimerAction):
         assert context.asyncio_loop is not None
         period = perform_typed_substitution(context, self.period, float)
         simulated = _wants_sim_time(context)
-        # in the next round: what is set after this action, but outside of groups, holds as well
+        # in the next loop iteration: a later setting outside groups then applies as well
         context.asyncio_loop.call_soon(lambda: self.__begin(context, period, simulated or _wants_sim_time(context)))
 
     def __begin(self, context: LaunchContext, period: float, simulated: bool) -> None:
@@ -54,7 +54,7 @@ class ROSTimer(TimerAction):
             loop.call_soon_threadsafe(self._fire, context)
 
     def cancel(self) -> None:
-        """Do not do it."""
+        """Cancel the timer."""
         self.__cancelled = True
         if self.__ros_timer is not None:
             self.__ros_timer.cancel()

@@ -1,4 +1,4 @@
-"""Sets a parameter of all nodes that come after."""
+"""Sets a parameter of all following nodes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from ..utilities import evaluate_parameter_dict, normalize_parameter_dict
 
 @expose_action("set_parameter")
 class SetParameter(Action):
-    """Sets a parameter of the nodes that come after it, in the same group; a node's own settings win."""
+    """Sets a parameter of the following nodes in the same group; a node's own settings take precedence."""
 
     def __init__(self, name: SomeSubstitutionsType, value: Any, **kwargs: Any) -> None:
         super().__init__(**kwargs)

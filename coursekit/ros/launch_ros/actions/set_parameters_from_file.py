@@ -1,4 +1,4 @@
-"""Sets parameters of all nodes that come after, from a file."""
+"""Sets parameters of all following nodes from a file."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from launch.utilities import normalize_to_list_of_substitutions, perform_substit
 
 @expose_action("set_parameters_from_file")
 class SetParametersFromFile(Action):
-    """Gives a parameter file to the nodes that come after it, in the same group."""
+    """Passes a parameter file to the following nodes in the same group."""
 
     def __init__(
         self,
@@ -39,11 +39,11 @@ class SetParametersFromFile(Action):
 
     @property
     def node_name(self) -> SomeSubstitutionsType | None:
-        """For which node the file is meant; the names in the file decide."""
+        """The node that the file is for; not used, because the names in the file decide."""
         return self.__node_name
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Add the file; the nodes that come after look for it."""
+        """Add the file; the following nodes check that it exists."""
         path = perform_substitutions(context, self.__file)
         configurations: dict[str, Any] = context.launch_configurations
         configurations["global_params"] = [*configurations.get("global_params", []), path]

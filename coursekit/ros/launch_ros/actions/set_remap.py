@@ -1,4 +1,4 @@
-"""Remaps a name for all nodes that come after."""
+"""Remaps a name for all following nodes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from launch.utilities import normalize_to_list_of_substitutions, perform_substit
 
 @expose_action("set_remap")
 class SetRemap(Action):
-    """Adds a remapping to the nodes that come after it, in the same group."""
+    """Adds a remapping to the following nodes in the same group."""
 
     def __init__(self, src: SomeSubstitutionsType, dst: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -1,4 +1,4 @@
-"""Chooses where nodes write their logs."""
+"""Sets the folder of the nodes' log files."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from launch.utilities import normalize_to_list_of_substitutions, perform_substit
 
 @expose_action("set_ros_log_dir")
 class SetROSLogDir(Action):
-    """Sets ROS_LOG_DIR for the nodes that come after it, in the same group."""
+    """Sets ROS_LOG_DIR for the following nodes in the same group."""
 
     def __init__(self, new_log_dir: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)
@@ -36,7 +36,7 @@ class SetROSLogDir(Action):
         return self.__log_dir
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Set the variable; a relative folder lies in the one that was set before."""
+        """Set the variable; a relative folder is relative to the previous one."""
         before = context.environment.get("ROS_LOG_DIR", os.path.expanduser("~/.ros/log"))
         context.environment["ROS_LOG_DIR"] = os.path.join(before, perform_substitutions(context, self.__log_dir))
         return None

@@ -1,4 +1,4 @@
-"""Has all nodes that come after take their time from /clock."""
+"""Makes all following nodes take their time from /clock."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .set_parameter import SetParameter
 
 @expose_action("set_use_sim_time")
 class SetUseSimTime(SetParameter):
-    """Sets use_sim_time of the nodes that come after it, in the same group."""
+    """Sets use_sim_time of the following nodes in the same group."""
 
     def __init__(self, value: bool | SomeSubstitutionsType, **kwargs: Any) -> None:
         checked = normalize_typed_substitution(value, bool)

@@ -1,4 +1,4 @@
-"""Descriptions of nodes' parts."""
+"""Descriptions of parameters and composable nodes."""
 
 from ..parameter_descriptions import Parameter, ParameterFile, ParameterValue
 from .composable_node import ComposableNode

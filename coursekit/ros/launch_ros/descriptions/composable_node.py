@@ -17,7 +17,7 @@ from ..utilities.parse_composable_node import parse_composable_node
 
 
 class ComposableNode:
-    """A component: package, plugin (such as 'image_proc::RectifyNode') and what a Node takes."""
+    """A component: package, plugin (such as 'image_proc::RectifyNode'), and settings as for a Node."""
 
     def __init__(
         self,
@@ -67,7 +67,7 @@ class ComposableNode:
 
     @property
     def parameters(self) -> Parameters | None:
-        """Files and mappings, with their substitutions still to be performed."""
+        """Files and mappings, with their substitutions not yet performed."""
         return self.__parameters
 
     @property
@@ -77,9 +77,9 @@ class ComposableNode:
 
     @property
     def extra_arguments(self) -> Parameters | None:
-        """The container's options, for example use_intra_process_comms; they make no difference here."""
+        """The container's options, for example use_intra_process_comms; they have no effect here."""
         return self.__extra_arguments
 
     def condition(self) -> Condition | None:
-        """The condition under which it is loaded."""
+        """The condition for loading the component."""
         return self.__condition

@@ -1,4 +1,4 @@
-"""Event handlers around nodes."""
+"""Event handlers for nodes."""
 
 from .on_state_transition import OnStateTransition
 

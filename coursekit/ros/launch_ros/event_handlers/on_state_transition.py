@@ -1,4 +1,4 @@
-"""Actions when a lifecycle node changes its state."""
+"""The handler for state changes of lifecycle nodes."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class OnStateTransition(EventHandler):
-    """Visits entities when a lifecycle node makes a transition; node, transition and states may be given."""
+    """Visits entities on a transition of a lifecycle node; node, transition and states may restrict it."""
 
     def __init__(
         self,

@@ -1,4 +1,4 @@
-"""Functions that pick nodes by name."""
+"""Matchers that select nodes by name."""
 
 from __future__ import annotations
 

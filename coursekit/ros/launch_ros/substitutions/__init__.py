@@ -1,4 +1,4 @@
-"""Substitutions around packages and parameters."""
+"""Substitutions for packages and parameters."""
 
 from .executable_in_package import ExecutableInPackage
 from .find_package import FindPackage, FindPackagePrefix, FindPackageShare

@@ -21,7 +21,7 @@ from .find_package import FindPackagePrefix
 
 
 class NotCompiled(SubstitutionFailure):
-    """The executable is one in C++ that `colcon build` passed over; `why` says so."""
+    """The executable is a C++ program that `colcon build` skipped; `why` is the explanation."""
 
     def __init__(self, text: str, why: str) -> None:
         super().__init__(text)
@@ -49,7 +49,7 @@ class ExecutableInPackage(FindPackagePrefix):
         return self.__executable
 
     def describe(self) -> str:
-        """Return package and executable in words."""
+        """Return a description of package and executable."""
         package = " + ".join(sub.describe() for sub in self.package)
         executable = " + ".join(sub.describe() for sub in self.__executable)
         return f"ExecInPkg(pkg={package}, exec={executable})"
@@ -58,9 +58,9 @@ class ExecutableInPackage(FindPackagePrefix):
         """Return the path.
 
         Raises:
-            PackageNotFoundError: when there is no such package.
-            SubstitutionFailure: when it has no such executable; names those it has.
-            NotCompiled: when it would have, were it compiled.
+            PackageNotFoundError: if there is no such package.
+            SubstitutionFailure: if the package has no such executable; the message lists its executables.
+            NotCompiled: if the package would have it, were it compiled.
         """
         executable = perform_substitutions(context, self.__executable)
         package = perform_substitutions(context, self.package)

@@ -1,4 +1,4 @@
-"""Where packages are installed."""
+"""The folders of installed packages."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from launch.utilities import normalize_to_list_of_substitutions, perform_substit
 
 
 class FindPackage(Substitution):
-    """A folder of a package; subclasses say which."""
+    """A folder of a package; a subclass determines which."""
 
     def __init__(self, package: SomeSubstitutionsType) -> None:
         super().__init__()
@@ -22,7 +22,7 @@ class FindPackage(Substitution):
 
     @classmethod
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
-        """Read `$(find-pkg-share name)` and its like."""
+        """Read `$(find-pkg-share name)` and similar substitutions."""
         if len(data) != 1:
             raise AttributeError("find package substitutions expect 1 argument")
         return cls, {"package": data[0]}
@@ -33,7 +33,7 @@ class FindPackage(Substitution):
         return self.__package
 
     def describe(self) -> str:
-        """Return the package's name in words."""
+        """Return a description of the package's name."""
         return f"{type(self).__name__}(pkg={' + '.join(sub.describe() for sub in self.__package)})"
 
     def find(self, package_name: str) -> str:
@@ -44,19 +44,19 @@ class FindPackage(Substitution):
         """Return the folder.
 
         Raises:
-            PackageNotFoundError: when there is no such package.
+            PackageNotFoundError: if there is no such package.
         """
         return self.find(perform_substitutions(context, self.__package))
 
 
 @expose_substitution("find-pkg-prefix")
 class FindPackagePrefix(FindPackage):
-    """The folder a package is installed in."""
+    """The folder in which a package is installed."""
 
 
 @expose_substitution("find-pkg-share")
 class FindPackageShare(FindPackage):
-    """The package's share folder, where launch files and configuration lie."""
+    """The package's share folder, with launch files and configuration."""
 
     def find(self, package_name: str) -> str:
         """Return the folder."""

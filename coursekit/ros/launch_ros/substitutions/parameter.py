@@ -1,4 +1,4 @@
-"""The value of a parameter that the launch file set for all nodes."""
+"""The value of a parameter that the launch file has set for all nodes."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from launch.utilities import normalize_to_list_of_substitutions, perform_substit
 
 @expose_substitution("param")
 class Parameter(Substitution):
-    """The value that SetParameter gave to a name, as text."""
+    """The value that SetParameter has set for a name, as text."""
 
     def __init__(self, name: SomeSubstitutionsType, *, default: Any = None) -> None:
         super().__init__()
@@ -42,18 +42,18 @@ class Parameter(Substitution):
 
     @property
     def default(self) -> list[Substitution] | None:
-        """The value when the parameter is not set."""
+        """The value if the parameter is not set."""
         return self.__default
 
     def describe(self) -> str:
-        """Return the name in words."""
+        """Return a description of the name."""
         return f"Parameter({' + '.join(sub.describe() for sub in self.__name)})"
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the value set last, or the default.
+        """Return the last value that was set, or the default.
 
         Raises:
-            SubstitutionFailure: when there is neither.
+            SubstitutionFailure: if there is neither.
         """
         name = perform_substitutions(context, self.__name)
         settings: Any = context.launch_configurations.get("global_params", [])

@@ -1,4 +1,4 @@
-"""Helpers around nodes: parameters, remappings and namespaces."""
+"""Helpers for nodes: parameters, remappings and namespaces."""
 
 from .evaluate_parameters import evaluate_parameter_dict, evaluate_parameters
 from .namespace_utils import (

@@ -36,10 +36,10 @@ def evaluate_parameters(context: LaunchContext, parameters: Parameters) -> Evalu
 def evaluate_parameter_dict(
     context: LaunchContext, parameters: ParametersDict
 ) -> dict[str, EvaluatedParameterValue]:
-    """Return names and values; what substitutions give is read by YAML's rules.
+    """Return names and values; the text of substitutions is read by YAML's rules.
 
     Raises:
-        TypeError: when a value is no parameter, or a list holds several types.
+        TypeError: if a value cannot be a parameter, or if a list contains several types.
     """
     if not isinstance(parameters, Mapping):
         raise TypeError("expected dict")
@@ -68,7 +68,7 @@ def _evaluate(context: LaunchContext, name: str, value: Any) -> Any:
 
 
 def _read(name: str, text: str) -> Any:
-    """Return a text as YAML reads it: a scalar, or a tuple of one type."""
+    """Return a text's value by YAML's rules: a scalar, or a tuple of one type."""
     try:
         value = yaml.safe_load(text or "''")
     except yaml.YAMLError as error:

@@ -1,4 +1,4 @@
-"""Puts namespaces together."""
+"""Helpers that combine namespaces."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def is_namespace_absolute(ns: str) -> bool:
 
 
 def prefix_namespace(base_ns: str | None, ns: str | None) -> str | None:
-    """Return `ns` below `base_ns`; an absolute one stays what it is, None and '' add nothing.
+    """Return `ns` nested in `base_ns`. An absolute `ns` stays unchanged; None and '' add nothing.
 
     >>> prefix_namespace('/robot1', 'arm'), prefix_namespace('/robot1', '/arm'), prefix_namespace(None, None)
     ('/robot1/arm', '/arm', None)
@@ -32,7 +32,7 @@ def prefix_namespace(base_ns: str | None, ns: str | None) -> str | None:
 
 
 def make_namespace_absolute(ns: str | None) -> str | None:
-    """Return `ns` with a '/' before it; None stays None."""
+    """Return `ns` with a leading '/'; None stays None."""
     if ns is None or is_namespace_absolute(ns):
         return ns
     return f"/{ns}"

@@ -1,4 +1,4 @@
-"""Brings the many spellings of parameters to one form, before anything is performed."""
+"""Normalizes the many forms of parameters, before substitutions are performed."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def normalize_parameters(parameters: SomeParameters) -> Parameters:
     """Return files as ParameterFile and mappings with tuples of substitutions as names.
 
     Raises:
-        TypeError: when `parameters` is no list, or holds something else.
+        TypeError: if `parameters` is not a list, or contains anything else.
     """
     if isinstance(parameters, str) or not isinstance(parameters, Sequence):
         raise TypeError(f"Expecting list of parameters, got {parameters}")
@@ -41,13 +41,13 @@ def _normalize_one(parameter: Any) -> Any:
 def normalize_parameter_dict(
     parameters: SomeParametersDict, *, _prefix: Sequence[Substitution] | None = None
 ) -> ParametersDict:
-    """Return a mapping without nesting: names joined by dots, lists of one type, text in quotes.
+    """Return a flat mapping: names joined by dots, lists of one type, text in quotes.
 
-    Text in the launch file stays text, whatever it looks like; what substitutions give is
-    read by YAML's rules later. Whole numbers among floats become floats.
+    Text in the launch file stays text, even if it looks like another type. The text of substitutions is
+    read by YAML's rules later. Integers among floats become floats.
 
     Raises:
-        TypeError: for values that are no parameters.
+        TypeError: for values that cannot be parameters.
     """
     if not isinstance(parameters, Mapping):
         raise TypeError("expected dict")

@@ -1,4 +1,4 @@
-"""Brings remappings to one form."""
+"""Normalizes remappings."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ def normalize_remap_rule(remapping: SomeRemapRule) -> RemapRule:
     """Return a (from, to) pair as two tuples of substitutions.
 
     Raises:
-        TypeError: when it is no pair; lists are not accepted, as in ROS 2.
+        TypeError: if it is not a pair; lists are not accepted, as in ROS 2.
     """
     ensure_argument_type(remapping, (tuple,), "remapping")
     if len(remapping) != 2:

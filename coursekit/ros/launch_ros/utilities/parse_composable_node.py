@@ -12,10 +12,10 @@ if TYPE_CHECKING:
 
 
 def parse_composable_node(entity: Entity, parser: Parser) -> dict[str, Any]:
-    """Return the keyword arguments of a ComposableNode that its element gives.
+    """Return the keyword arguments of a ComposableNode from its element.
 
     Raises:
-        RuntimeError: when it has both `if` and `unless`.
+        RuntimeError: if it has both `if` and `unless`.
     """
     from ..actions.node_frontend import parse_parameters, parse_remaps
 

@@ -1,4 +1,4 @@
-"""Asks a service from a launch: it waits, and gives up when the launch is over."""
+"""Calls a service from a launch: waits for it, and gives up when the launch ends."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from launch.launch_context import LaunchContext
 
 from coursekit.processes import session
 
-PATIENCE = 10  # seconds until it is said that nobody offers the service
+PATIENCE = 10  # seconds until a warning that no node offers the service
 
 
 def call_service(client: Any, request: Any, context: LaunchContext, logger: Any) -> Any:
-    """Return the service's answer; None, after a warning, when the launch shut down meanwhile.
+    """Return the service's response; None, after a warning, if the launch shuts down meanwhile.
 
-    Blocks: to be called in an execution context of its own, not in the launch's loop.
+    It blocks: call it in a separate execution context, not in the launch's loop.
     """
     waited = 0
     while not client.wait_for_service(timeout_sec=1.0):

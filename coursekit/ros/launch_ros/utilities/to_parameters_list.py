@@ -1,4 +1,4 @@
-"""Parameters as rclpy has them."""
+"""Conversion of parameters to rclpy's form."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from ..parameters_type import EvaluatedParameters
 def to_parameters_list(
     context: LaunchContext, node_name: str | None, namespace: str | None, evaluated_parameters: EvaluatedParameters
 ) -> list[Any]:
-    """Return evaluated parameters as rclpy.parameter.Parameter objects, in order: of two with one name the later holds.
+    """Return evaluated parameters as rclpy.parameter.Parameter objects, in order; of equal names the last one applies.
 
-    Files are read with their wildcards and node names, as a node reads them.
+    Files are read as a node reads them, with their wildcards and node names.
     """
     import rclpy.parameter
 
@@ -39,7 +39,7 @@ def to_parameters_list(
 
 
 def yaml_inline(value: Any) -> str:
-    """Return a value as YAML on one line, as a `-p name:=value` takes it.
+    """Return a value as one line of YAML, as `-p name:=value` requires.
 
     >>> yaml_inline((1, 2)), yaml_inline('1'), yaml_inline(True)
     ('[1, 2]', "'1'", 'true')

@@ -1,4 +1,4 @@
-"""Counts the nodes a launch starts under each name."""
+"""Counts the nodes that a launch starts under each name."""
 
 from __future__ import annotations
 
@@ -17,6 +17,6 @@ def add_node_name(context: LaunchContext, node_name: str) -> None:
 
 
 def get_node_name_count(context: LaunchContext, node_name: str) -> int:
-    """Return how many nodes of that name were started."""
+    """Return the number of nodes started under that name."""
     count: int = context.get_locals_as_dict().get(KEY, {}).get(node_name, 0)
     return count

@@ -1,4 +1,4 @@
-"""The event that has lifecycle nodes change their state."""
+"""The event that makes lifecycle nodes change their state."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def _names(constants: type, prefix: tuple[str, ...]) -> dict[int, str]:
 
 
 class ChangeState(Event):
-    """The lifecycle nodes that `lifecycle_node_matcher` accepts are to make a transition."""
+    """A request for a transition to all lifecycle nodes that `lifecycle_node_matcher` accepts."""
 
     name = "launch_ros.events.lifecycle.ChangeState"
     valid_states: ClassVar[dict[int, str]] = _names(State, ("PRIMARY_STATE_", "TRANSITION_STATE_"))
@@ -53,7 +53,7 @@ class ChangeState(Event):
 
     @property
     def lifecycle_node_matcher(self) -> Callable[[LifecycleNode], bool]:
-        """A function that says whether a node is meant."""
+        """A function that returns whether a node must make the transition."""
         return self.__matcher
 
     @property

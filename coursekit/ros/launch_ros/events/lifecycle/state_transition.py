@@ -1,4 +1,4 @@
-"""The event of a lifecycle node that changed its state."""
+"""The event that a lifecycle node has changed its state."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class StateTransition(Event):
-    """A lifecycle node told that it made a transition."""
+    """A lifecycle node has reported a transition."""
 
     name = "launch_ros.events.lifecycle.StateTransition"
 
@@ -33,7 +33,7 @@ class StateTransition(Event):
 
     @property
     def timestamp(self) -> int:
-        """When, in nanoseconds."""
+        """The time of the transition in nanoseconds."""
         return int(self.__msg.timestamp)
 
     @property
@@ -43,10 +43,10 @@ class StateTransition(Event):
 
     @property
     def start_state(self) -> str:
-        """The state before."""
+        """The state before the transition."""
         return ChangeState.valid_states[self.__msg.start_state.id]
 
     @property
     def goal_state(self) -> str:
-        """The state after."""
+        """The state after the transition."""
         return ChangeState.valid_states[self.__msg.goal_state.id]

@@ -1,4 +1,4 @@
-"""ROS 2's launch system: what to start, with which settings, and what to do when something happens."""
+"""ROS 2's launch system: the programs to start, their settings, and reactions to events."""
 
 from . import (
     actions,

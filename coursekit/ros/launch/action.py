@@ -14,17 +14,17 @@ if TYPE_CHECKING:
 
 
 class Action(LaunchDescriptionEntity):
-    """Something a launch file wants to have done, perhaps under a condition."""
+    """A step of a launch file, optionally under a condition."""
 
     def __init__(self, *, condition: Condition | None = None) -> None:
         self.__condition = condition
 
     @staticmethod
     def parse(entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
-        """Return the class and constructor arguments that an XML or YAML element stands for.
+        """Return the class and the constructor arguments for an XML or YAML element.
 
         Raises:
-            RuntimeError: when both `if` and `unless` are given.
+            RuntimeError: if both `if` and `unless` are given.
         """
         from .conditions import IfCondition, UnlessCondition
 
@@ -40,7 +40,7 @@ class Action(LaunchDescriptionEntity):
 
     @property
     def condition(self) -> Condition | None:
-        """The condition that decides whether the action is carried out."""
+        """The condition that decides whether the action is executed."""
         return self.__condition
 
     def describe(self) -> str:
@@ -48,11 +48,11 @@ class Action(LaunchDescriptionEntity):
         return f"{type(self).__name__}()"
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the entities this action gives when it is carried out."""
+        """Return the entities that this action returns when it is executed."""
         return []
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the sub-entities, when there is no condition before them."""
+        """Return the sub-entities, if this action has no condition."""
         return self.get_sub_entities() if self.condition is None else []
 
     def describe_conditional_sub_entities(
@@ -64,7 +64,7 @@ class Action(LaunchDescriptionEntity):
         return [("Conditionally included by " + self.describe(), self.get_sub_entities())]
 
     def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Carry the action out when its condition holds."""
+        """Execute the action if its condition is true."""
         if self.__condition is not None and not self.__condition.evaluate(context):
             return None
         try:

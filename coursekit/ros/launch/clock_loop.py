@@ -1,7 +1,7 @@
 """An asyncio loop that runs on the session's clock.
 
 Coroutines, futures, `asyncio.sleep` and `asyncio.wait` of a launch file run on it unchanged; on the
-virtual clock their waiting takes no time. The loop counts as the running one only while callbacks
+virtual clock their waits take no time. The loop is registered as the running loop only while callbacks
 run, so it also works inside a notebook cell, where another loop is already running.
 """
 
@@ -20,7 +20,7 @@ from coursekit.processes import session
 
 
 class ClockLoop(asyncio.AbstractEventLoop):
-    """Runs callbacks in the order they became due; waits with the session's events."""
+    """Runs callbacks in the order in which they become due; waits with the session's events."""
 
     def __init__(self) -> None:
         self.__session = session.current()
@@ -42,7 +42,7 @@ class ClockLoop(asyncio.AbstractEventLoop):
     def call_soon(  # type: ignore[override]
         self, callback: Callable[..., Any], *args: Any, context: Context | None = None
     ) -> asyncio.Handle:
-        """Have a callback run in the next round."""
+        """Run a callback in the next iteration."""
         handle = asyncio.Handle(callback, args, self, context)
         self.__ready.append(handle)
         return handle
@@ -50,7 +50,7 @@ class ClockLoop(asyncio.AbstractEventLoop):
     def call_soon_threadsafe(  # type: ignore[override]
         self, callback: Callable[..., Any], *args: Any, context: Context | None = None
     ) -> asyncio.Handle:
-        """Have a callback run soon; may be called from any thread or process of the session."""
+        """Run a callback soon; this may be called from any thread or process of the session."""
         handle = self.call_soon(callback, *args, context=context)
         self.__wake.set()
         return handle
@@ -58,20 +58,20 @@ class ClockLoop(asyncio.AbstractEventLoop):
     def call_later(  # type: ignore[override]
         self, delay: float, callback: Callable[..., Any], *args: Any, context: Context | None = None
     ) -> asyncio.TimerHandle:
-        """Have a callback run after `delay` seconds."""
+        """Run a callback after `delay` seconds."""
         return self.call_at(self.time() + delay, callback, *args, context=context)
 
     def call_at(  # type: ignore[override]
         self, when: float, callback: Callable[..., Any], *args: Any, context: Context | None = None
     ) -> asyncio.TimerHandle:
-        """Have a callback run at a steady time, in seconds."""
+        """Run a callback at a steady time [s]."""
         handle = asyncio.TimerHandle(when, callback, args, self, context)
         self.__count += 1
         heapq.heappush(self.__timers, (when, self.__count, handle))
         return handle
 
     def _timer_handle_cancelled(self, handle: asyncio.TimerHandle) -> None:
-        """Called by a cancelled timer; it is dropped when its time comes."""
+        """Do nothing: a cancelled timer is dropped when it is due."""
 
     def create_future(self) -> asyncio.Future[Any]:
         """Return a new future of this loop."""
@@ -82,7 +82,7 @@ class ClockLoop(asyncio.AbstractEventLoop):
         return asyncio.Task(coro, loop=self, **kwargs)
 
     def run_in_executor(self, executor: Any, func: Callable[..., Any], *args: Any) -> asyncio.Future[Any]:  # type: ignore[override]
-        """Run a function in an execution context of its own; the future gets what it returns or raises."""
+        """Run a function in a separate execution context; the future gets its result or exception."""
         future = self.create_future()
 
         def work() -> None:
@@ -132,7 +132,7 @@ class ClockLoop(asyncio.AbstractEventLoop):
             self.__running = False
 
     def __run_ready(self, finished: Callable[[], bool]) -> None:
-        """Run what is due, round by round, until nothing is."""
+        """Run due callbacks, iteration by iteration, until none is left."""
         while self.__ready and not finished():
             for _ in range(len(self.__ready)):
                 handle = self.__ready.popleft()
@@ -156,12 +156,12 @@ class ClockLoop(asyncio.AbstractEventLoop):
                 self.__ready.append(handle)
 
     def stop(self) -> None:
-        """End `run_forever` after this round."""
+        """End `run_forever` after this iteration."""
         self.__stopping = True
         self.__wake.set()
 
     def is_running(self) -> bool:
-        """Return whether the loop runs."""
+        """Return whether the loop is running."""
         return self.__running
 
     def is_closed(self) -> bool:
@@ -175,25 +175,25 @@ class ClockLoop(asyncio.AbstractEventLoop):
         self.__timers.clear()
 
     async def shutdown_asyncgens(self) -> None:
-        """There is nothing to shut down."""
+        """Do nothing: there is nothing to shut down."""
 
     async def shutdown_default_executor(self, timeout: float | None = None) -> None:
-        """There is nothing to shut down."""
+        """Do nothing: there is nothing to shut down."""
 
     def get_debug(self) -> bool:
         """Return whether asyncio's debug checks are on."""
         return self.__debug
 
     def set_debug(self, enabled: bool) -> None:
-        """Switch asyncio's debug checks."""
+        """Switch asyncio's debug checks on or off."""
         self.__debug = enabled
 
     def set_exception_handler(self, handler: Callable[..., Any] | None) -> None:
-        """Set who hears of exceptions that nobody awaits."""
+        """Set the handler of exceptions that are never awaited."""
         self.__failures = handler
 
     def call_exception_handler(self, context: dict[str, Any]) -> None:
-        """Tell of an exception that nobody awaits; what a closed loop left behind is not worth telling."""
+        """Report an exception that is never awaited; leftovers of a closed loop are not reported."""
         if self.__closed:
             return
         if self.__failures is not None:
@@ -221,7 +221,7 @@ _swap_current_task: Callable[..., Any] | None = getattr(asyncio.tasks, "_swap_cu
 
 
 def _enter(loop: ClockLoop) -> tuple[Any, Any]:
-    """Make `loop` this thread's running loop; what `_leave` puts back: the loop around it and that one's task."""
+    """Make `loop` this thread's running loop; return the outer loop and its task, which `_leave` restores."""
     outer = asyncio.events._get_running_loop()
     task = _swap_current_task(outer, None) if outer is not None and _swap_current_task is not None else None
     asyncio.events._set_running_loop(loop)

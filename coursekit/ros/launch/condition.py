@@ -10,14 +10,14 @@ if TYPE_CHECKING:
 
 
 class Condition:
-    """Wraps a predicate that decides, while launching, whether an action is carried out."""
+    """Wraps a predicate that decides, while launching, whether an action is executed."""
 
     def __init__(self, *, predicate: Callable[[LaunchContext], bool] | None = None) -> None:
         self._predicate = predicate
         self.__last_result: bool | None = None
 
     def evaluate(self, context: LaunchContext) -> bool:
-        """Return whether the condition holds now, and remember the answer."""
+        """Return whether the condition is true now, and remember the result."""
         self.__last_result = self._predicate(context) if self._predicate is not None else True
         return self.__last_result
 
@@ -27,5 +27,5 @@ class Condition:
 
     @property
     def last_result(self) -> bool | None:
-        """The latest answer of `evaluate`, None before the first."""
+        """The latest result of `evaluate`; None before the first."""
         return self.__last_result

@@ -1,4 +1,4 @@
-"""Conditions: whether an action of a launch file is carried out."""
+"""Conditions that decide whether an action of a launch file is executed."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class InvalidConditionExpressionError(RuntimeError):
 
 
 def evaluate_condition_expression(context: LaunchContext, expression: Sequence[Substitution]) -> bool:
-    """Return the truth of an expression's text: true or 1, false or 0, in any case, spaces ignored.
+    """Return the truth value of an expression's text: true or 1, false or 0; case and surrounding spaces are ignored.
 
     Raises:
         InvalidConditionExpressionError: for any other text.
@@ -54,7 +54,7 @@ def evaluate_condition_expression(context: LaunchContext, expression: Sequence[S
 
 
 class _ExpressionCondition(Condition):
-    """Holds when the expression's text is true (or false, for `wanted=False`)."""
+    """True if the expression's text is true (or false, for `wanted=False`)."""
 
     def __init__(self, predicate_expression: SomeSubstitutionsType, wanted: bool) -> None:
         from .utilities import normalize_to_list_of_substitutions
@@ -73,7 +73,7 @@ class _ExpressionCondition(Condition):
 
 
 class IfCondition(_ExpressionCondition):
-    """Holds when the expression's text is true or 1.
+    """True if the expression's text is true or 1.
 
     >>> from launch import LaunchContext
     >>> IfCondition('True').evaluate(LaunchContext())
@@ -85,14 +85,14 @@ class IfCondition(_ExpressionCondition):
 
 
 class UnlessCondition(_ExpressionCondition):
-    """Holds when the expression's text is false or 0."""
+    """True if the expression's text is false or 0."""
 
     def __init__(self, predicate_expression: SomeSubstitutionsType) -> None:
         super().__init__(predicate_expression, False)
 
 
 class _ConfigurationCondition(Condition):
-    """Compares a launch configuration with a text; None compares with 'not set'."""
+    """Compares a launch configuration with a text; None means 'not set'."""
 
     def __init__(self, name: str, expected: SomeSubstitutionsType | None, wanted: bool) -> None:
         from .utilities import normalize_to_list_of_substitutions
@@ -112,14 +112,14 @@ class _ConfigurationCondition(Condition):
 
 
 class LaunchConfigurationEquals(_ConfigurationCondition):
-    """Holds when the launch configuration has this value (None: is not set)."""
+    """True if the launch configuration has this value (None: is not set)."""
 
     def __init__(self, launch_configuration_name: str, expected_value: SomeSubstitutionsType | None) -> None:
         super().__init__(launch_configuration_name, expected_value, True)
 
 
 class LaunchConfigurationNotEquals(_ConfigurationCondition):
-    """Holds when the launch configuration does not have this value (None: is set)."""
+    """True if the launch configuration does not have this value (None: is set)."""
 
     def __init__(self, launch_configuration_name: str, expected_value: SomeSubstitutionsType | None) -> None:
         super().__init__(launch_configuration_name, expected_value, False)

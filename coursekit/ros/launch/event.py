@@ -4,6 +4,6 @@ from __future__ import annotations
 
 
 class Event:
-    """Something that happened; event handlers react to it."""
+    """An occurrence to which event handlers react."""
 
     name = "launch.Event"

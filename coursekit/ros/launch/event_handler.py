@@ -1,4 +1,4 @@
-"""The base class of event handlers, and the general one."""
+"""The base class of event handlers, and the general event handler."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 
 class BaseEventHandler:
-    """Reacts to the events that `matcher` accepts; with `handle_once` only to the first."""
+    """Reacts to the events that `matcher` accepts; with `handle_once`, only to the first event."""
 
     _event_class: type = object
-    """No event of another class is shown to the matcher: a launch has hundreds of handlers, and each line is an event."""
+    """Only events of this class reach the matcher: a launch has hundreds of handlers, and each output line is an event."""
     _action: Any = None
-    """When there is one, no event of another action either."""
+    """If set, only events of this action reach the matcher."""
 
     def __init__(self, *, matcher: Callable[[Event], bool], handle_once: bool = False) -> None:
         if not isinstance(handle_once, bool):
@@ -39,22 +39,22 @@ class BaseEventHandler:
 
     @property
     def matcher_description(self) -> str:
-        """Which events the handler accepts; subclasses override it."""
+        """The events that the handler accepts; subclasses override it."""
         return "{}"
 
     def matches(self, event: Event) -> bool:
-        """Return whether this handler wants `event`."""
+        """Return whether this handler accepts `event`."""
         return self.__matcher(event)
 
     def describe(self) -> tuple[str, list[SomeEntitiesType]]:
-        """Return a description and the entities this handler may give."""
+        """Return a description and the entities that this handler may return."""
         return (
             f"{type(self).__name__}(matcher='{self.matcher_description}', "
             f"handler='{self.handler_description}', handle_once={self.handle_once})"
         ), []
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
-        """Put `event` into the context's locals; subclasses return what to visit next."""
+        """Put `event` into the context's locals; subclasses return the entities to visit next."""
         context.extend_locals({"event": event})
         if self.handle_once:
             context.unregister_event_handler(self)
@@ -62,7 +62,7 @@ class BaseEventHandler:
 
 
 class EventHandler(BaseEventHandler):
-    """Visits given entities, or what a function returns, when a matching event arrives."""
+    """Visits given entities, or the entities that a function returns, on a matching event."""
 
     def __init__(
         self,
@@ -96,7 +96,7 @@ class EventHandler(BaseEventHandler):
 
 
 def as_entities(some: Any) -> list[Any]:
-    """Return entities as a list; a function or None gives an empty one."""
+    """Return entities as a list; an empty list for a function or None."""
     if some is None or callable(some):
         return []
     if isinstance(some, LaunchDescriptionEntity) or not isinstance(some, Iterable):

@@ -1,4 +1,4 @@
-"""The error that says why a launch file could not be read."""
+"""The error for launch files that cannot be read."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 
 class InvalidLaunchFileError(Exception):
-    """Raised when a launch file cannot be loaded; holds what went wrong on the way."""
+    """Raised if a launch file cannot be loaded; contains the errors that occurred."""
 
     def __init__(self, extension: str = "", *, likely_errors: Sequence[BaseException] | None = None) -> None:
         self._extension = extension

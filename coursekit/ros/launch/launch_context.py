@@ -1,4 +1,4 @@
-"""A launch's state while it runs: configurations, environment, locals, handlers and events."""
+"""The state of a running launch: configurations, environment, locals, handlers and events."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .substitution import Substitution
 
 
 class LaunchContext:
-    """The state of one launch; substitutions and actions get it when they are performed.
+    """The state of one launch, which is passed to substitutions and actions.
 
     >>> context = LaunchContext(argv=['speed:=2'])
     >>> context.launch_configurations['speed'] = '2'
@@ -49,7 +49,7 @@ class LaunchContext:
 
     @property
     def noninteractive(self) -> bool:
-        """Whether no terminal sends Ctrl-C to the launched processes as well."""
+        """Whether there is no terminal that also sends Ctrl-C to the launched processes."""
         return self.__noninteractive
 
     def _set_is_shutdown(self, state: bool) -> None:
@@ -65,11 +65,11 @@ class LaunchContext:
 
     @property
     def asyncio_loop(self) -> asyncio.AbstractEventLoop | None:
-        """The loop the launch runs on, None when it does not run."""
+        """The loop on which the launch runs; None if it is not running."""
         return self.__asyncio_loop
 
     def add_completion_future(self, future: asyncio.Future[Any]) -> None:
-        """Have the launch wait for `future` before it ends; an exception of its ends the launch."""
+        """Make the launch wait for `future` before it ends; an exception of the future ends the launch."""
         self._completion_futures.append(future)
         self._event_queue.stir()
 
@@ -93,11 +93,11 @@ class LaunchContext:
         return _Locals(self.get_locals_as_dict())
 
     def extend_globals(self, extensions: Mapping[str, Any]) -> None:
-        """Add values that are seen everywhere in this launch."""
+        """Add values that are visible everywhere in this launch."""
         self.__globals.update(extensions)
 
     def extend_locals(self, extensions: Mapping[str, Any]) -> None:
-        """Add values that are seen until the present event is handled."""
+        """Add values that are visible until the current event has been handled."""
         self.__locals.update(extensions)
 
     # -- launch configurations
@@ -139,7 +139,7 @@ class LaunchContext:
     # -- events
 
     def would_handle_event(self, event: Event) -> bool:
-        """Return whether some handler wants `event`."""
+        """Return whether a handler accepts `event`."""
         return any(handler.matches(event) for handler in self._event_handlers)
 
     def register_event_handler(self, event_handler: BaseEventHandler, append: bool = False) -> None:
@@ -151,20 +151,20 @@ class LaunchContext:
         self.__handlers_by_event.clear()
 
     def unregister_event_handler(self, event_handler: BaseEventHandler) -> None:
-        """Take a handler out.
+        """Remove a handler.
 
         Raises:
-            ValueError: when it is not registered.
+            ValueError: if it is not registered.
         """
         self._event_handlers.remove(event_handler)
         self.__handlers_by_event.clear()
 
     def _handlers_for(self, event: Event) -> tuple[BaseEventHandler, ...]:
-        """The handlers that may want `event`, in order."""
+        """The handlers that may accept `event`, in order."""
         return self._handlers_of(type(event), getattr(event, "action", None))
 
     def _handlers_of(self, kind: type[Event], action: Any) -> tuple[BaseEventHandler, ...]:
-        """The handlers that may want events of this class about this action."""
+        """The handlers that may accept events of this class about this action."""
         found = self.__handlers_by_event.get((kind, action))
         if found is None:
             mine = [one for one in self._event_handlers if issubclass(kind, one._event_class)]
@@ -186,7 +186,7 @@ class LaunchContext:
 
 
 class EventQueue:
-    """Events in order, and a future for whoever waits for something to happen."""
+    """A queue of events, with a future that is done when there is an event."""
 
     def __init__(self) -> None:
         self.__events: deque[Event] = deque()
@@ -198,7 +198,7 @@ class EventQueue:
         self.stir()
 
     def stir(self, _done: object = None) -> None:
-        """Wake whoever waits."""
+        """Complete the future that is waited for."""
         if self.__waiting is not None and not self.__waiting.done():
             self.__waiting.set_result(None)
 
@@ -211,7 +211,7 @@ class EventQueue:
         return not self.__events
 
     def qsize(self) -> int:
-        """Return how many events there are."""
+        """Return the number of events."""
         return len(self.__events)
 
     def stirred(self, loop: asyncio.AbstractEventLoop) -> asyncio.Future[None]:
@@ -239,7 +239,7 @@ class _Locals:
 
 
 def _restore(mapping: MutableMapping[str, str], values: Mapping[str, str]) -> None:
-    """Make `mapping` equal to `values`, touching only what differs."""
+    """Make `mapping` equal to `values`, changing only the differences."""
     for key in [key for key in mapping if key not in values]:
         del mapping[key]
     for key, value in values.items():

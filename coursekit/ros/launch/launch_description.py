@@ -26,7 +26,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         self.__deprecated_reason = deprecated_reason
 
     def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Return the entities; warn when the description is deprecated."""
+        """Return the entities; warn if the description is deprecated."""
         if self.__deprecated_reason is not None:
             from .logging import get_logger
 
@@ -40,14 +40,14 @@ class LaunchDescription(LaunchDescriptionEntity):
         return self.__entities
 
     def get_launch_arguments(self, conditional_inclusion: bool = False) -> list[DeclareLaunchArgument]:
-        """Return the arguments this description and its includes declare, each name once."""
+        """Return the arguments that this description and its includes declare, each name once."""
         found = self.get_launch_arguments_with_include_launch_description_actions(conditional_inclusion)
         return [argument for argument, _ in found]
 
     def get_launch_arguments_with_include_launch_description_actions(
         self, conditional_inclusion: bool = False
     ) -> list[tuple[DeclareLaunchArgument, list[IncludeLaunchDescription] | None]]:
-        """Return each argument with the includes that lead to it, None for those of this description."""
+        """Return each argument with the includes that lead to it, or None for arguments of this description."""
         search = _ArgumentSearch()
         search.look_in(self.entities, conditional_inclusion, None)
         return search.found
@@ -72,7 +72,7 @@ class LaunchDescription(LaunchDescriptionEntity):
 
     @property
     def deprecated_reason(self) -> str | None:
-        """Why the description is deprecated, None when it is not."""
+        """The reason for the deprecation; None if the description is not deprecated."""
         return self.__deprecated_reason
 
 
@@ -88,7 +88,7 @@ class _ArgumentSearch:
         conditional: bool,
         includes: list[IncludeLaunchDescription] | None,
     ) -> None:
-        """Search entities; nothing after a ResetLaunchConfigurations can be set from outside."""
+        """Search entities up to a ResetLaunchConfigurations: later arguments cannot be set from outside."""
         from .actions import DeclareLaunchArgument, IncludeLaunchDescription, ResetLaunchConfigurations
 
         for entity in entities:

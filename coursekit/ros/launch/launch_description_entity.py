@@ -11,21 +11,21 @@ if TYPE_CHECKING:
 
 
 class LaunchDescriptionEntity:
-    """An action or a description: visiting it does its work and gives the entities to visit next."""
+    """An action or a description: visiting it does its work and returns the entities to visit next."""
 
     def visit(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Do the work of this entity; return what is to be visited next."""
+        """Do the work of this entity; return the entities to visit next."""
         return None
 
     def leave(self, context: LaunchContext) -> None:
-        """Do what is to be done after all that `visit` gave has been visited."""
+        """Clean up after all entities that `visit` returned have been visited."""
         return None
 
     def describe(self) -> str:
         """Return a short description of this entity; subclasses override this.
 
         Raises:
-            NotImplementedError: when the subclass has none.
+            NotImplementedError: if the subclass does not implement it.
         """
         raise NotImplementedError(f"{type(self).__name__} has no describe()")
 
@@ -36,9 +36,9 @@ class LaunchDescriptionEntity:
     def describe_conditional_sub_entities(
         self,
     ) -> list[tuple[str, Iterable[LaunchDescriptionEntity]]]:
-        """Return (condition in words, entities) for what may be visited later."""
+        """Return (description of the condition, entities) for entities that may be visited later."""
         return []
 
     def get_asyncio_future(self) -> asyncio.Future[None] | None:
-        """Return a future that is done when this entity's work is, or None when it already is."""
+        """Return a future that is done when this entity's work is done, or None if it already is."""
         return None

@@ -1,4 +1,4 @@
-"""The base class of what gives a launch description, usually a file."""
+"""The base class of sources of launch descriptions, usually files."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class LaunchDescriptionSource:
-    """A launch description that is made when it is needed, by default from the file at `location`."""
+    """A launch description that is created on demand, by default from the file at `location`."""
 
     def __init__(
         self,
@@ -28,7 +28,7 @@ class LaunchDescriptionSource:
         self.__method = method
 
     def try_get_launch_description_without_context(self) -> LaunchDescription | None:
-        """Return the description if it can be had before launching, else None."""
+        """Return the description if it is available before launching, else None."""
         if self.__launch_description is not None:
             return self.__launch_description
         from .launch_context import LaunchContext
@@ -52,13 +52,13 @@ class LaunchDescriptionSource:
 
     @property
     def location(self) -> str:
-        """The location: the path once it is known, before that its substitutions."""
+        """The location: the path, or its substitutions until it is known."""
         if self.__expanded_location is None:
             return " + ".join(str(sub) for sub in self.__location)
         return self.__expanded_location
 
     def describe_location(self) -> str:
-        """Return the path once it is known, before that its substitutions in words."""
+        """Return the path, or a description of its substitutions until it is known."""
         if self.__expanded_location is None:
             return " + ".join(sub.describe() for sub in self.__location)
         return self.__expanded_location
@@ -70,5 +70,5 @@ class LaunchDescriptionSource:
 
     @property
     def method(self) -> str:
-        """How the description is made, in words."""
+        """A description of how the launch description is created."""
         return self.__method

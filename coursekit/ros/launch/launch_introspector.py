@@ -1,4 +1,4 @@
-"""Shows a launch description as a tree of text."""
+"""Formats a launch description as a text tree."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from .utilities import is_a
 
 
 def format_substitutions(subs: list[Substitution]) -> str:
-    """Return substitutions in words, joined with a plus."""
+    """Return the descriptions of substitutions, joined with a plus sign."""
     return " + ".join(sub.describe() for sub in subs)
 
 
 class LaunchIntrospector:
-    """Writes launch descriptions down for people.
+    """Formats launch descriptions in human-readable form.
 
     >>> from launch.actions import LogInfo
     >>> print(LaunchIntrospector().format_launch_description(LaunchDescription([LogInfo(msg='hi')])))
@@ -39,7 +39,7 @@ def _title(entity: LaunchDescriptionEntity) -> str:
 
 
 def _branches(entity: LaunchDescriptionEntity) -> list[str]:
-    """Return the lines of what is inside an entity."""
+    """Return the lines of the entities inside an entity."""
     groups = [(None, entity.describe_sub_entities())]
     groups += [(text, list(subs)) for text, subs in entity.describe_conditional_sub_entities()]  # type: ignore[misc]
     items: list[tuple[str, list[str]]] = []
@@ -53,7 +53,7 @@ def _branches(entity: LaunchDescriptionEntity) -> list[str]:
 
 
 def _tree(items: list[tuple[str, list[str]]]) -> list[str]:
-    """Return titles and their indented lines with branches drawn before them."""
+    """Return titles and their indented lines, prefixed with branches."""
     lines = []
     for index, (title, inner) in enumerate(items):
         last = index == len(items) - 1

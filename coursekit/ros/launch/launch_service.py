@@ -1,4 +1,4 @@
-"""Runs launch descriptions: visits their entities and handles events until all is done."""
+"""Runs launch descriptions: visits their entities and handles events until all work is done."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ INTERRUPTED = "user interrupted with ctrl-c (SIGINT)"
 
 
 class _Done(Coroutine[Any, Any, None]):
-    """A coroutine that has nothing left to do, and may be dropped."""
+    """A coroutine that has nothing to do, and need not be awaited."""
 
     def send(self, value: Any) -> Any:
         raise StopIteration
@@ -43,7 +43,7 @@ class _Done(Coroutine[Any, Any, None]):
 class LaunchService:
     """Launches a system, on the session's clock.
 
-    Include launch descriptions, then `run()`; or await `run_async()` on a loop of your own.
+    Include launch descriptions, then `run()`; or await `run_async()` on your own loop.
     """
 
     def __init__(
@@ -72,15 +72,15 @@ class LaunchService:
 
     @property
     def event_loop(self) -> asyncio.AbstractEventLoop | None:
-        """The loop it runs on, None when it does not run."""
+        """The loop on which the launch runs; None if it is not running."""
         return self.__loop
 
     @property
     def task(self) -> asyncio.Task[Any] | None:
-        """The running task, None when it does not run."""
+        """The running task; None if the launch is not running."""
         return self.__task
 
-    # -- from outside, from any thread
+    # -- calls from any thread
 
     def emit_event(self, event: Event) -> None:
         """Queue an event; safe from any thread."""
@@ -90,13 +90,13 @@ class LaunchService:
             self.__loop.call_soon_threadsafe(self.__context.emit_event_sync, event)
 
     def include_launch_description(self, launch_description: LaunchDescription) -> None:
-        """Have a description launched; safe from any thread."""
+        """Launch a description; safe from any thread."""
         self.emit_event(IncludeLaunchDescription(launch_description))
 
     def shutdown(self, force_sync: bool = False) -> Coroutine[Any, Any, None]:
-        """End the launch; safe from any thread. Does nothing when it does not run.
+        """End the launch; safe from any thread. No effect if it is not running.
 
-        What it returns may be awaited, or made a task, as programs for ROS 2 do; there is no need to.
+        The result may be awaited, or made a task, as in programs for ROS 2, but this is not necessary.
         """
         if self.__loop is not None:
             self.__loop.call_soon_threadsafe(self._shutdown, "LaunchService.shutdown() called", False)
@@ -105,9 +105,9 @@ class LaunchService:
     # -- running
 
     def run(self, *, shutdown_when_idle: bool = True) -> int:
-        """Launch, and return when all is done: 0, or 1 when something failed.
+        """Launch, and return when all work is done: 0, or 1 after a failure.
 
-        Ctrl-C shuts the launch down, and is passed on to the processes it started.
+        Ctrl-C shuts the launch down, and is passed on to the processes that it has started.
         """
         if self.__loop is not None:
             raise RuntimeError("LaunchService.run() called from multiple threads concurrently.")
@@ -141,7 +141,7 @@ class LaunchService:
             self.__pass_on_ctrl_c()
 
     def __pass_on_ctrl_c(self) -> None:
-        """Do what a terminal does, whose Ctrl-C reaches everything that was started in it."""
+        """Interrupt all started processes, as Ctrl-C in a terminal does."""
         for process in list(self.__context._launched_processes):
             if process.exit_code is None:
                 process.interrupt()
@@ -164,12 +164,12 @@ class LaunchService:
         return self.__return_code
 
     async def __serve(self, shutdown_when_idle: bool) -> None:
-        """Handle events until idle; being idle shuts down, and idle after that is the end."""
+        """Handle events until the launch is idle. Then shut down if requested; return when it is idle after a shutdown."""
         while True:
             while not self.__context._event_queue.empty():
                 self.__handle_safely(self.__context._event_queue.get_nowait())
             if self._is_idle():
-                await asyncio.sleep(0)  # what has just ended may still tell of it
+                await asyncio.sleep(0)  # work that has just ended may still emit an event
             if not self._is_idle():
                 await self.__something_happens()
             elif self.__shutting_down:
@@ -180,12 +180,12 @@ class LaunchService:
                 await self.__something_happens()
 
     async def __something_happens(self) -> None:
-        """Wait for an event, or for some ongoing work to be done."""
+        """Wait for an event, or for the end of ongoing work."""
         assert self.__loop is not None
         await self.__context._event_queue.stirred(self.__loop)
 
     def __watch_begun(self) -> None:
-        """Look after work that has begun: its end stirs the launch, its failure ends the launch."""
+        """Watch work that has begun: its end wakes the launch, its failure ends the launch."""
         completions = self.__context._completion_futures
         for future in (*self.__begun, *completions):
             if future not in self.__watched:
@@ -221,7 +221,7 @@ class LaunchService:
         self._shutdown(f"An exception was raised in an async action/event: {error}", False)
 
     def __handle(self, event: Event) -> None:
-        """Have every handler that wants the event handle it, each with locals of its own."""
+        """Run every handler that accepts the event, each with its own locals."""
         for handler in self.__context._handlers_for(event):
             if not handler.matches(event):
                 continue
@@ -255,7 +255,7 @@ class LaunchService:
         self.__context._set_is_shutdown(True)
 
     def __end_processes(self) -> None:
-        """End what still runs when the launch itself was killed, so that nothing is left behind."""
+        """End processes that are still running if the launch itself was killed."""
         for process in self.__context._launched_processes:
             if process.state == "running":
                 process.kill()

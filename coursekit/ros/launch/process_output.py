@@ -1,4 +1,4 @@
-"""Turns what a process writes into whole lines of the launch's output."""
+"""Converts a process's output to whole lines of the launch's output."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .logging import get_output_loggers
 
 
 class ProcessOutput:
-    """Puts the pieces that a process writes together to lines, and logs these with the process's name."""
+    """Joins the pieces of a process's output into lines, and logs them with the process's name."""
 
     def __init__(self, action: Any, name: str, output: Any, output_format: str, cached: bool) -> None:
         self.__action = action
@@ -20,7 +20,7 @@ class ProcessOutput:
         self.__cache = {"stdout": io.StringIO(), "stderr": io.StringIO()} if cached else {}
 
     def write(self, stream: str, text: str) -> None:
-        """Log the lines that are whole; keep the rest."""
+        """Log the complete lines; keep the rest."""
         if self.__cache:
             self.__cache[stream].write(text)
         *lines, self.__rest[stream] = (self.__rest[stream] + text).split("\n")
@@ -28,25 +28,25 @@ class ProcessOutput:
             self.__log(stream, lines)
 
     def flush(self) -> None:
-        """Log what is left without a line end."""
+        """Log the remaining text without a line end."""
         for stream, rest in self.__rest.items():
             if rest:
                 self.__log(stream, [rest])
                 self.__rest[stream] = ""
 
     def cached(self, stream: str) -> str:
-        """Return all that was written to a stream."""
+        """Return everything that was written to a stream."""
         return self.__cache[stream].getvalue()
 
     def __log(self, stream: str, lines: list[str]) -> None:
-        """Log lines that came together as one record: a record costs more than a line."""
+        """Log lines that arrived together as one record: a record costs more than a line."""
         logger = self.__loggers[stream]
         if logger.isEnabledFor(logging.INFO):
             logger.log_output("\n".join(self.__shown(lines)))
 
     def __shown(self, lines: list[str]) -> list[str]:
-        """Lines in the process's form."""
-        head = self.__format.removesuffix("{line}")  # the usual form is filled in once for all lines
+        """The lines in the process's output format."""
+        head = self.__format.removesuffix("{line}")  # the usual format is filled in once for all lines
         if head == self.__format or "{line" in head:
             return [self.__format.format(line=line, this=self.__action) for line in lines]
         head = head.format(this=self.__action)

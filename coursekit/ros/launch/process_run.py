@@ -1,4 +1,4 @@
-"""One run of a program: from its start to its end, told as log lines and events."""
+"""One run of a program from start to end, reported as log lines and events."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 
 
 class ProcessRun:
-    """Starts a command and follows it; `details` are the arguments of its events, pid included once known.
+    """Starts a command and monitors it; `details` are the arguments of its events, with the pid once it is known.
 
-    `options` are `shell` and `tty`, as `start_process` takes them.
+    `options` are `shell` and `tty` for `start_process`.
     """
 
     def __init__(
@@ -37,7 +37,7 @@ class ProcessRun:
         self.__options = options
         self.__logger = logger
         self.__lines = lines
-        self.__here = contextvars.copy_context()  # the launch's, in which its output is printed
+        self.__here = contextvars.copy_context()  # the launch's context, in which its output is printed
         self.__loop = context.asyncio_loop
         self.__ended: asyncio.Future[int] = self.__loop.create_future()
         self.__pieces: deque[tuple[str, str]] = deque()
@@ -45,7 +45,7 @@ class ProcessRun:
         self.process: Any = None
 
     def start(self) -> bool:
-        """Start it; log and return False when that fails."""
+        """Start the process; log an error and return False if that fails."""
         self.__details["pid"] = 0
         try:
             self.process = start_process(
@@ -66,15 +66,15 @@ class ProcessRun:
         return True
 
     def __on_output(self, stream: str, text: str) -> None:
-        """Pass output on to the loop; called in the process's own execution context."""
+        """Pass output on to the loop; this is called in the process's own execution context."""
         self.__pieces.append((stream, text))
         if not self.__emits:
             self.__emits = True
             self.__loop.call_soon_threadsafe(self.__emit_output, context=self.__here)
 
     def __emit_output(self) -> None:
-        """All output since the last time is one event, as the content of a pipe is."""
-        self.__emits = False  # first: what is written from now on is told by another call
+        """Emit all output since the last call at once, like the content of a pipe."""
+        self.__emits = False  # first: later output triggers another call
         pieces = [self.__pieces.popleft() for _ in range(len(self.__pieces))]
         for stream, group in groupby(pieces, itemgetter(0)):
             kind = ProcessStdout if stream == "stdout" else ProcessStderr
@@ -84,11 +84,11 @@ class ProcessRun:
                 continue
             try:
                 self.__lines.write(stream, text.decode())
-            except Exception as error:  # a form of lines that nothing fills in, for example
+            except Exception as error:  # for example a format with an unknown field
                 self.__context.add_completion_future(failed_future(self.__loop, error))
 
     def __is_only_logged(self, kind: type[ProcessIO]) -> bool:
-        """Whether nobody but the action itself wants such an event, and nobody would see it: then there need be none."""
+        """Whether only the action itself handles such an event, and no debug log shows it: then none is emitted."""
         context = self.__context
         alone = len(context._handlers_of(kind, self.__details["action"])) == 1 and context._event_queue.empty()
         return alone and not self.__logger.isEnabledFor(logging.DEBUG)
@@ -97,7 +97,7 @@ class ProcessRun:
         self.__loop.call_soon_threadsafe(self.__ended.set_result, process.exit_code)
 
     async def to_end(self) -> None:
-        """Wait for its end, then tell of it, after all that it wrote."""
+        """Wait for the end of the process, then report it after all its output."""
         code = await self.__ended
         await self.__events_handled()
         self.__context._launched_processes.remove(self.process)
@@ -111,7 +111,7 @@ class ProcessRun:
         self.__context.emit_event_sync(ProcessExited(returncode=code, **self.__details))
 
     async def __events_handled(self) -> None:
-        """Wait until the output before the end has been logged; a flood of events is not waited for."""
+        """Wait until the output before the end has been logged; do not wait for a flood of events."""
         for _ in range(10):
             if self.__context._event_queue.empty():
                 return
@@ -119,7 +119,7 @@ class ProcessRun:
 
 
 def command_line(cmd: list[str]) -> str:
-    """Return a command as it is shown in messages.
+    """Return a command in the form used in messages.
 
     >>> command_line(['ros2', ' ', 'run'])
     'ros2 run'

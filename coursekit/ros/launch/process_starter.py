@@ -1,4 +1,4 @@
-"""Decides how a command is carried out: inside the session, or by a child process of the system."""
+"""Decides how a command is run: inside the session, or as a child process of the system."""
 
 from __future__ import annotations
 
@@ -34,11 +34,11 @@ def start_process(
     """Start a command and return its process.
 
     Executables of packages, `ros2`, Python programs that use rclpy and C++ programs that were built here run inside the
-    session, where they share its graph and clock; everything else becomes a child process of the system. With `shell` the
-    user's shell runs the text. A terminal window before the command is left out. With `tty` what it writes to is a terminal.
+    session, where they share its graph and clock. All other commands run as child processes of the system. With `shell`,
+    the user's shell runs the text. A terminal window before the command is omitted. With `tty`, its output is a terminal.
 
     Raises:
-        FileNotFoundError: when there is no such program.
+        FileNotFoundError: if there is no such program.
     """
     current = session.current()
     cmd = prefixed(without_terminal(cmd))
@@ -68,7 +68,7 @@ def start_process(
 
 
 def without_terminal(cmd: Sequence[str]) -> Sequence[str]:
-    """Return a command without the terminal window before it: the launch's own output takes its place.
+    """Return a command without the terminal window before it: the launch's own output replaces the window.
 
     >>> without_terminal(['xterm', '-e', 'teleop', '--ros-args'])
     ['teleop', '--ros-args']

@@ -1,4 +1,4 @@
-"""The type of actions in a launch file: one of them, or several."""
+"""The type of actions in a launch file: one or several."""
 
 from __future__ import annotations
 

@@ -10,21 +10,21 @@ if TYPE_CHECKING:
 
 
 class Substitution:
-    """A value that is known only when the launch file runs; `perform` gives its text."""
+    """A value that is known only when the launch file runs; `perform` returns its text."""
 
     @classmethod
     def parse(cls, data: Sequence[Any]) -> tuple[type[Substitution], dict[str, Any]]:
-        """Return the class and the keyword arguments that `$(name ...)` in XML or YAML stands for.
+        """Return the class and the keyword arguments for `$(name ...)` in XML or YAML.
 
         Raises:
-            RuntimeError: when arguments are given to a substitution that takes none.
+            RuntimeError: if arguments are given to a substitution that takes none.
         """
         if data:
             raise RuntimeError(f"{cls.__name__} takes no arguments, but {len(data)} were given")
         return cls, {}
 
     def describe(self) -> str:
-        """Return a short description, as `ros2 launch --print` shows it."""
+        """Return a short description, as shown by `ros2 launch --print`."""
         return repr(self)
 
     def perform(self, context: LaunchContext) -> str:

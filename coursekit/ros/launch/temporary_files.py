@@ -1,4 +1,4 @@
-"""Files that a launch makes for its processes, such as parameter files."""
+"""Files that a launch creates for its processes, such as parameter files."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from coursekit.processes import session
 
 
 class TemporaryFiles:
-    """Hands out names of new files; on the virtual clock they are counted, so that output repeats."""
+    """Creates names of new files; on the virtual clock they are numbered, which makes output reproducible."""
 
     def __init__(self) -> None:
         self.__folder: str | None = None
@@ -32,7 +32,7 @@ class TemporaryFiles:
         return os.path.join(self.__folder, f"{prefix}{number}")
 
     def shown(self, text: str) -> str:
-        """Return text with this run's own folder replaced by what is the same in every run."""
+        """Return text with this run's own folder replaced by the system's temporary folder, the same in every run."""
         return text if self.__folder is None else text.replace(self.__folder, tempfile.gettempdir())
 
 

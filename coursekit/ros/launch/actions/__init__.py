@@ -1,4 +1,4 @@
-"""Actions: what a launch file has done."""
+"""Actions: the steps of a launch file."""
 
 from .append_environment_variable import AppendEnvironmentVariable
 from .declare_launch_argument import DeclareLaunchArgument

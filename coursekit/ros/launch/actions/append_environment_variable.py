@@ -1,4 +1,4 @@
-"""Adds to an environment variable."""
+"""Appends to an environment variable."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .named import NamedValueAction
 
 @expose_action("append_env")
 class AppendEnvironmentVariable(NamedValueAction):
-    """Adds a value after (or before) what an environment variable holds; sets it when it is not set."""
+    """Appends (or prepends) a value to an environment variable; sets the variable if it is unset."""
 
     def __init__(
         self,
@@ -46,16 +46,16 @@ class AppendEnvironmentVariable(NamedValueAction):
 
     @property
     def prepend(self) -> Any:
-        """Whether the value goes before the old one."""
+        """Whether the new value is put before the old one."""
         return self.__prepend
 
     @property
     def separator(self) -> list[Substitution]:
-        """The text between old and new, as substitutions."""
+        """The text between the old and the new value, as substitutions."""
         return self.__separator
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Add to the variable."""
+        """Append to the variable, or prepend."""
         name = perform_substitutions(context, self.name)
         parts = [perform_substitutions(context, self.value)]
         if name in context.environment:

@@ -18,14 +18,14 @@ if TYPE_CHECKING:
 
 
 class InvalidChoicesError(RuntimeError, ValueError):
-    """Raised when an argument has an empty list of choices, or a default that is none of them."""
+    """Raised if an argument has an empty list of choices, or a default that is not one of them."""
 
 
 @expose_action("arg")
 class DeclareLaunchArgument(Action):
-    """Declares that a launch file takes an argument, with a default, a description and choices.
+    """Declares an argument of a launch file, with a default, a description and choices.
 
-    An argument without a default must be given on the command line or by whoever includes the file.
+    An argument without a default must be given on the command line or by the including file.
     """
 
     def __init__(
@@ -88,7 +88,7 @@ class DeclareLaunchArgument(Action):
 
     @property
     def choices(self) -> list[str] | None:
-        """The values that are allowed, None for any."""
+        """The allowed values; None for any."""
         return self.__choices
 
     def describe(self) -> str:
@@ -97,10 +97,10 @@ class DeclareLaunchArgument(Action):
         return f"DeclareLaunchArgument('{self.__name}'{', default=' + default if self.__default else ''})"
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Set the default when the argument was not given; check the choices.
+        """Set the default if the argument was not given; check the choices.
 
         Raises:
-            RuntimeError: when a required argument is missing, or the value is no choice.
+            RuntimeError: if a required argument is missing, or if the value is not one of the choices.
         """
         if self.__name not in context.launch_configurations:
             if self.__default is None:

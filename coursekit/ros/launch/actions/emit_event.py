@@ -12,7 +12,7 @@ from ..utilities import ensure_argument_type
 
 
 class EmitEvent(Action):
-    """Emits an event; handlers react to it after those before it."""
+    """Emits an event; handlers react to it after earlier events."""
 
     def __init__(self, *, event: Event, **kwargs: Any) -> None:
         ensure_argument_type(event, (Event,), "event", "EmitEvent")

@@ -1,4 +1,4 @@
-"""Makes sure that a process ends: SIGTERM after a while, then SIGKILL."""
+"""Ensures that a process ends: SIGTERM after a timeout, then SIGKILL."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 
 class Escalation:
-    """Two timers that begin when a process was asked to end by SIGINT."""
+    """Two timers that start when a process receives SIGINT."""
 
     def __init__(
         self, action: ExecuteLocal, sigterm_timeout: list[Substitution], sigkill_timeout: list[Substitution]
@@ -34,11 +34,11 @@ class Escalation:
         ]
 
     def timers(self) -> list[Action]:
-        """Return the timers, to be visited."""
+        """Return the timers to visit."""
         return [*self.__timers]
 
     def cancel(self) -> None:
-        """Stop: the process has ended."""
+        """Stop the timers: the process has ended."""
         for timer in self.__timers:
             timer.cancel()
 

@@ -1,4 +1,4 @@
-"""Starts a program and looks after it until it ends."""
+"""Starts a program and manages it until it ends."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ OnExit = SomeEntitiesType | Callable[..., SomeEntitiesType | None] | None
 
 
 class ExecuteLocal(Action):
-    """Starts what `process_description` says, logs its output, and ends it when the launch ends.
+    """Starts the program of `process_description`, logs its output, and ends it when the launch ends.
 
     It emits ProcessStarted, ProcessStdout, ProcessStderr and ProcessExited, and reacts to ShutdownProcess,
-    SignalProcess and Shutdown. `output` is 'log', 'screen', 'both', 'own_log' or 'full'. Ending is SIGINT,
-    after `sigterm_timeout` seconds SIGTERM, after `sigkill_timeout` more SIGKILL.
+    SignalProcess and Shutdown. `output` is 'log', 'screen', 'both', 'own_log' or 'full'. To end the program, it sends
+    SIGINT, then SIGTERM after `sigterm_timeout` seconds, and SIGKILL after `sigkill_timeout` more seconds.
     """
 
     def __init__(
@@ -97,7 +97,7 @@ class ExecuteLocal(Action):
 
     @property
     def emulate_tty(self) -> bool:
-        """Whether the process is to write to a terminal; the launch configuration of that name goes before it."""
+        """Whether the process writes to a terminal; the launch configuration of that name takes precedence."""
         return self.__emulate_tty
 
     @property
@@ -112,7 +112,7 @@ class ExecuteLocal(Action):
 
     @property
     def output(self) -> Any:
-        """Where the output goes, as substitutions or a mapping."""
+        """The destination of the output, as substitutions or a mapping."""
         return self.__output
 
     @property
@@ -122,11 +122,11 @@ class ExecuteLocal(Action):
 
     @property
     def return_code(self) -> int | None:
-        """The exit code, None before the end."""
+        """The exit code; None before the end."""
         return None if self.__process is None else self.__process.exit_code
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return what is done on exit, when it is known beforehand."""
+        """Return the entities that are visited on exit, if they are known beforehand."""
         return self.__on_exit if isinstance(self.__on_exit, list) else []
 
     def get_stdout(self) -> str:
@@ -148,7 +148,7 @@ class ExecuteLocal(Action):
     def prepare(self, context: LaunchContext) -> None:
         """Perform the substitutions of the description."""
         self.__description.prepare(context, self)
-        self.__respawn = perform_typed_substitution(context, self.__respawn, bool)  # now: later the scope has gone
+        self.__respawn = perform_typed_substitution(context, self.__respawn, bool)  # now: later the scope has ended
         self.__details = {
             "action": self,
             "name": self.__description.final_name,
@@ -158,10 +158,10 @@ class ExecuteLocal(Action):
         }
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Register the handlers, and start the process in the next round of the loop.
+        """Register the handlers, and start the process in the next iteration of the loop.
 
         Raises:
-            RuntimeError: when the same action is carried out twice.
+            RuntimeError: if the same action is executed twice.
         """
         self.prepare(context)
         name = cast(str, self.__description.final_name)
@@ -196,7 +196,7 @@ class ExecuteLocal(Action):
         ]
 
     def __on_request(self, kind: type[Event], reaction: Callable[..., Any]) -> EventHandler:
-        """The handler of events of a class that name this process."""
+        """The handler of events of a class that match this process."""
         return EventHandler(
             matcher=lambda event: isinstance(event, kind) and cast(Any, event).process_matcher(self),
             entities=reaction,
@@ -204,13 +204,13 @@ class ExecuteLocal(Action):
         )
 
     async def __run(self, context: LaunchContext) -> None:
-        """Run the process, again and again when it is to be respawned."""
+        """Run the process, repeatedly if it must be respawned."""
         try:
             while await self.__run_once(context) and await self.__to_respawn(context):
                 pass
         except Exception as error:
             assert self.__completed is not None
-            self.__completed.set_exception(error)  # for the launch to tell
+            self.__completed.set_exception(error)  # the launch reports it
         finally:
             if self.__escalation is not None:
                 self.__escalation.cancel()
@@ -246,7 +246,7 @@ class ExecuteLocal(Action):
             )
 
     async def __to_respawn(self, context: LaunchContext) -> bool:
-        """Wait the respawn delay; return whether the process is to be started again."""
+        """Wait for the respawn delay; return whether to start the process again."""
         assert self.__shutdown is not None
         if not self.__respawn or context.is_shutdown or self.__shutdown.done() or self.__retries_left == 0:
             return False
@@ -265,14 +265,14 @@ class ExecuteLocal(Action):
         return self._shutdown_process(context, send_sigint=True)
 
     def __on_shutdown(self, event: Event, context: LaunchContext) -> list[Action] | None:
-        ctrl_c = cast(Shutdown, event).due_to_sigint and not context.noninteractive  # which reached the process too
+        ctrl_c = cast(Shutdown, event).due_to_sigint and not context.noninteractive  # it reached the process too
         return self._shutdown_process(context, send_sigint=not ctrl_c)
 
     def __is_running(self) -> bool:
         return self.__process is not None and self.__process.exit_code is None
 
     def _shutdown_process(self, context: LaunchContext, *, send_sigint: bool) -> list[Action] | None:
-        """Begin to end the process; return the timers that make it sure, and the first signal."""
+        """Begin to end the process; return the escalation timers and the first signal."""
         if self.__shutdown is None or self.__shutdown.done():
             return None
         if self.__process is None and self.__completed is not None and not self.__completed.done():
@@ -290,7 +290,7 @@ class ExecuteLocal(Action):
         return actions
 
     def __shut_down_once_started(self, context: LaunchContext) -> None:
-        """The process is about to start: end it then."""
+        """End the process, which is about to start, as soon as it has started."""
         context.register_event_handler(
             OnProcessStart(
                 target_action=self,

@@ -22,7 +22,7 @@ SWITCHES = ("emulate_tty", "log_cmd", "shell")
 class ExecuteProcess(ExecuteLocal):
     """Starts a command, for example `cmd=['ros2', 'topic', 'list']`.
 
-    A program of the system becomes a real child process; `ros2` and executables of packages run inside
+    A program of the system runs as a real child process; `ros2` and executables of packages run inside
     the session. With `shell=True` the user's shell runs the command.
     """
 
@@ -75,7 +75,7 @@ class ExecuteProcess(ExecuteLocal):
     def _parse_switches(
         cls, entity: Entity, parser: Parser, kwargs: dict[str, Any], ignore: Iterable[str]
     ) -> None:
-        """Read what is true or false, the respawn settings, and what to do on exit."""
+        """Read the switches, the respawn settings, and the action on exit."""
         for name in SWITCHES:
             value = entity.get_attr(name, data_type=bool, optional=True, can_be_str=False)
             if value is not None:
@@ -97,22 +97,22 @@ class ExecuteProcess(ExecuteLocal):
 
     @classmethod
     def _parse_cmdline(cls, cmd: str, parser: Parser) -> list[list[Substitution]]:
-        """Return a command line as arguments; quotes keep spaces, and so do substitutions."""
+        """Split a command line into arguments; spaces in quotes and in substitutions do not split."""
         return _Splitter().split(parser.parse_substitution(cmd))
 
     @property
     def name(self) -> Any:
-        """The name once it is known, before that its substitutions."""
+        """The name, or its substitutions until it is known."""
         return self.process_description.final_name or self.process_description.name
 
     @property
     def cmd(self) -> Any:
-        """The command line once it is known, before that its substitutions."""
+        """The command line, or its substitutions until it is known."""
         return self.process_description.final_cmd or self.process_description.cmd
 
     @property
     def cwd(self) -> Any:
-        """The working folder once it is known, before that its substitutions."""
+        """The working folder, or its substitutions until it is known."""
         return self.process_description.final_cwd or self.process_description.cwd
 
     @property
@@ -150,7 +150,7 @@ class _Splitter:
         return self.arguments
 
     def take(self, character: str, quote: str) -> str:
-        """Take one character; return the quote that is open after it."""
+        """Process one character; return the quote that is open after it."""
         if character == quote:
             return ""
         if not quote and character in "'\"":
@@ -164,13 +164,13 @@ class _Splitter:
         return quote
 
     def end_text(self) -> None:
-        """Put the text so far into the argument."""
+        """Add the collected text to the current argument."""
         if self.text:
             self.current.append(TextSubstitution(text=self.text))
             self.text = ""
 
     def end_argument(self) -> None:
-        """Put the argument so far among the arguments."""
+        """Add the current argument to the arguments."""
         self.end_text()
         if self.started:
             self.arguments.append(self.current or [TextSubstitution(text="")])

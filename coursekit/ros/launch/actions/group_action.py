@@ -1,4 +1,4 @@
-"""A group of actions with a scope of its own."""
+"""A group of actions with its own scope."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ from .set_launch_configuration import SetLaunchConfiguration
 
 @expose_action("group")
 class GroupAction(Action):
-    """Actions under one condition; what they set ends with the group unless `scoped` is False.
+    """Actions under one condition; their settings end with the group unless `scoped` is False.
 
-    With `forwarding=False` the group does not see the configurations and the changed environment from
-    outside, only its own `launch_configurations`.
+    With `forwarding=False` the group does not inherit the configurations and the changed environment from
+    outside; it has only its own `launch_configurations`.
     """
 
     def __init__(
@@ -66,7 +66,7 @@ class GroupAction(Action):
         return cls, kwargs
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the actions between those that open and close the scope."""
+        """Return the actions, enclosed by the actions that open and close the scope."""
         if self.__all is None:
             self.__all = self.__with_scope(list(self.__actions))
         return self.__all

@@ -24,8 +24,8 @@ LOCATION_LOCALS = ("current_launch_file_path", "current_launch_file_directory")
 class IncludeLaunchDescription(Action):
     """Visits the entities of another launch description, with arguments for it.
 
-    As in ROS 2 the arguments, and what the included file sets, stay set afterwards; put the include into
-    a GroupAction to keep them inside.
+    As in ROS 2, the arguments and the settings of the included file remain set afterwards. To limit them, put
+    the include into a GroupAction.
     """
 
     def __init__(
@@ -68,7 +68,7 @@ class IncludeLaunchDescription(Action):
 
     @property
     def launch_description_source(self) -> LaunchDescriptionSource:
-        """Where the description comes from."""
+        """The source of the description."""
         return self.__source
 
     @property
@@ -77,19 +77,19 @@ class IncludeLaunchDescription(Action):
         return self.__arguments
 
     def describe(self) -> str:
-        """Return the location of what is included."""
+        """Return the location of the included description."""
         return f"IncludeLaunchDescription({self.__source.describe_location()})"
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the included description when it can be had before launching."""
+        """Return the included description if it is available before launching."""
         description = self.__source.try_get_launch_description_without_context()
         return [description] if description is not None else []
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Return the settings of the arguments, then the description; the locals tell from now on where it lies.
+        """Return the settings of the arguments, then the description; set the locals to its location.
 
         Raises:
-            RuntimeError: when the included description needs an argument that is not there.
+            RuntimeError: if an argument that the included description requires is missing.
         """
         description = self.__source.get_launch_description(context)
         self.__before = {name: context.get_locals_as_dict().get(name) for name in LOCATION_LOCALS}
@@ -99,13 +99,13 @@ class IncludeLaunchDescription(Action):
         return [*settings, description]
 
     def leave(self, context: LaunchContext) -> None:
-        """Note that the entities that come next are again those of the including file."""
+        """Reset the locals: the entities that follow are those of the including file again."""
         if self.__before is not None:
             context.extend_locals(self.__before)
             self.__before = None
 
     def __location(self) -> tuple[str, str]:
-        """Return the path and the folder of what is included; what is no file stays as it is."""
+        """Return the path and the folder of the included description; a location that is not a file stays unchanged."""
         location = str(self.__source.location)
         if location.startswith("<"):
             return location, location

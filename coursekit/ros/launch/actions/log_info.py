@@ -16,7 +16,7 @@ from ..utilities import normalize_to_list_of_substitutions, perform_substitution
 
 @expose_action("log")
 class LogInfo(Action):
-    """Logs a message at level INFO, in the name of launch.user."""
+    """Logs a message at level INFO with the logger launch.user."""
 
     def __init__(self, *, msg: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)
@@ -35,7 +35,7 @@ class LogInfo(Action):
         return self.__msg
 
     def describe(self) -> str:
-        """Return the message in words."""
+        """Return a description of the message."""
         return f"LogInfo({' + '.join(sub.describe() for sub in self.__msg)})"
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:

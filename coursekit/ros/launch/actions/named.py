@@ -1,4 +1,4 @@
-"""The common part of actions that set or unset something by its name."""
+"""The common part of actions that set or unset a variable by name."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..utilities import normalize_to_list_of_substitutions
 
 
 class NamedAction(Action):
-    """An action on a variable, which its attribute `name` tells."""
+    """An action on the variable that its attribute `name` specifies."""
 
     def __init__(self, name: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(**kwargs)
@@ -32,7 +32,7 @@ class NamedAction(Action):
 
 
 class NamedValueAction(NamedAction):
-    """One that gives the variable something; its attribute `value` tells what."""
+    """An action with a value for the variable, which its attribute `value` specifies."""
 
     def __init__(self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **kwargs: Any) -> None:
         super().__init__(name, **kwargs)

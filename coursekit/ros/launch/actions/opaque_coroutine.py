@@ -14,7 +14,7 @@ from ..launch_description_entity import LaunchDescriptionEntity
 
 
 class OpaqueCoroutine(Action):
-    """Runs `coroutine(context, *args, **kwargs)` beside the rest; it is cancelled when the launch ends."""
+    """Runs `coroutine(context, *args, **kwargs)` concurrently with the launch; it is cancelled when the launch ends."""
 
     def __init__(
         self,

@@ -12,7 +12,7 @@ from ..launch_description_entity import LaunchDescriptionEntity
 
 @expose_action("pop_env")
 class PopEnvironment(Action):
-    """Brings back the environment that was pushed last."""
+    """Restores the environment that was pushed last."""
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
@@ -21,6 +21,6 @@ class PopEnvironment(Action):
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Bring it back."""
+        """Restore the environment."""
         context._pop_environment()
         return None

@@ -12,7 +12,7 @@ from ..launch_description_entity import LaunchDescriptionEntity
 
 @expose_action("pop_launch_configurations")
 class PopLaunchConfigurations(Action):
-    """Brings back the launch configurations that were pushed last."""
+    """Restores the launch configurations that were pushed last."""
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
@@ -21,6 +21,6 @@ class PopLaunchConfigurations(Action):
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Bring them back."""
+        """Restore the configurations."""
         context._pop_launch_configurations()
         return None

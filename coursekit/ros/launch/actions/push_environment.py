@@ -12,7 +12,7 @@ from ..launch_description_entity import LaunchDescriptionEntity
 
 @expose_action("push_env")
 class PushEnvironment(Action):
-    """Remembers the environment until it is popped."""
+    """Saves the environment until it is popped."""
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
@@ -21,6 +21,6 @@ class PushEnvironment(Action):
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Remember it."""
+        """Save the environment."""
         context._push_environment()
         return None

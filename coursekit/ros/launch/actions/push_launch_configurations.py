@@ -12,7 +12,7 @@ from ..launch_description_entity import LaunchDescriptionEntity
 
 @expose_action("push_launch_configurations")
 class PushLaunchConfigurations(Action):
-    """Remembers the launch configurations until they are popped."""
+    """Saves the launch configurations until they are popped."""
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
@@ -21,6 +21,6 @@ class PushLaunchConfigurations(Action):
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Remember them."""
+        """Save the configurations."""
         context._push_launch_configurations()
         return None

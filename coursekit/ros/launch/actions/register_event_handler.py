@@ -12,7 +12,7 @@ from ..launch_description_entity import LaunchDescriptionEntity
 
 
 class RegisterEventHandler(Action):
-    """Has an event handler react from now on."""
+    """Registers an event handler, which reacts to events from then on."""
 
     def __init__(self, event_handler: BaseEventHandler, **kwargs: Any) -> None:
         super().__init__(**kwargs)
@@ -24,7 +24,7 @@ class RegisterEventHandler(Action):
         return self.__event_handler
 
     def describe_conditional_sub_entities(self) -> list[tuple[str, Iterable[LaunchDescriptionEntity]]]:
-        """Return what the handler does when its event happens."""
+        """Return the entities that the handler visits on its event."""
         text, entities = self.__event_handler.describe()
         return [(text, entities)] if entities else []  # type: ignore[list-item]
 

@@ -1,4 +1,4 @@
-"""Takes back all changes of the environment."""
+"""Reverts all changes to the environment."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..launch_description_entity import LaunchDescriptionEntity
 
 @expose_action("reset_env")
 class ResetEnvironment(Action):
-    """Makes the environment as it was when the launch began."""
+    """Restores the environment at the start of the launch."""
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
@@ -21,6 +21,6 @@ class ResetEnvironment(Action):
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Take the changes back."""
+        """Revert the changes."""
         context._reset_environment()
         return None

@@ -15,7 +15,7 @@ from ..utilities import normalize_to_list_of_substitutions, perform_substitution
 
 @expose_action("reset")
 class ResetLaunchConfigurations(Action):
-    """Clears all launch configurations, then sets the given ones; their values see the old ones."""
+    """Clears all launch configurations, then sets the given ones; their values may refer to the old ones."""
 
     def __init__(
         self,

@@ -11,7 +11,7 @@ from .named import NamedValueAction
 
 @expose_action("set_env")
 class SetEnvironmentVariable(NamedValueAction):
-    """Gives an environment variable a value, for what is started afterwards: `<set_env name= value=/>`."""
+    """Sets an environment variable for programs that are started afterwards: `<set_env name= value=/>`."""
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Set the variable."""

@@ -11,7 +11,7 @@ from .named import NamedValueAction
 
 @expose_action("let")
 class SetLaunchConfiguration(NamedValueAction):
-    """Gives a launch configuration a value: `<let name= value=/>`."""
+    """Sets a launch configuration: `<let name= value=/>`."""
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Set the configuration."""

@@ -16,7 +16,7 @@ from .emit_event import EmitEvent
 
 @expose_action("shutdown")
 class Shutdown(EmitEvent):
-    """Ends the launch and all it started."""
+    """Ends the launch and everything that it started."""
 
     def __init__(self, *, reason: str = "reason not given", **kwargs: Any) -> None:
         super().__init__(event=ShutdownEvent(reason=reason), **kwargs)
@@ -31,7 +31,7 @@ class Shutdown(EmitEvent):
         return cls, kwargs
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Emit the shutdown; say which process was required when one has just ended."""
+        """Emit the shutdown; if a process has just ended, log that it was required."""
         event: Event | None = context.get_locals_as_dict().get("event")
         if isinstance(event, ProcessExited):
             get_logger("launch").info(

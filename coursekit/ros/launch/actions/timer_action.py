@@ -1,4 +1,4 @@
-"""Does something later."""
+"""Executes actions after a delay."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from ..utilities.type_utils import normalize_typed_substitution, perform_typed_s
 
 @expose_action("timer")
 class TimerAction(Action):
-    """Does something once, `period` seconds after it is visited, unless it is cancelled before."""
+    """Executes actions once, `period` seconds after it is visited, unless it is cancelled first."""
 
     def __init__(
         self,
@@ -53,16 +53,16 @@ class TimerAction(Action):
 
     @property
     def period(self) -> Any:
-        """The seconds, as a number or as substitutions."""
+        """The period in seconds, as a number or as substitutions."""
         return self.__period
 
     @property
     def actions(self) -> list[LaunchDescriptionEntity]:
-        """The actions that follow."""
+        """The actions that are executed after the period."""
         return self.__actions
 
     def describe(self) -> str:
-        """Return the period in words."""
+        """Return a description of the timer with its period."""
         return f"TimerAction(period={self.__period_text()}, actions=<actions>)"
 
     def __period_text(self) -> str:
@@ -71,16 +71,16 @@ class TimerAction(Action):
         return " + ".join(sub.describe() for sub in normalize_to_list_of_substitutions(self.__period))
 
     def describe_conditional_sub_entities(self) -> list[tuple[str, Iterable[LaunchDescriptionEntity]]]:
-        """Return what is done when the time has come."""
+        """Return the actions that are executed after the period."""
         return [(f"{self.__period_text()} seconds pass without being canceled", self.__actions)]
 
     def handle(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
-        """Return what is done now that the time has come."""
+        """Return the actions to execute now."""
         context.extend_locals(self.__context_locals)
         return self.__actions
 
     def cancel(self) -> None:
-        """Do not do it; harmless before it was visited, and after it is done."""
+        """Cancel the timer; this may also be called before it is visited and after it has fired."""
         self.__canceled = True
         if self.__alarm is not None:
             self.__alarm.cancel()
@@ -109,7 +109,7 @@ class TimerAction(Action):
         return None
 
     def _start(self, context: LaunchContext) -> None:
-        """Have `_fire` called when the time has come; subclasses may use another clock."""
+        """Schedule `_fire` after the period; subclasses may use another clock."""
         assert context.asyncio_loop is not None
         delay = perform_typed_substitution(context, self.__period, float)
         self.__alarm = context.asyncio_loop.call_later(delay, self._fire, context)
@@ -121,11 +121,11 @@ class TimerAction(Action):
         self.cancel()
 
     def _fire(self, context: LaunchContext) -> None:
-        """The time has come: emit the event."""
+        """Emit the event after the period."""
         context.emit_event_sync(TimerEvent(timer_action=self))
         if self.__completed is not None and not self.__completed.done():
             self.__completed.set_result(None)
 
     def get_asyncio_future(self) -> asyncio.Future[None] | None:
-        """Return a future that is done when the time has come, or the timer is cancelled."""
+        """Return a future that is done when the timer has fired or is cancelled."""
         return self.__completed

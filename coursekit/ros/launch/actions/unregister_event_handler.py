@@ -11,7 +11,7 @@ from ..launch_description_entity import LaunchDescriptionEntity
 
 
 class UnregisterEventHandler(Action):
-    """Has an event handler react no more."""
+    """Unregisters an event handler, which no longer reacts to events."""
 
     def __init__(self, event_handler: BaseEventHandler, **kwargs: Any) -> None:
         super().__init__(**kwargs)

@@ -11,7 +11,7 @@ from .named import NamedAction
 
 @expose_action("unset_env")
 class UnsetEnvironmentVariable(NamedAction):
-    """Takes an environment variable away, `<unset_env name=/>`; harmless when it is not set."""
+    """Removes an environment variable, `<unset_env name=/>`; no effect if it is not set."""
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Unset the variable."""

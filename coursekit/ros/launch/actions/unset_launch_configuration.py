@@ -11,7 +11,7 @@ from .named import NamedAction
 
 @expose_action("unset")
 class UnsetLaunchConfiguration(NamedAction):
-    """Takes a launch configuration away, `<unset name=/>`; harmless when it is not set."""
+    """Removes a launch configuration, `<unset name=/>`; no effect if it is not set."""
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Unset the configuration."""

@@ -1,4 +1,4 @@
-"""Descriptions of what actions act on."""
+"""Descriptions of the objects of actions."""
 
 from .executable import Executable
 

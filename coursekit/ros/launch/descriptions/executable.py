@@ -1,4 +1,4 @@
-"""The description of a program to be started."""
+"""The description of a program to start."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Executable:
 
     @property
     def name(self) -> list[Substitution] | None:
-        """The name, as substitutions; None for the program's."""
+        """The name, as substitutions; None for the program's name."""
         return self.__name
 
     @property
@@ -68,12 +68,12 @@ class Executable:
 
     @property
     def cwd(self) -> list[Substitution] | None:
-        """The working folder, as substitutions; None for the launch's."""
+        """The working folder, as substitutions; None for the launch's folder."""
         return self.__cwd
 
     @property
     def env(self) -> EnvironmentPairs | None:
-        """The whole environment, as substitutions; None for the launch's."""
+        """The whole environment, as substitutions; None for the launch's environment."""
         return self.__env
 
     @property
@@ -83,7 +83,7 @@ class Executable:
 
     @property
     def arguments(self) -> list[SomeSubstitutionsType] | None:
-        """The arguments that were given apart from the command."""
+        """The arguments that were given separately from the command."""
         return self.__arguments
 
     @property
@@ -98,7 +98,7 @@ class Executable:
 
     @property
     def final_cwd(self) -> str | None:
-        """The working folder as text; None for the launch's."""
+        """The working folder as text; None for the launch's folder."""
         return self.__final.get("cwd")
 
     @property

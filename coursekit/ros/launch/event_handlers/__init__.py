@@ -1,4 +1,4 @@
-"""Event handlers: what to do when something happens."""
+"""Event handlers: reactions to events of a launch."""
 
 from .event_named import event_named
 from .on_action_event_base import OnActionEventBase

@@ -1,4 +1,4 @@
-"""Picks events by name."""
+"""A matcher that selects events by name."""
 
 from __future__ import annotations
 

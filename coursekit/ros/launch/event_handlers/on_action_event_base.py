@@ -16,14 +16,14 @@ if TYPE_CHECKING:
 
 
 class HandlerArgumentError(TypeError, ValueError):
-    """Raised when a handler is given something that is no action, entity or function."""
+    """Raised for a handler argument that is not an action, entity or function."""
 
 
 class OnActionEventBase(BaseEventHandler):
-    """Handles one kind of event of one action, or of all when no target is given.
+    """Handles one kind of event of one action, or of all actions without a target.
 
-    The target may be an action, or a function that says whether an action is meant. What is done may be
-    entities, or a function of (event, context) that returns entities.
+    The target may be an action, or a function that accepts actions. The reaction may be entities, or a
+    function of (event, context) that returns entities.
     """
 
     def __init__(
@@ -54,7 +54,7 @@ class OnActionEventBase(BaseEventHandler):
         super().__init__(matcher=self.matches, **kwargs)
 
     def matches(self, event: Event) -> bool:
-        """Return whether `event` is of that kind and of a wanted action."""
+        """Return whether `event` is of that kind and of a target action."""
         if not isinstance(event, self.__target_event_cls):
             return False
         action = getattr(event, "action", None)
@@ -63,7 +63,7 @@ class OnActionEventBase(BaseEventHandler):
         return self.__target is None or action is self.__target
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
-        """Return what is to be done now."""
+        """Return the entities to visit now."""
         super().handle(event, context)
         if callable(self.__on_event):
             entities: SomeEntitiesType | None = self.__on_event(event, context)
@@ -77,12 +77,12 @@ class OnActionEventBase(BaseEventHandler):
 
     @property
     def handler_description(self) -> str:
-        """The handler's actions, in words."""
+        """A description of the handler's actions."""
         return "a function" if callable(self.__on_event) else f"{as_entities(self.__on_event)}"
 
     @property
     def matcher_description(self) -> str:
-        """Which events are wanted, in words."""
+        """A description of the accepted events."""
         return f"event == {self.__target_event_cls.__name__} of {self.__target or 'any action'}"
 
 

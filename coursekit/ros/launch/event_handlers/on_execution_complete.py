@@ -1,4 +1,4 @@
-"""Actions when an action is done."""
+"""The handler for completed actions."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class OnExecutionComplete(OnActionEventBase):
-    """Does something when an action, with all its work, is done."""
+    """Reacts when an action and all its work are complete."""
 
     def __init__(
         self,

@@ -1,4 +1,4 @@
-"""Brings launch descriptions in."""
+"""The handler that includes launch descriptions."""
 
 from __future__ import annotations
 
@@ -28,5 +28,5 @@ class OnIncludeLaunchDescription(BaseEventHandler):
 
     @property
     def matcher_description(self) -> str:
-        """Which events are wanted, in words."""
+        """A description of the accepted events."""
         return "event issubclass of launch.events.IncludeLaunchDescription"

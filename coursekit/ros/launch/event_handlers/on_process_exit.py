@@ -1,4 +1,4 @@
-"""Actions when a process ends."""
+"""The handler for processes that end."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class OnProcessExit(OnActionEventBase):
-    """Does something when a process ends: the target's, or any."""
+    """Reacts when a process ends: the target's process, or any."""
 
     def __init__(
         self,

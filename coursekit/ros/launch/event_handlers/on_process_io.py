@@ -1,4 +1,4 @@
-"""Actions on a process's output."""
+"""The handler for a process's input and output."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Actions when a process starts."""
+"""The handler for processes that start."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class OnProcessStart(OnActionEventBase):
-    """Does something when a process starts: the target's, or any."""
+    """Reacts when a process starts: the target's process, or any."""
 
     def __init__(
         self,

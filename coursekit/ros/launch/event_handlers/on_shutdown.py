@@ -1,4 +1,4 @@
-"""Actions when the launch ends."""
+"""The handler for the end of the launch."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class OnShutdown(BaseEventHandler):
         self.__on_shutdown: Any = on_shutdown
 
     def handle(self, event: Event, context: LaunchContext) -> SomeEntitiesType | None:
-        """Return what is to be done now."""
+        """Return the entities to visit now."""
         super().handle(event, context)
         if callable(self.__on_shutdown):
             entities: SomeEntitiesType | None = self.__on_shutdown(event, context)
@@ -43,5 +43,5 @@ class OnShutdown(BaseEventHandler):
 
     @property
     def matcher_description(self) -> str:
-        """Which events are wanted, in words."""
+        """A description of the accepted events."""
         return "event issubclass of launch.events.Shutdown"

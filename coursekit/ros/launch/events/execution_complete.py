@@ -1,4 +1,4 @@
-"""The event of an action that is done."""
+"""The event that an action is complete."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class ExecutionComplete(Event):
-    """An action was carried out, and all its work is done."""
+    """An action was executed, and all its work is complete."""
 
     name = "launch.events.ExecutionComplete"
 

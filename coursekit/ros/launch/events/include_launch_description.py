@@ -1,4 +1,4 @@
-"""The event that brings a launch description in."""
+"""The event that includes a launch description."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class IncludeLaunchDescription(Event):
-    """A launch description is to be launched."""
+    """A request to include a launch description."""
 
     name = "launch.events.IncludeLaunchDescription"
 

@@ -1,4 +1,4 @@
-"""Functions that say whether an event concerns an action."""
+"""Matchers that check whether an event concerns an action."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The event of the launch's end."""
+"""The event that ends the launch."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from ..event import Event
 
 
 class Shutdown(Event):
-    """The launch is to end."""
+    """A request to end the launch."""
 
     name = "launch.events.Shutdown"
 
@@ -16,10 +16,10 @@ class Shutdown(Event):
 
     @property
     def reason(self) -> str:
-        """Why, in words."""
+        """The reason as text."""
         return self.__reason
 
     @property
     def due_to_sigint(self) -> bool:
-        """Whether somebody pressed Ctrl-C."""
+        """Whether the cause was a Ctrl-C."""
         return self.__due_to_sigint

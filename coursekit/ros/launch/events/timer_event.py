@@ -1,4 +1,4 @@
-"""The event of a timer that ran out."""
+"""The event that a timer has fired."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class TimerEvent(Event):
-    """The time of a TimerAction has come."""
+    """The period of a TimerAction has passed."""
 
     name = "launch.events.TimerEvent"
 

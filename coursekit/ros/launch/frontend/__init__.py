@@ -1,4 +1,4 @@
-"""Reading XML and YAML launch files."""
+"""Readers of XML and YAML launch files."""
 
 from .entity import Entity
 from .expose import expose_action, expose_substitution

@@ -6,7 +6,7 @@ from typing import Any
 
 
 class Entity:
-    """One element: its name, attributes and children, whatever the file's format is."""
+    """One element: its name, attributes and children, independent of the file format."""
 
     @property
     def type_name(self) -> str:
@@ -15,7 +15,7 @@ class Entity:
 
     @property
     def parent(self) -> Entity | None:
-        """The element around this one."""
+        """The parent element."""
         raise NotImplementedError
 
     @property
@@ -25,24 +25,24 @@ class Entity:
 
     @property
     def place(self) -> str:
-        """The element's place, as file:line, for error messages."""
+        """The element's position as file:line, for error messages."""
         return ""
 
     def assert_entity_completely_parsed(self) -> None:
-        """Raise ValueError when an attribute or child of this element was never asked for."""
+        """Raise ValueError if an attribute or child of this element was never read."""
         raise NotImplementedError
 
     def get_attr(
         self, name: str, *, data_type: Any = str, optional: bool = False, can_be_str: bool = True
     ) -> Any:
-        """Return an attribute as `data_type`, or None when it is optional and missing.
+        """Return an attribute as `data_type`, or None if it is optional and missing.
 
-        `data_type` is a scalar type, a list of one (`List[int]`), `List[Entity]` for child elements,
-        or None for whatever YAML's rules make of it. With `can_be_str` text that holds substitutions
-        may stand for any type.
+        `data_type` is a scalar type, a list of a scalar type (`List[int]`), `List[Entity]` for child elements,
+        or None for the type by YAML's rules. With `can_be_str`, text that contains substitutions is
+        accepted for any type.
 
         Raises:
-            AttributeError: when it is missing.
-            TypeError: when it has another type.
+            AttributeError: if it is missing.
+            TypeError: if it has another type.
         """
         raise NotImplementedError

@@ -1,4 +1,4 @@
-"""The register of actions and substitutions that XML and YAML launch files can name."""
+"""The registry of actions and substitutions that XML and YAML launch files can use."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ substitution_parse_methods: dict[str, Callable[..., tuple[type, dict[str, Any]]]
 
 
 def expose_action(name: str) -> Callable[[Exposed], Exposed]:
-    """Return a decorator that makes an action class, or a parse function, an element `name`."""
+    """Return a decorator that exposes an action class, or a parse function, as the element `name`."""
     return __expose_impl(name, action_parse_methods, "action")
 
 
 def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
-    """Return a decorator that makes a substitution class, or a parse function, `$(name ...)`."""
+    """Return a decorator that exposes a substitution class, or a parse function, as `$(name ...)`."""
     return __expose_impl(name, substitution_parse_methods, "substitution")
 
 
@@ -44,10 +44,10 @@ def __expose_impl(name: str, register: dict[str, Any], kind: str) -> Callable[[E
 
 
 def instantiate_action(entity: Entity, parser: Parser) -> Action:
-    """Return the action that an element stands for.
+    """Return the action for an element.
 
     Raises:
-        RuntimeError: when no action has that name, or part of the element was not understood.
+        RuntimeError: if no action has that name, or if part of the element was not understood.
     """
     if entity.type_name not in action_parse_methods:
         raise RuntimeError(
@@ -61,10 +61,10 @@ def instantiate_action(entity: Entity, parser: Parser) -> Action:
 
 
 def instantiate_substitution(type_name: str, *args: Any) -> Substitution:
-    """Return the substitution that `$(type_name args...)` stands for.
+    """Return the substitution for `$(type_name args...)`.
 
     Raises:
-        RuntimeError: when no substitution has that name.
+        RuntimeError: if no substitution has that name.
     """
     if type_name not in substitution_parse_methods:
         raise RuntimeError(

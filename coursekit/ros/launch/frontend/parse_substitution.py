@@ -1,4 +1,4 @@
-"""Reads text with `$(name arguments)` in it."""
+"""The parser of text that contains `$(name arguments)`."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ NAME = re.compile(r"[A-Za-z0-9_-]+")
 
 
 class InvalidSubstitution(ValueError):
-    """Raised when a `$(...)` is not closed or has no name; says where."""
+    """Raised if a `$(...)` is not closed or has no name; the message points at the position."""
 
 
 def replace_escaped_characters(data: str) -> str:
-    r"""Return the text with each backslash taken off the character after it.
+    r"""Return the text with each backslash removed from the character after it.
 
     >>> replace_escaped_characters(r'a\$b')
     'a$b'
@@ -26,14 +26,14 @@ def replace_escaped_characters(data: str) -> str:
 
 
 def parse_substitution(string_value: str) -> list[Substitution]:
-    """Return the text as a list of substitutions.
+    """Parse the text into a list of substitutions.
 
     >>> parse_substitution('speed_$(var unit)')[1].describe()
     "LaunchConfig('unit')"
 
     Raises:
-        InvalidSubstitution: when a `$(` is not closed.
-        RuntimeError: for a substitution nobody knows.
+        InvalidSubstitution: if a `$(` is not closed.
+        RuntimeError: for an unknown substitution.
     """
     return _Reader(string_value).template("")
 
@@ -42,7 +42,7 @@ def parse_if_substitutions(value: Any) -> Any:
     """Return `value` with the text in it parsed; text without substitutions stays text.
 
     Raises:
-        ValueError: when a list holds items of different types.
+        ValueError: if a list contains items of different types.
     """
     if isinstance(value, list):
         items = [_parse_one(item) for item in value]
@@ -71,7 +71,7 @@ class _Reader:
     def template(self, stop: str, inside: str = "") -> list[Substitution]:
         """Read text and substitutions up to one of the characters in `stop`, or to the end.
 
-        `inside` is the quote that is open, if any.
+        `inside` is the open quote, if any.
         """
         found: list[Substitution] = []
         plain = ""
@@ -95,7 +95,7 @@ class _Reader:
         return piece
 
     def substitution(self, inside: str) -> Substitution:
-        """Read `$(name arguments)`; `inside` a quote, quotes are characters as any other."""
+        """Read `$(name arguments)`; `inside` a quote, quotes are ordinary characters."""
         start = self.at
         self.at += 2
         self.skip_space()
@@ -112,7 +112,7 @@ class _Reader:
         return instantiate_substitution(name.group(), *arguments)
 
     def argument(self, inside: str) -> list[Substitution]:
-        """Read one argument, perhaps in quotes."""
+        """Read one argument, optionally in quotes."""
         quote = self.text[self.at]
         start = self.at
         if inside and quote == inside:
@@ -127,7 +127,7 @@ class _Reader:
         return argument
 
     def skip_space(self) -> bool:
-        """Skip white space; return whether anything is left."""
+        """Skip white space; return whether any text is left."""
         while self.at < len(self.text) and self.text[self.at].isspace():
             self.at += 1
         return self.at < len(self.text)

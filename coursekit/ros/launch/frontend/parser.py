@@ -1,4 +1,4 @@
-"""Turns elements of XML and YAML launch files into actions."""
+"""Converts elements of XML and YAML launch files to actions."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ PARSERS = {
 
 
 class InvalidFrontendLaunchFileError(InvalidLaunchFileError):
-    """Raised when an XML or YAML launch file is not valid."""
+    """Raised for an invalid XML or YAML launch file."""
 
 
 class Parser:
@@ -48,7 +48,7 @@ class Parser:
 
     @classmethod
     def load_launch_extensions(cls) -> None:
-        """Import what exposes actions and substitutions: ours, and those that packages install."""
+        """Import the modules that expose actions and substitutions: built-in modules and those of installed packages."""
         if cls.extensions_loaded:
             return
         cls.extensions_loaded = True
@@ -59,7 +59,7 @@ class Parser:
 
     @classmethod
     def load_parser_implementations(cls) -> None:
-        """Import the parsers: ours, and those that packages install."""
+        """Import the parsers: built-in parsers and those of installed packages."""
         if cls.frontend_parsers is None:
             ours = {
                 name: getattr(importlib.import_module(module), parser)
@@ -70,7 +70,7 @@ class Parser:
 
     @classmethod
     def get_available_extensions(cls) -> list[str]:
-        """Return the file name endings that can be read.
+        """Return the supported file name extensions.
 
         >>> Parser.get_available_extensions()
         ['xml', 'yaml', 'yml']
@@ -79,15 +79,15 @@ class Parser:
 
     @classmethod
     def is_extension_valid(cls, extension: str) -> bool:
-        """Return whether files with this ending can be read."""
+        """Return whether files with this extension can be read."""
         return extension in PARSERS
 
     @classmethod
     def get_parser_from_extension(cls, extension: str) -> type[Parser]:
-        """Return the parser for a file name ending.
+        """Return the parser for a file name extension.
 
         Raises:
-            RuntimeError: when there is none.
+            RuntimeError: if there is none.
         """
         if extension not in PARSERS:
             raise RuntimeError(
@@ -99,15 +99,15 @@ class Parser:
 
     @classmethod
     def get_file_extensions_from_parsers(cls) -> list[str]:
-        """Return the file name endings that can be read."""
+        """Return the supported file name extensions."""
         return cls.get_available_extensions()
 
     @classmethod
     def load(cls, file: str | TextIO) -> tuple[Entity, Parser]:
-        """Return the root element of a file, and the parser that fits it.
+        """Return the root element of a file and the matching parser.
 
         Raises:
-            InvalidFrontendLaunchFileError: when no parser can read it.
+            InvalidFrontendLaunchFileError: if no parser can read it.
         """
         if isinstance(file, (str, os.PathLike)):
             with open(file, encoding="utf-8") as opened:
@@ -131,7 +131,7 @@ class Parser:
         ) from errors[0]
 
     def parse_action(self, entity: Entity) -> Action:
-        """Return the action an element stands for; an error says in which file, line and element."""
+        """Return the action for an element; an error message names the file, line and element."""
         self.load_launch_extensions()
         try:
             return instantiate_action(entity, self)
@@ -141,7 +141,7 @@ class Parser:
             raise ElementError(entity, error) from error
 
     def parse_substitution(self, value: str) -> list[Substitution]:
-        """Return text as a list of substitutions."""
+        """Parse text into a list of substitutions."""
         self.load_launch_extensions()
         return parse_substitution(value)
 
@@ -158,7 +158,7 @@ class Parser:
         """Return the launch description of a root element.
 
         Raises:
-            RuntimeError: when the root is not called launch.
+            RuntimeError: if the root is not called launch.
         """
         from ..launch_description import LaunchDescription
 
@@ -173,9 +173,9 @@ class Parser:
 
 
 class ElementError(RuntimeError, ValueError, TypeError, AttributeError):
-    """Raised for an element that is wrong; says in which file and line.
+    """Raised for an invalid element; the message names the file and line.
 
-    It is caught as any of the errors that elements raise.
+    It can be caught as any of the errors that elements raise.
     """
 
     def __init__(self, entity: Entity, error: BaseException) -> None:
@@ -185,7 +185,7 @@ class ElementError(RuntimeError, ValueError, TypeError, AttributeError):
 
 
 def _installed(group: str, what: str) -> Iterator[tuple[str, Any]]:
-    """Yield the name and the object of each entry point of a group; warn of those that fail."""
+    """Yield the name and the object of each entry point of a group; warn about those that fail."""
     found: Any = importlib.metadata.entry_points()
     for entry_point in found.select(group=group) if hasattr(found, "select") else found.get(group, []):
         try:

@@ -1,4 +1,4 @@
-"""Where launch descriptions come from: Python, XML and YAML files."""
+"""Sources of launch descriptions: Python, XML and YAML files."""
 
 from .any_launch_description_source import AnyLaunchDescriptionSource
 from .any_launch_file_utilities import get_launch_description_from_any_launch_file

@@ -9,7 +9,7 @@ from .any_launch_file_utilities import get_launch_description_from_any_launch_fi
 
 
 class AnyLaunchDescriptionSource(LaunchDescriptionSource):
-    """A Python, XML or YAML launch file, told apart by its name's ending."""
+    """A Python, XML or YAML launch file; the file name extension determines the format."""
 
     def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
         super().__init__(None, launch_file_path, "interpreted launch file")

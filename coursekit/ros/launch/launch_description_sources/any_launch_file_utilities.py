@@ -14,11 +14,11 @@ from .python_launch_file_utilities import get_launch_description_from_python_lau
 def get_launch_description_from_any_launch_file(
     launch_file_path: str, *, parser: type[Parser] = Parser
 ) -> LaunchDescription:
-    """Return the description in a launch file; the name's ending says which format it has.
+    """Return the description in a launch file; the file name extension determines the format.
 
     Raises:
-        FileNotFoundError: when there is no such file.
-        InvalidLaunchFileError: when it cannot be loaded; says why.
+        FileNotFoundError: if there is no such file.
+        InvalidLaunchFileError: if it cannot be loaded; the message contains the reason.
     """
     path = str(launch_file_path)
     if not os.path.isfile(path):

@@ -1,4 +1,4 @@
-"""Launch files of a known markup."""
+"""Launch files of a known markup language."""
 
 from __future__ import annotations
 

@@ -14,14 +14,14 @@ from ..launch_description import LaunchDescription
 
 
 class InvalidPythonLaunchFileError(InvalidLaunchFileError):
-    """Raised when a Python launch file has no `generate_launch_description`."""
+    """Raised if a Python launch file has no `generate_launch_description`, or if that returns no LaunchDescription."""
 
     def __init__(self, message: str) -> None:
         Exception.__init__(self, message)
 
 
 def load_python_launch_file_as_module(python_launch_file_path: str | os.PathLike[str]) -> ModuleType:
-    """Return the launch file as a module; nothing is written beside it."""
+    """Return the launch file as a module; no bytecode is written."""
     loader = SourceFileLoader("python_launch_file", os.fspath(python_launch_file_path))
     spec = spec_from_loader(loader.name, loader)
     assert spec is not None
@@ -37,11 +37,11 @@ def load_python_launch_file_as_module(python_launch_file_path: str | os.PathLike
 def get_launch_description_from_python_launch_file(
     python_launch_file_path: str | os.PathLike[str],
 ) -> LaunchDescription:
-    """Return what the file's `generate_launch_description()` returns.
+    """Return the result of the file's `generate_launch_description()`.
 
     Raises:
-        InvalidPythonLaunchFileError: when the file has no such function.
-        RuntimeError: when the file fails; says in which line.
+        InvalidPythonLaunchFileError: if the file has no such function, or if it returns no LaunchDescription.
+        RuntimeError: if the file fails; the message contains the line.
     """
     path = str(python_launch_file_path)
     try:
@@ -66,7 +66,7 @@ def get_launch_description_from_python_launch_file(
 
 
 class PythonLaunchFileFailure(RuntimeError):
-    """Raised when a Python launch file raises; says its line and what it raised."""
+    """Raised if a Python launch file raises an exception; the message contains the line and the exception."""
 
     def __init__(self, error: Exception, path: str) -> None:
         name = os.path.basename(path)

@@ -1,4 +1,4 @@
-"""Where a launch logs to and how: level, folder, files, forms. Every process has its own."""
+"""The logging configuration of a launch: level, folder, files, formats. Every process has its own."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ STAMPED = "{created:.7f} " + NAMED
 
 
 class LaunchConfig:
-    """The logging state of one process that launches."""
+    """The logging state of one launching process."""
 
     def __init__(self) -> None:
         self.reset()
 
     def reset(self) -> None:
-        """Begin anew: level INFO, a new folder, default forms."""
+        """Reset to level INFO, a new folder and default formats."""
         self.level = logging.INFO
         self.loggers: dict[str, Any] = {}
         self.file_handlers: dict[str, Any] = {}
@@ -42,7 +42,7 @@ class LaunchConfig:
 
     @property
     def log_dir(self) -> str:
-        """The folder of this launch's log files; its name is made on first use."""
+        """The folder of this launch's log files; its name is created on first use."""
         if self.__log_dir is None:
             make = sys.modules[__package__]._make_unique_log_dir
             self.__log_dir = str(make(base_path=str(get_logging_directory())))
@@ -57,14 +57,14 @@ class LaunchConfig:
         self.__log_dir = value
 
     def get_log_file_path(self, file_name: str = "launch.log") -> str:
-        """Return the full path of a log file; makes the folder."""
+        """Return the full path of a log file; create the folder."""
         os.makedirs(self.log_dir, exist_ok=True)
         return os.path.join(self.log_dir, file_name)
 
     # -- the handlers
 
     def get_log_file_handler(self, file_name: str = "launch.log") -> Any:
-        """Return the handler of a log file; one file has one."""
+        """Return the handler of a log file; there is one per file."""
         if file_name not in self.file_handlers:
             handler = self.log_handler_factory(self.get_log_file_path(file_name))
             handler.setFormatter(self.__file_formatter)
@@ -79,9 +79,9 @@ class LaunchConfig:
         return self.__screen_handler
 
     def set_screen_format(self, screen_format: str, *, screen_style: str | None = None) -> None:
-        """Set the form on the screen: 'default', 'default_with_timestamp', or one for logging.Formatter.
+        """Set the screen format: 'default', 'default_with_timestamp', or a format for logging.Formatter.
 
-        The environment variable OVERRIDE_LAUNCH_SCREEN_FORMAT wins. Raises ValueError for a default with a style.
+        The variable OVERRIDE_LAUNCH_SCREEN_FORMAT takes precedence. Raises ValueError for a default format with a style.
         """
         known = {"default": NAMED, "default_with_timestamp": STAMPED}
         self.__screen_formatter = _formatter("OVERRIDE_LAUNCH_SCREEN_FORMAT", screen_format, screen_style, known)
@@ -89,7 +89,7 @@ class LaunchConfig:
             self.__screen_handler.setFormatter(self.__screen_formatter)
 
     def set_log_format(self, log_format: str, *, log_style: str | None = None) -> None:
-        """Set the form in log files: 'default', or one for logging.Formatter; OVERRIDE_LAUNCH_LOG_FORMAT wins."""
+        """Set the log file format: 'default' or a logging.Formatter format; OVERRIDE_LAUNCH_LOG_FORMAT takes precedence."""
         self.__file_formatter = _formatter("OVERRIDE_LAUNCH_LOG_FORMAT", log_format, log_style, {"default": STAMPED})
         for handler in self.file_handlers.values():
             handler.setFormatter(self.__file_formatter)
@@ -110,7 +110,7 @@ def _formatter(variable: str, form: str, style: str | None, known: dict[str, str
 
 
 class _CurrentConfig:
-    """Stands for the current process's LaunchConfig."""
+    """A proxy of the current process's LaunchConfig."""
 
     def __getattr__(self, name: str) -> Any:
         return getattr(current_config(), name)
@@ -142,7 +142,7 @@ def current_config() -> LaunchConfig:
 
 
 def reset() -> LaunchConfig:
-    """Close the current process's logs and begin anew, with a new folder."""
+    """Close the current process's logs and start again with a new folder."""
     current_config().close()
     del _store()[KEY]
     return current_config()
@@ -156,7 +156,7 @@ def get_logging_directory() -> Path:
 
 
 def make_unique_log_dir(*, base_path: str) -> str:
-    """Return a folder below `base_path` named by date, time, host and process id; on the virtual clock always the same."""
+    """Return a folder path in `base_path` with date, time, host and process id; the virtual clock makes it reproducible."""
     clock = session.current().clock
     seconds, nanoseconds = divmod(clock.now(), 1_000_000_000)
     moment = time.gmtime(seconds) if clock.virtual else time.localtime(seconds)
@@ -168,7 +168,7 @@ def make_unique_log_dir(*, base_path: str) -> str:
 
 
 def shown_log_dir() -> str:
-    """Return the log folder as it is printed: on the virtual clock with ~ for the home folder."""
+    """Return the log folder in its printed form: on the virtual clock, with ~ for the home folder."""
     folder = current_config().log_dir
     home = str(Path.home())
     if session.current().clock.virtual and folder.startswith(home + os.sep):

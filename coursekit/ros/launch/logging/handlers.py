@@ -1,4 +1,4 @@
-"""Handlers that may write each logger's messages in a form of its own. In ROS 2: launch.logging.handlers."""
+"""Handlers that may use a separate format for each logger. In ROS 2: launch.logging.handlers."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ from typing import Any
 
 
 class Handler(logging.Handler):
-    """A handler with one formatter for all, and others for loggers that have one."""
+    """A handler with a default formatter, and optional formatters for single loggers."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)
         self._formatters: dict[str, logging.Formatter] = {}
 
     def setFormatterFor(self, logger: logging.Logger, formatter: logging.Formatter) -> None:
-        """Write this logger's messages so."""
+        """Set the formatter for this logger's messages."""
         self._formatters[logger.name] = formatter
 
     def unsetFormatterFor(self, logger: logging.Logger) -> None:
-        """Write this logger's messages as all others."""
+        """Use the default formatter for this logger's messages."""
         self._formatters.pop(logger.name, None)
 
     def getFormatterFor(self, logger: logging.Logger) -> logging.Formatter | None:
@@ -47,7 +47,7 @@ class StreamHandler(Handler):
 
 
 class FileHandler(Handler, logging.FileHandler):
-    """Appends to a file, which is made with the first record."""
+    """Appends to a file, which is created with the first record."""
 
     def __init__(self, path: str, encoding: str | None = None) -> None:
         super().__init__(path, encoding=encoding or "utf-8", delay=True)

@@ -1,4 +1,4 @@
-"""Loggers of a launch: to the screen, to launch.log, to files of a process's own."""
+"""Loggers of a launch: to the screen, to launch.log, and to separate files of a process."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class LaunchLogger(logging.Logger):
         self.propagate = False
 
     def getEffectiveLevel(self) -> int:
-        """Return this logger's own level, else the launch's."""
+        """Return this logger's own level, else the launch's level."""
         return self.level or self.__config.level
 
     def isEnabledFor(self, level: int) -> bool:
@@ -38,13 +38,13 @@ class LaunchLogger(logging.Logger):
         return not self.disabled and level >= self.getEffectiveLevel()
 
     def makeRecord(self, *args: Any, **kwargs: Any) -> logging.LogRecord:
-        """Return the record, with the session's time: logs on the virtual clock repeat."""
+        """Return the record with the session's time: logs on the virtual clock are reproducible."""
         record = super().makeRecord(*args, **kwargs)
         record.__dict__.update(_now())
         return record
 
     def log_output(self, text: str) -> None:
-        """Log what a process wrote, whatever the level: such records differ only in text and time, so one is copied."""
+        """Log a process's output at any level. Such records differ only in text and time: one record is copied."""
         if self.__output is None:
             self.__output = self.makeRecord(self.name, logging.INFO, "", 0, "", (), None)
         record = object.__new__(type(self.__output))
@@ -53,13 +53,13 @@ class LaunchLogger(logging.Logger):
 
 
 def _now() -> dict[str, float]:
-    """The session's time, as records have it."""
+    """The session's time in the form of log records."""
     nanoseconds = session.current().clock.now()
     return {"created": nanoseconds / 1e9, "msecs": nanoseconds // 1_000_000 % 1000}
 
 
 class LineByLine(logging.Formatter):
-    """Writes each line of a record in the same form: a process's lines come together."""
+    """Formats each line of a record separately: one record contains several lines of a process."""
 
     def format(self, record: logging.LogRecord) -> str:
         """Return the lines."""
@@ -71,7 +71,7 @@ PLAIN, STAMPED = logging.Formatter("{message}", style="{"), LineByLine("{created
 
 
 def get_logger(name: str | None = None) -> LaunchLogger:
-    """Return the logger of that name (default 'launch'): to the screen and to launch.log."""
+    """Return the logger of that name (default 'launch'), which writes to the screen and to launch.log."""
     config = current_config()
     name = name or "launch"
     if name not in config.loggers:
@@ -116,7 +116,7 @@ def _targets(output_config: str | Mapping[str, Any]) -> Mapping[str, Any]:
 
 
 def _output_logger(process_name: str, stream: str, targets: Mapping[str, Any], main_file: str) -> LaunchLogger:
-    """Return the logger of one stream, made anew so that another configuration can be chosen."""
+    """Return a new logger of one stream; its configuration may differ from that of an earlier logger."""
     config = current_config()
     logger = LaunchLogger(f"{process_name}-{stream}", config)
     both, own = targets.get("both", ()), targets.get(stream, ())

@@ -1,4 +1,4 @@
-"""A name that nobody else has."""
+"""A unique name."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @expose_substitution("anon")
 class AnonName(Substitution):
-    """A name made unique; the same name gives the same unique name within one launch."""
+    """A name made unique; within one launch, the same name results in the same unique name."""
 
     def __init__(self, name: SomeSubstitutionsType) -> None:
         super().__init__()
@@ -36,11 +36,11 @@ class AnonName(Substitution):
         return self.__name
 
     def describe(self) -> str:
-        """Return the name in words."""
+        """Return a description of the name."""
         return f"AnonName({' + '.join(sub.describe() for sub in self.__name)})"
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the unique name, made on first use."""
+        """Return the unique name, created on first use."""
         name = perform_substitutions(context, self.__name)
         key = "anon" + name
         if key not in context.launch_configurations:
@@ -49,7 +49,7 @@ class AnonName(Substitution):
 
 
 def _unique(name: str) -> str:
-    """Return `name` with two numbers of the session's own: the same in every run on the virtual clock."""
+    """Return `name` with two numbers from the session; they are the same in every run on the virtual clock."""
     from coursekit.processes import session
 
     uuid = session.current().new_uuid()

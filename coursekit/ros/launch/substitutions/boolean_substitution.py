@@ -31,7 +31,7 @@ def _exactly(count: int, name: str, data: Sequence[Any]) -> None:
 
 @expose_substitution("not")
 class NotSubstitution(Substitution):
-    """'true' when the value is false, and the other way round."""
+    """'true' if the value is false, and vice versa."""
 
     def __init__(self, value: SomeSubstitutionsType) -> None:
         super().__init__()
@@ -49,7 +49,7 @@ class NotSubstitution(Substitution):
         return self.__value
 
     def describe(self) -> str:
-        """Return the value in words."""
+        """Return a description of the value."""
         return f"NotSubstitution({' + '.join(sub.describe() for sub in self.__value)})"
 
     def perform(self, context: LaunchContext) -> str:
@@ -82,14 +82,14 @@ class _PairSubstitution(Substitution):
         return self._right
 
     def describe(self) -> str:
-        """Return both values in words."""
+        """Return a description of both values."""
         sides = [" + ".join(sub.describe() for sub in side) for side in (self._left, self._right)]
         return f"{type(self).__name__}({', '.join(sides)})"
 
 
 @expose_substitution("and")
 class AndSubstitution(_PairSubstitution):
-    """'true' when both values are."""
+    """'true' if both values are true."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return 'true' or 'false'."""
@@ -99,7 +99,7 @@ class AndSubstitution(_PairSubstitution):
 
 @expose_substitution("or")
 class OrSubstitution(_PairSubstitution):
-    """'true' when one of the values is."""
+    """'true' if at least one of the values is true."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return 'true' or 'false'."""
@@ -109,7 +109,7 @@ class OrSubstitution(_PairSubstitution):
 
 @expose_substitution("equals")
 class EqualsSubstitution(_PairSubstitution):
-    """'true' when the texts are equal, or mean the same truth value or number."""
+    """'true' if the texts are equal, or denote the same truth value or number."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return 'true' or 'false'."""
@@ -123,7 +123,7 @@ class EqualsSubstitution(_PairSubstitution):
 
 @expose_substitution("not-equals")
 class NotEqualsSubstitution(EqualsSubstitution):
-    """'true' when EqualsSubstitution would be 'false'."""
+    """'true' if EqualsSubstitution would be 'false'."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return 'true' or 'false'."""
@@ -143,24 +143,24 @@ class _ManySubstitution(Substitution):
         return cls, {"args": list(data)}
 
     def describe(self) -> str:
-        """Return the values in words."""
+        """Return a description of the values."""
         values = [" + ".join(sub.describe() for sub in value) for value in self._values]
         return f"{type(self).__name__}({', '.join(values)})"
 
 
 @expose_substitution("any")
 class AnySubstitution(_ManySubstitution):
-    """'true' when one of the values is."""
+    """'true' if at least one of the values is true."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return 'true' or 'false'."""
-        values = [_truth(context, value) for value in self._values]  # all, so that none that is no truth value passes
+        values = [_truth(context, value) for value in self._values]  # evaluate all: each must be a truth value
         return str(any(values)).lower()
 
 
 @expose_substitution("all")
 class AllSubstitution(_ManySubstitution):
-    """'true' when all the values are."""
+    """'true' if all values are true."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return 'true' or 'false'."""

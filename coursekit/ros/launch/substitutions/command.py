@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
 _PLACE = re.compile("\ue000([0-9]+)\ue001")
-"""Stands for a path while the command is divided into words: a folder such as `José Luis` is no two of them."""
+"""A placeholder for a path while the command is split into words: a folder such as `José Luis` must stay one word."""
 ON_STDERR = ("fail", "ignore", "warn", "capture")
 
 
@@ -31,8 +31,8 @@ ON_STDERR = ("fail", "ignore", "warn", "capture")
 class Command(Substitution):
     """A command's standard output, for example xacro's robot description.
 
-    `on_stderr` says what to do when the command also prints to its standard error: 'fail', 'warn',
-    'ignore', or 'capture' (then the error output is part of the text).
+    `on_stderr` is the reaction to output on the command's standard error: 'fail', 'warn', 'ignore', or
+    'capture' (the error output becomes part of the text).
     """
 
     def __init__(self, command: SomeSubstitutionsType, *, on_stderr: SomeSubstitutionsType = "fail") -> None:
@@ -61,14 +61,14 @@ class Command(Substitution):
         return self.__on_stderr
 
     def describe(self) -> str:
-        """Return the command in words."""
+        """Return a description of the command."""
         return f"Command({' + '.join(sub.describe() for sub in self.__command)})"
 
     def perform(self, context: LaunchContext) -> str:
         """Run the command and return its output.
 
         Raises:
-            SubstitutionFailure: when it cannot be run, fails, or prints errors and that is to fail.
+            SubstitutionFailure: if it cannot be run, if it fails, or if it prints errors and `on_stderr` is 'fail'.
         """
         pieces = [perform_substitutions(context, [piece]) for piece in self.__command]
         text = "".join(pieces)
@@ -120,7 +120,7 @@ def _run(pieces: Sequence[str], environment: dict[str, str], merge: bool) -> sub
 
 
 def _started(program: str) -> list[str]:
-    """How to start a program: xacro's own script ends in an AttributeError where it should name the missing file."""
+    """Return the command for a program; xacro's own script raises an AttributeError instead of naming a missing file."""
     beside = Path(sys.executable).parent
     if Path(program).parent == beside and Path(program).stem == "xacro":
         return [sys.executable, "-c", "import sys, xml.parsers.expat, xacro; sys.exit(xacro.main())"]

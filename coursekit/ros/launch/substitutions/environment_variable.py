@@ -43,18 +43,18 @@ class EnvironmentVariable(Substitution):
 
     @property
     def default_value(self) -> list[Substitution] | None:
-        """The value when the variable is not set."""
+        """The value if the variable is not set."""
         return self.__default
 
     def describe(self) -> str:
-        """Return the variable's name in words."""
+        """Return a description of the variable's name."""
         return f"EnvVar({' + '.join(sub.describe() for sub in self.__name)})"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the variable's value, or the default.
 
         Raises:
-            SubstitutionFailure: when there is neither.
+            SubstitutionFailure: if there is neither.
         """
         name = perform_substitutions(context, self.__name)
         if name in context.environment:

@@ -36,14 +36,14 @@ class FileContent(Substitution):
         return self.__path
 
     def describe(self) -> str:
-        """Return the path in words."""
+        """Return a description of the path."""
         return f"FileContent({' + '.join(sub.describe() for sub in self.__path)})"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the file's text.
 
         Raises:
-            SubstitutionFailure: when it cannot be read.
+            SubstitutionFailure: if it cannot be read.
         """
         path = perform_substitutions(context, self.__path)
         try:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def which(name: str, path: str | None) -> str | None:
-    """Return the program's path, looked for on `path` and beside the running Python."""
+    """Return the program's path, searched on `path` and in the folder of the running Python."""
     beside = os.path.dirname(sys.executable)
     return shutil.which(name, path=path) or shutil.which(name, path=beside)
 
@@ -45,14 +45,14 @@ class FindExecutable(Substitution):
         return self.__name
 
     def describe(self) -> str:
-        """Return the program's name in words."""
+        """Return a description of the program's name."""
         return f"FindExec({' + '.join(sub.describe() for sub in self.__name)})"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the path.
 
         Raises:
-            SubstitutionFailure: when there is no such program.
+            SubstitutionFailure: if there is no such program.
         """
         name = perform_substitutions(context, self.__name)
         found = which(name, context.environment.get("PATH"))

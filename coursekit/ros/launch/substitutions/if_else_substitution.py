@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 @expose_substitution("if")
 class IfElseSubstitution(Substitution):
-    """The one text when a condition is true, the other when it is false."""
+    """The first text if a condition is true, the second text if it is false."""
 
     def __init__(
         self,
@@ -41,7 +41,7 @@ class IfElseSubstitution(Substitution):
         return cls, dict(zip(("condition", "if_value", "else_value"), data, strict=False))
 
     def describe(self) -> str:
-        """Return the three parts in words."""
+        """Return a description of the three parts."""
         parts = (self._condition, self._if_value, self._else_value)
         texts = [" + ".join(sub.describe() for sub in part) for part in parts]
         return f"IfElseSubstitution({', '.join(texts)})"
@@ -50,7 +50,7 @@ class IfElseSubstitution(Substitution):
         """Return the chosen text.
 
         Raises:
-            SubstitutionFailure: when the condition is neither true nor false.
+            SubstitutionFailure: if the condition is neither true nor false.
         """
         try:
             chosen = evaluate_condition_expression(context, self._condition)

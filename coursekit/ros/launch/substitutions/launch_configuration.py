@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 @expose_substitution("var")
 class LaunchConfiguration(Substitution):
-    """The value that a launch argument or SetLaunchConfiguration gave to a name.
+    """The value that a launch argument or SetLaunchConfiguration has set for a name.
 
     >>> from launch import LaunchContext
     >>> LaunchConfiguration('speed', default='1').perform(LaunchContext())
@@ -45,14 +45,14 @@ class LaunchConfiguration(Substitution):
         return self.__variable_name
 
     def describe(self) -> str:
-        """Return the configuration's name in words."""
+        """Return a description of the configuration's name."""
         return f"LaunchConfig({' + '.join(sub.describe() for sub in self.__variable_name)})"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the value, or the default.
 
         Raises:
-            SubstitutionFailure: when there is neither.
+            SubstitutionFailure: if there is neither.
         """
         name = perform_substitutions(context, self.__variable_name)
         if name in context.launch_configurations:
@@ -63,7 +63,7 @@ class LaunchConfiguration(Substitution):
 
 
 def _as_texts(default: Any) -> Any:
-    """Return numbers and truth values among the defaults as text."""
+    """Return the defaults with numbers and truth values converted to text."""
     if isinstance(default, (str, Substitution)):
         return default
     if isinstance(default, Iterable):

@@ -1,4 +1,4 @@
-"""Where this launch writes its log files."""
+"""The folder of this launch's log files."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 @expose_substitution("launch_log_dir")
 @expose_substitution("log_dir")
 class LaunchLogDir(TextSubstitution):
-    """The absolute folder of this launch's log files; in Humble `$(log_dir)` is known as a text already when it is read."""
+    """The absolute folder of this launch's log files. As in Humble, `$(log_dir)` is plain text as soon as it is parsed."""
 
     def __init__(self) -> None:
         super().__init__(text="")

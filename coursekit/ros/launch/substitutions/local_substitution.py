@@ -1,4 +1,4 @@
-"""A value that the launch system itself put aside for the moment."""
+"""A temporary value of the launch system."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ class LocalSubstitution(Substitution):
 
     @property
     def expression(self) -> str:
-        """The expression, without 'context.locals.' before it."""
+        """The expression without the prefix 'context.locals.'."""
         return self.__expression
 
     def describe(self) -> str:
-        """Return the description, or else the expression."""
+        """Return the description, else the expression."""
         return f"LocalVar('{self.__description or self.__expression}')"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the local's value as text.
 
         Raises:
-            SubstitutionFailure: when there is no such local.
+            SubstitutionFailure: if there is no such local.
         """
         tree = ast.parse(self.__expression, mode="eval").body
         try:
@@ -44,7 +44,7 @@ class LocalSubstitution(Substitution):
 
 
 def _value(node: ast.AST, names: Mapping[str, Any]) -> Any:
-    """Return the value of a chain of names, attributes and subscripts; nothing else is read."""
+    """Return the value of a chain of names, attributes and subscripts; anything else is an error."""
     if isinstance(node, ast.Name):
         return names[node.id]
     if isinstance(node, ast.Attribute):

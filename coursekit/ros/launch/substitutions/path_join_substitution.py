@@ -1,4 +1,4 @@
-"""Joins parts of a path, or of a text."""
+"""Substitutions that join the parts of a path or text."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class PathJoinSubstitution(Substitution):
-    """A path made of parts; each may be text, a substitution, or a list of both.
+    """A path joined from parts; each may be text, a substitution, or a list of both.
 
     >>> from launch import LaunchContext
     >>> path = PathJoinSubstitution(['a', ['b', '.yaml']]).perform(LaunchContext())
@@ -33,7 +33,7 @@ class PathJoinSubstitution(Substitution):
         return self.__parts
 
     def describe(self) -> str:
-        """Return the parts in words."""
+        """Return a description of the parts."""
         parts = [" + ".join(sub.describe() for sub in part) for part in self.__parts]
         return f"PathJoin({', '.join(parts)})"
 
@@ -54,7 +54,7 @@ class StringJoinSubstitution(Substitution):
         self.__delimiter = normalize_to_list_of_substitutions(delimiter)
 
     def describe(self) -> str:
-        """Return the parts in words."""
+        """Return a description of the parts."""
         parts = [" + ".join(sub.describe() for sub in part) for part in self.__parts]
         return f"StringJoin({', '.join(parts)})"
 

@@ -18,12 +18,12 @@ if TYPE_CHECKING:
 
 
 class UnknownNameError(SubstitutionFailure, NameError):
-    """Raised when an expression names something that is not known."""
+    """Raised if an expression uses an unknown name."""
 
 
 @expose_substitution("eval")
 class PythonExpression(Substitution):
-    """The value of a Python expression, as text; the names of `math` are known in it.
+    """The value of a Python expression, as text; the expression may use the names of `math`.
 
     >>> from launch import LaunchContext
     >>> PythonExpression(['1 + ', '2']).perform(LaunchContext())
@@ -41,7 +41,7 @@ class PythonExpression(Substitution):
 
     @classmethod
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Substitution], dict[str, Any]]:
-        """Read `$(eval 'expression')`, perhaps followed by 'module, module'."""
+        """Read `$(eval 'expression')`, optionally followed by 'module, module'."""
         if not 1 <= len(data) <= 2:
             raise TypeError("eval substitution expects 1 or 2 arguments; put the expression in quotes")
         kwargs: dict[str, Any] = {"expression": data[0]}
@@ -57,11 +57,11 @@ class PythonExpression(Substitution):
 
     @property
     def python_modules(self) -> list[Substitution]:
-        """The modules the expression may name, as substitutions."""
+        """The modules that the expression may use, as substitutions."""
         return self.__python_modules
 
     def describe(self) -> str:
-        """Return the expression and its modules in words."""
+        """Return a description of the expression and its modules."""
         modules = ", ".join(sub.describe() for sub in self.__python_modules)
         return f"PythonExpr({' + '.join(sub.describe() for sub in self.__expression)}, [{modules}])"
 
@@ -69,8 +69,8 @@ class PythonExpression(Substitution):
         """Return the expression's value as text.
 
         Raises:
-            SubstitutionFailure: when the expression is wrong; its cause is Python's own error.
-            NameError: when it names something unknown (a SubstitutionFailure as well).
+            SubstitutionFailure: if the expression fails; the cause is Python's own error.
+            NameError: if it uses an unknown name (this is also a SubstitutionFailure).
         """
         expression = perform_substitutions(context, self.__expression)
         try:
@@ -83,7 +83,7 @@ class PythonExpression(Substitution):
             ) from error
 
     def __names(self, context: LaunchContext) -> dict[str, Any]:
-        """Return what the expression may name: the modules, and what is in them (but never over Python's own names)."""
+        """Return the names for the expression: the modules, and their contents (which never hide Python's own names)."""
         known: dict[str, Any] = {}
         for module_name in self.__python_modules:
             name = perform_substitutions(context, [module_name])

@@ -4,4 +4,4 @@ from __future__ import annotations
 
 
 class SubstitutionFailure(RuntimeError):
-    """Raised when a substitution cannot be performed."""
+    """Raised if a substitution cannot be performed."""

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class TextSubstitution(Substitution):
-    """Text that stands for itself."""
+    """A fixed text."""
 
     def __init__(self, *, text: str) -> None:
         super().__init__()

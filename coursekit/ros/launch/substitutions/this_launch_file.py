@@ -1,4 +1,4 @@
-"""Where the launch file that is being read lies."""
+"""The path and folder of the current launch file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Helpers that actions, substitutions and other people's launch files share."""
+"""Helpers shared by actions, substitutions and users' launch files."""
 
 from .class_tools_impl import is_a, is_a_subclass, isclassinstance
 from .ensure_argument_type_impl import ensure_argument_type

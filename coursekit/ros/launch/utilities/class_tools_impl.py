@@ -1,4 +1,4 @@
-"""Asking what something is."""
+"""Checks of an object's class."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 
 def isclassinstance(obj: Any) -> bool:
-    """Return whether `obj` is an instance of a class, as everything in Python is."""
+    """Return whether `obj` is an instance of a class, which is true of everything in Python."""
     return hasattr(obj, "__class__")
 
 

@@ -1,4 +1,4 @@
-"""Checks an argument's type and says which one was wanted."""
+"""Checks an argument's type; the error names the expected type."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 def visit_entities(
     entity: LaunchDescriptionEntity, context: LaunchContext
 ) -> Iterator[tuple[LaunchDescriptionEntity, asyncio.Future[None]]]:
-    """Visit `entity` and all that it gives, depth first; yield the work that goes on as it begins."""
+    """Visit `entity` and all its sub-entities, depth first; yield ongoing work as it begins."""
     sub_entities = entity.visit(context) or []
     future = entity.get_asyncio_future()
     if future is not None:
@@ -28,5 +28,5 @@ def visit_entities(
 def visit_all_entities_and_collect_futures(
     entity: LaunchDescriptionEntity, context: LaunchContext
 ) -> list[tuple[LaunchDescriptionEntity, asyncio.Future[None]]]:
-    """Visit `entity` and all that it gives, depth first; return the work that goes on."""
+    """Visit `entity` and all its sub-entities, depth first; return the ongoing work."""
     return list(visit_entities(entity, context))

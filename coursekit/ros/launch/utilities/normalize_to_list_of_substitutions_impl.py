@@ -1,4 +1,4 @@
-"""Brings the many spellings of a value to one: a list."""
+"""Normalizes the many forms of a value to a list."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def normalize_to_list_of_substitutions(subs: SomeSubstitutionsType) -> list[Subs
     """Return text, a substitution or a list of both as a list of substitutions.
 
     Raises:
-        TypeError: when something else is among them.
+        TypeError: if it contains anything else.
     """
     from ..substitutions.text_substitution import TextSubstitution
 
@@ -40,7 +40,7 @@ def normalize_to_list_of_substitutions(subs: SomeSubstitutionsType) -> list[Subs
 def normalize_to_list_of_entities(
     entities: SomeEntitiesType | Iterable[SomeEntitiesType],
 ) -> list[LaunchDescriptionEntity]:
-    """Return one entity, or lists of entities however deep, as one flat list."""
+    """Return one entity, or arbitrarily nested lists of entities, as one flat list."""
     if isinstance(entities, LaunchDescriptionEntity):
         return [entities]
     flat: list[LaunchDescriptionEntity] = []

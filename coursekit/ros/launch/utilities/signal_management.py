@@ -1,4 +1,4 @@
-"""Signals of the system, handled on an asyncio loop."""
+"""System signals, handled on an asyncio loop."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ Handler = Callable[[int], Any]
 class AsyncSafeSignalManager:
     """Calls handlers on `loop` for the signals that arrive while the manager is entered.
 
-    It works where the system lets it: in the main thread. Elsewhere handlers are only remembered; interrupts reach a
-    launch through the session's processes.
+    It works only in the main thread, as the system requires. In other threads, handlers are only stored; interrupts reach
+    a launch through the session's processes.
 
     >>> import signal
     >>> manager = AsyncSafeSignalManager(asyncio.new_event_loop())
@@ -49,7 +49,7 @@ class AsyncSafeSignalManager:
             self.__remove(signum)
 
     def handle(self, signum: int, handler: Handler | None) -> Handler | None:
-        """Set the handler of `signum`, None for none; return the one before it."""
+        """Set the handler of `signum` (None removes it); return the previous handler."""
         signum = int(signum)
         before = self.__handlers.pop(signum, None)
         if handler is None:

@@ -1,4 +1,4 @@
-"""Types of launch values: scalars, uniform lists, and substitutions that become them."""
+"""Types of launch values: scalars, uniform lists, and substitutions that result in them."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def is_typing_list(data_type: Any) -> bool:
 
 
 def is_valid_scalar_type(data_type: Any) -> bool:
-    """Return whether `data_type` is one of the scalar types that launch values have."""
+    """Return whether `data_type` is one of the scalar types of launch values."""
     return data_type in ScalarTypesTuple
 
 
@@ -43,7 +43,7 @@ def extract_type(data_type: Any) -> tuple[Any, bool]:
     ((<class 'int'>, True), (<class 'str'>, False))
 
     Raises:
-        ValueError: for a type that launch values cannot have.
+        ValueError: for a type that is not allowed for launch values.
     """
     is_list = is_typing_list(data_type)
     scalar = next(iter(get_args(data_type)), None) if is_list else data_type
@@ -53,7 +53,7 @@ def extract_type(data_type: Any) -> tuple[Any, bool]:
 
 
 def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
-    """Return whether `value` is a scalar or a uniform list; with `can_be_str` text may be among the items."""
+    """Return whether `value` is a scalar or a uniform list; with `can_be_str`, the items may include text."""
     if not isinstance(value, list):
         return isinstance(value, ScalarTypesTuple)
     kinds = {type(item) for item in value}
@@ -63,7 +63,7 @@ def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
 
 
 def is_instance_of(value: Any, data_type: Any, can_be_str: bool = False) -> bool:
-    """Return whether `value` has `data_type`; with `can_be_str` text is accepted as well."""
+    """Return whether `value` has `data_type`; with `can_be_str`, text is also accepted."""
     if data_type is None:
         return is_instance_of_valid_type(value, can_be_str)
     scalar, is_list = extract_type(data_type)
@@ -74,14 +74,14 @@ def is_instance_of(value: Any, data_type: Any, can_be_str: bool = False) -> bool
 
 
 def coerce_to_type(value: str, data_type: Any = None, can_be_str: bool = False) -> Any:
-    """Return the text `value` as `data_type`, read by YAML's rules; None: whatever YAML says.
+    """Return the text `value` as `data_type`, read by YAML's rules; None: the type that YAML determines.
 
     >>> coerce_to_type('2', float), coerce_to_type('off'), coerce_to_type('a b')
     (2.0, False, 'a b')
 
     Raises:
-        TypeError: when `value` is no text.
-        ValueError: when the text is no such value.
+        TypeError: if `value` is not text.
+        ValueError: if the text is not a value of that type.
     """
     if not isinstance(value, str):
         raise TypeError(f"Got '{value}' of type '{type(value).__name__}' where a text was expected")
@@ -105,11 +105,11 @@ def _type_name(data_type: Any) -> str:
 
 
 def coerce_list(value: Iterable[str], data_type: Any = None, can_be_str: bool = False) -> list[Any]:
-    """Return each text of a list as `data_type`; without one all must be of one type.
+    """Return each text of a list as `data_type`; if that is None, all must have the same type.
 
     Raises:
-        TypeError: when `value` is no list of texts.
-        ValueError: when an item is no such value, or the items are of several types.
+        TypeError: if `value` is not a list of texts.
+        ValueError: if an item is not a value of that type, or if the items have several types.
     """
     items = [value] if isinstance(value, str) else list(value)
     if isinstance(value, str) or not all(isinstance(item, str) for item in items):
@@ -124,8 +124,8 @@ def get_typed_value(value: str | Sequence[str], data_type: Any, can_be_str: bool
     """Return text, or a list of texts, as `data_type`.
 
     Raises:
-        TypeError: when a list is given where one value is meant.
-        ValueError: when that is not possible.
+        TypeError: if a list is given for a single value.
+        ValueError: if the conversion is not possible.
     """
     if isinstance(value, str):
         return coerce_to_type(value, data_type, can_be_str)
@@ -138,7 +138,7 @@ def get_typed_value(value: str | Sequence[str], data_type: Any, can_be_str: bool
 
 
 def is_substitution(value: Any) -> bool:
-    """Return whether `value` is a substitution or a list that holds one."""
+    """Return whether `value` is a substitution or a list that contains one."""
     if isinstance(value, Substitution):
         return True
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes)):
@@ -147,15 +147,15 @@ def is_substitution(value: Any) -> bool:
 
 
 def is_normalized_substitution(value: Any) -> bool:
-    """Return whether `value` is a list of substitutions and nothing else."""
+    """Return whether `value` is a list of only substitutions."""
     return isinstance(value, list) and bool(value) and all(isinstance(item, Substitution) for item in value)
 
 
 def normalize_typed_substitution(value: Any, data_type: Any) -> Any:
-    """Return `value` checked: typed values stay, substitutions become lists of substitutions.
+    """Check and return `value`: typed values stay unchanged, substitutions become lists of substitutions.
 
     Raises:
-        TypeError: when a value that is no substitution has another type than `data_type`.
+        TypeError: if a value that is not a substitution has another type than `data_type`.
     """
     if isinstance(value, Substitution) or _is_one_text(value):
         return normalize_to_list_of_substitutions(value)
@@ -171,7 +171,7 @@ def normalize_typed_substitution(value: Any, data_type: Any) -> Any:
 
 
 def _is_one_text(value: Any) -> bool:
-    """Return whether `value` is a list of substitutions and texts, which together make one text."""
+    """Return whether `value` is a list of substitutions and texts that together form one text."""
     return is_substitution(value) and all(isinstance(item, (Substitution, str)) for item in value)
 
 
@@ -190,8 +190,8 @@ def perform_typed_substitution(context: LaunchContext, value: Any, data_type: An
     """Return the value of a normalized typed substitution in `context`.
 
     Raises:
-        TypeError: when a value that is no substitution has another type than `data_type`.
-        ValueError: when the text of the substitution is no `data_type`.
+        TypeError: if a value that is not a substitution has another type than `data_type`.
+        ValueError: if the text of the substitution cannot be converted to `data_type`.
     """
     if is_substitution(value):
         return coerce_to_type(perform_substitutions(context, value), data_type)

@@ -1,4 +1,4 @@
-"""The type of a file's name."""
+"""The type of a file path."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The event of a process that ended."""
+"""The event that a process has ended."""
 
 from __future__ import annotations
 
@@ -18,5 +18,5 @@ class ProcessExited(RunningProcessEvent):
 
     @property
     def returncode(self) -> int:
-        """Its exit code; negative for the signal that ended it."""
+        """Its exit code; the negative signal number if a signal ended it."""
         return self.__returncode

@@ -1,4 +1,4 @@
-"""The events of what a process reads and writes."""
+"""The events of a process's input and output."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from .running_process_event import RunningProcessEvent
 
 
 class ProcessIO(RunningProcessEvent):
-    """A process wrote something, or is to read something."""
+    """Output of a process, or input for it."""
 
     name = "launch.events.process.ProcessIO"
 
@@ -39,7 +39,7 @@ class ProcessIO(RunningProcessEvent):
 
 
 class ProcessStdin(ProcessIO):
-    """Something to be typed into a process."""
+    """Input for a process."""
 
     name = "launch.events.process.ProcessStdin"
 

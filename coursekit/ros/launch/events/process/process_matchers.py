@@ -1,4 +1,4 @@
-"""Functions that pick processes by what they are."""
+"""Matchers that select processes by pid, name or program."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def matches_pid(pid: int) -> Callable[[ExecuteLocal], bool]:
-    """Return a function that accepts the process with this number."""
+    """Return a function that accepts the process with this pid."""
     return lambda action: action.process_details is not None and action.process_details.get("pid") == pid
 
 

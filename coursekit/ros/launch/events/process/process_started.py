@@ -1,4 +1,4 @@
-"""The event of a process that was started."""
+"""The event that a process has started."""
 
 from __future__ import annotations
 

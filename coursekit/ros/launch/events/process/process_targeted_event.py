@@ -1,4 +1,4 @@
-"""The base class of events that are meant for certain processes."""
+"""The base class of events for certain processes."""
 
 from __future__ import annotations
 
@@ -21,5 +21,5 @@ class ProcessTargetedEvent(Event):
 
     @property
     def process_matcher(self) -> Callable[[ExecuteLocal], bool]:
-        """A function that says whether an action's process is meant."""
+        """A function that returns whether the event is for an action's process."""
         return self.__process_matcher

@@ -1,4 +1,4 @@
-"""The base class of what happens to a process that was started."""
+"""The base class of events of a started process."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class RunningProcessEvent(Event):
-    """Something happened to a process."""
+    """An event of a process."""
 
     name = "launch.events.process.RunningProcessEvent"
 
@@ -55,15 +55,15 @@ class RunningProcessEvent(Event):
 
     @property
     def cwd(self) -> str | None:
-        """The working folder, None for the launch's own."""
+        """The working folder; None for the launch's own."""
         return self.__cwd
 
     @property
     def env(self) -> Mapping[str, str] | None:
-        """The environment, None for the launch's own."""
+        """The environment; None for the launch's own."""
         return self.__env
 
     @property
     def pid(self) -> int:
-        """The process's number."""
+        """The process's pid."""
         return self.__pid

@@ -6,6 +6,6 @@ from .process_targeted_event import ProcessTargetedEvent
 
 
 class ShutdownProcess(ProcessTargetedEvent):
-    """The process is to end: SIGINT first, then SIGTERM, then SIGKILL."""
+    """A request to end the process: SIGINT first, then SIGTERM, then SIGKILL."""
 
     name = "launch.events.process.ShutdownProcess"

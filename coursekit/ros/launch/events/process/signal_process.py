@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class SignalProcess(ProcessTargetedEvent):
-    """The process is to get a signal, given by name, number or `signal.Signals`.
+    """A request to send a signal to the process, given by name, number or `signal.Signals`.
 
     >>> SignalProcess(signal_number='SIGINT', process_matcher=lambda action: True).signal_name
     'SIGINT'

@@ -59,7 +59,7 @@ class ParameterSetting:
         return self._rclpy_apply(parameters)
 
     def _rclpy_apply(self, parameters: list[Parameter], declares: bool = False) -> SetParametersResult:
-        """Check, ask the callbacks, set, and publish on /parameter_events; only declaring may leave a parameter unset."""
+        """Check, call the callbacks, set, and publish on /parameter_events; only declaring may leave a parameter unset."""
         for parameter in parameters:
             descriptor = self._descriptors.get(parameter.name)
             result = self._rclpy_check(parameter, descriptor, not declares)
@@ -147,7 +147,7 @@ class ParameterSetting:
     # -- callbacks
 
     def add_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], SetParametersResult]) -> None:
-        """Have `callback(parameters)` accept or refuse every change; the newest callback is asked first."""
+        """Let `callback(parameters)` accept or refuse every change; the newest callback is called first."""
         self._parameters_callbacks.insert(0, callback)
 
     def remove_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], SetParametersResult]) -> None:
@@ -155,7 +155,7 @@ class ParameterSetting:
         self._parameters_callbacks.remove(callback)
 
     def add_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
-        """Have `callback` change the list before it is checked (ROS releases after Humble)."""
+        """Let `callback` change the list before it is checked (ROS releases after Humble)."""
         self._rclpy_pre_set_callbacks.insert(0, callback)
 
     def remove_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
@@ -163,7 +163,7 @@ class ParameterSetting:
         self._rclpy_pre_set_callbacks.remove(callback)
 
     def add_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
-        """Have `callback(parameters)` called after each change (ROS releases after Humble)."""
+        """Call `callback(parameters)` after each change (ROS releases after Humble)."""
         self._rclpy_post_set_callbacks.insert(0, callback)
 
     def remove_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:

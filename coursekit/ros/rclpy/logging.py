@@ -15,7 +15,7 @@ _root_logger = RcutilsLogger()
 
 
 def get_logger(name: str) -> RcutilsLogger:
-    """Return a logger of that name; ValueError for an empty one.
+    """Return a logger of that name; ValueError for an empty name.
 
     >>> get_logger("robot").name
     'robot'

@@ -145,7 +145,7 @@ class Node(ExecuteProcess):
         context.extend_locals({"ros_specific_arguments": arguments})
         try:
             result = super().execute(context)
-        except NotCompiled as error:  # on a robot it would start: here the rest starts
+        except NotCompiled as error:  # on a robot it would start: here at least the rest does
             get_logger("launch_ros.actions.node").error(f"{error.why}; the launch goes on without it")
             return None
         if self.is_node_name_fully_specified():

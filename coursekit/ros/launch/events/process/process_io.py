@@ -34,7 +34,7 @@ class ProcessIO(RunningProcessEvent):
 
     @property
     def from_stderr(self) -> bool:
-        """Whether it is from the standard error."""
+        """Whether it is from the standard error stream."""
         return self.__from_fd == 2
 
 

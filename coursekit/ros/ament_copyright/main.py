@@ -54,7 +54,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _judged(path: Path) -> tuple[bool, str]:
-    """Whether a file is as it should be, and what is said of it."""
+    """Whether a file passes, and the text to report: its holders and license, or the reason."""
     try:
         text = read_text(path, errors="replace")
     except OSError as error:
@@ -68,7 +68,10 @@ def _judged(path: Path) -> tuple[bool, str]:
 
 
 def _sources(path: Path) -> Iterator[Path]:
-    """The sources below a folder, or the file itself; not what is generated, hidden or ignored, nor a package's setup.py."""
+    """Yield the sources below a folder, or the file itself.
+
+    Generated, hidden and ignored folders are skipped, and so is a package's setup.py.
+    """
     if path.is_file():
         yield path
         return

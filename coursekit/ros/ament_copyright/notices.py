@@ -22,7 +22,7 @@ LICENSES = {
     "mit0": "MIT-0 License",
 }
 _FILES = {"mit": "MIT", "mit0": "MIT-0", "boost1": "BSL-1.0", "bsd_3clause": "BSD-3-Clause", "bsd_2clause": "BSD-2-Clause"}
-"""The licenses whose whole text is a notice; bsd2 has the words of bsd_2clause, and goes by that name."""
+"""The licenses whose notice is their whole text. bsd2 has the text of bsd_2clause and is reported by that name."""
 _YEARS = r"\d{4}(?:-\d{4})?(?:,\s*\d{4}(?:-\d{4})?)*"
 _COPYRIGHT = re.compile(rf"^.?\s*(?:\\copyright\s*)?copyright(?:\s+\(c\))?\s+({_YEARS}),?\s+(\S.*)$", re.I | re.M)
 _BULLET = re.compile(r"(?<!\S)(?:[*-]|\(?\d[.)])\s")
@@ -33,14 +33,14 @@ _BLOCK = re.compile(r"^/\*(.*?)\*/$|^<!--(.*?)-->$", re.M | re.S)
 
 @dataclass(frozen=True)
 class Notice:
-    """Whose a file is, such as 'Vera Course (2020)', and the short name of its license."""
+    """The copyright holders of a file, such as 'Vera Course (2020)', and the short name of its license."""
 
     holders: list[str]
     license: str
 
 
 def notice_of(text: str) -> Notice | None:
-    """The notice in a file's text, None where there is none.
+    """The notice in a file's text, None if there is none.
 
     >>> notice_of("# Copyright (c) 2019-2021, Vera Course\\n# All rights reserved.\\nx = 1\\n")
     Notice(holders=['Vera Course (2019-2021)'], license='<unknown>')
@@ -55,7 +55,7 @@ def notice_of(text: str) -> Notice | None:
 
 
 def license_of(text: str) -> str:
-    """The short name of the license that a text holds."""
+    """The short name of the license that a text contains."""
     words = _words(text)
     for name, sections in _sections().items():
         places = [words.find(one) for one in sections]
@@ -86,7 +86,7 @@ def _text(name: str) -> str:
 
 @cache
 def _sections() -> dict[str, list[str]]:
-    """What the comment of each license holds, one piece after the other."""
+    """The parts of the comment of each license, in order."""
     texts = {"apache2": _text("Apache-2.0").rpartition("[name of copyright owner]")[2]}
     gnu = _text("GPL-3.0-only").rpartition("    This program is free software")[2].partition("If not, see")[0]
     texts["gplv3"] = "This program is free software" + gnu

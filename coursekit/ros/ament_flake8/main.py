@@ -18,7 +18,7 @@ from coursekit.xunit import write_results
 
 _SETTINGS = str(Path(__file__).with_name("ament_flake8.ini"))
 _LEFT_OUT = ("build", "install", "log")
-"""What colcon makes; Humble's flake8 is not kept from looking there, but it has nothing of the user's."""
+"""colcon's output folders. Humble's ament_flake8 does not exclude them, but they contain no code of the user."""
 _FINDING = re.compile(r"(.+?:\d+:\d+: )([A-Z]+\d+)( .*)")
 
 
@@ -56,7 +56,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _words(asked: argparse.Namespace) -> list[str]:
-    """What flake8 is told."""
+    """The arguments of flake8."""
     ignored = [str(one.parent) for path in asked.paths for one in Path(path).rglob("AMENT_IGNORE")]
     words = [f"--config={asked.config}", f"--extend-exclude={','.join([*_LEFT_OUT, *asked.exclude, *ignored])}"]
     return [*words, *([f"--max-line-length={asked.linelength}"] if asked.linelength else []), *asked.paths]
@@ -71,13 +71,13 @@ def _run(words: Sequence[str]) -> tuple[int, list[str]]:
 
 
 def _cases(lines: Sequence[str]) -> list[tuple[str, str]]:
-    """Each finding as a case: its code and place, and its text with the line of the source, which flake8 shows below it."""
+    """Each finding as a case: its code and position, and its text with the source line that flake8 shows below it."""
     pairs = [(found, lines[at + 1 : at + 2]) for at, line in enumerate(lines) if (found := _FINDING.fullmatch(line))]
     return [(f"{one[2]} ({one[1][:-2]})", f"{one[3].strip()}:\n{''.join(source)}\n") for one, source in pairs]
 
 
 def _python_files(path: str) -> Iterator[str]:
-    """The Python files below a folder, but for those in folders that are left out, or the file itself."""
+    """Yield the Python files below a folder, except those in excluded folders, or the file itself."""
     if os.path.isfile(path):
         yield path
     for place, folders, files in os.walk(path):

@@ -1,4 +1,4 @@
-"""Asks the ament index what is installed, and where."""
+"""Queries of the ament index: what is installed, and where."""
 
 from ament_index_python.constants import RESOURCE_INDEX_SUBFOLDER
 from ament_index_python.packages import (

@@ -11,7 +11,7 @@ from ament_index_python.resources import get_resource, get_resource_types, get_r
 
 
 def main(argv: list[str] | None = None) -> str | None:
-    """Print resource types, the resources of a type with their prefixes, or one resource; return what is wrong."""
+    """Print resource types, the resources of a type with their prefixes, or one resource; return an error or None."""
     parser = argparse.ArgumentParser(
         prog="ament_index", description="Query the ament resource index.", formatter_class=argparse.RawTextHelpFormatter
     )
@@ -55,7 +55,7 @@ def resource_type_completer(prefix: str, **kwargs: Any) -> list[str]:
 
 
 def resource_name_completer(prefix: str, parsed_args: Any, **kwargs: Any) -> list[str]:
-    """Return the resources, of the type named before, that begin with `prefix`."""
+    """Return the resources of the type given before that begin with `prefix`."""
     if not getattr(parsed_args, "resource_type", None):
         return []
     return [name for name in get_resources(parsed_args.resource_type) if name.startswith(prefix)]

@@ -1,4 +1,4 @@
-"""Where packages are installed."""
+"""The prefixes and share directories of installed packages."""
 
 from __future__ import annotations
 

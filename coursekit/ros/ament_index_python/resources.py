@@ -1,4 +1,4 @@
-"""Resources of the ament index: small files that say what is installed."""
+"""Resources of the ament index: small files that describe what is installed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The prefixes that are searched: those of AMENT_PREFIX_PATH, which has coursekit's underlay from the start."""
+"""The search path: the prefixes in AMENT_PREFIX_PATH, which contains coursekit's underlay from the start."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 from ament_index_python.constants import AMENT_PREFIX_PATH_ENV_VAR
 from coursekit.interfaces.find import UNDERLAY, prefixes, with_underlay
 
-with_underlay(os.environ)  # a program that finds this module has, in a way, sourced ROS; what it sets later holds
+with_underlay(os.environ)  # a program that can import this module has, in effect, sourced ROS; a later value wins
 
 
 def get_search_paths() -> list[str]:

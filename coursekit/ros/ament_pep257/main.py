@@ -1,4 +1,4 @@
-"""Runs pydocstyle with ROS's settings: docstrings are checked where they exist, none is demanded."""
+"""Runs pydocstyle with ROS's settings: existing docstrings are checked, missing ones are accepted."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _UNREADABLE = re.compile(r"Error in file (.*): (Cannot parse file\.)")
 
 
 class _Finding(NamedTuple):
-    """What is wrong in a file, where, and what it is called among results."""
+    """A finding: its file, its position, its text, and its name in the results."""
 
     file: str
     place: str
@@ -65,7 +65,7 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _chosen(asked: argparse.Namespace) -> list[str]:
-    """pydocstyle's words for the codes that are asked for."""
+    """The arguments of pydocstyle that select the requested codes."""
     if asked.select:
         return [f"--select={','.join([*asked.select, *asked.add_select])}"]
     if asked.convention != "ament":
@@ -76,7 +76,7 @@ def _chosen(asked: argparse.Namespace) -> list[str]:
 
 
 def _sources(path: str) -> Iterator[str]:
-    """The Python files below a folder, but for those in hidden folders, or the file itself."""
+    """Yield the Python files below a folder, except those in hidden folders, or the file itself."""
     if os.path.isfile(path):
         yield path
     for place, folders, files in os.walk(path):
@@ -85,7 +85,7 @@ def _sources(path: str) -> Iterator[str]:
 
 
 def _cases(files: list[str], found: list[_Finding]) -> list[tuple[str, str]]:
-    """Each finding as a case, and each file without one."""
+    """Each finding as a case, and each file without findings."""
     by_file: dict[str, list[tuple[str, str]]] = {file: [] for file in files}
     for one in found:
         by_file.setdefault(one.file, []).append((one.name, one.what))

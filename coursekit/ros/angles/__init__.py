@@ -1,4 +1,4 @@
-"""Angles and the way from one to another.
+"""Angles, and rotations from one angle to another.
 
 In ROS 2: the Python module of the package angles.
 """
@@ -38,7 +38,7 @@ def normalize_angle(angle: float) -> float:
 
 
 def shortest_angular_distance(from_angle: float, to_angle: float) -> float:
-    """By how much to turn from one angle to another, the short way: -π … π.
+    """The shortest rotation from one angle to another, within -π … π.
 
     >>> round(shortest_angular_distance(3.0, -3.0), 3)
     0.283
@@ -47,7 +47,7 @@ def shortest_angular_distance(from_angle: float, to_angle: float) -> float:
 
 
 def two_pi_complement(angle: float) -> float:
-    """The same direction the other way round.
+    """The rotation in the opposite sense that ends in the same direction.
 
     >>> round(two_pi_complement(1.0), 3)
     -5.283
@@ -64,7 +64,9 @@ def two_pi_complement(angle: float) -> float:
 def shortest_angular_distance_with_limits(
     from_angle: float, to_angle: float, left_limit: float, right_limit: float
 ) -> tuple[bool, float]:
-    """Whether a turn stays between two limits within -π … π, and that turn; else the one that goes less beyond them.
+    """Whether a rotation stays between two limits within -π … π, and that rotation.
+
+    If none does, return the rotation that exceeds the limits less.
 
     >>> shortest_angular_distance_with_limits(-2.5, 2.5, -3.0, 3.0)
     (True, 5.0)
@@ -76,7 +78,7 @@ def shortest_angular_distance_with_limits(
         if least <= way <= greatest:
             return True, way
     back, forth = min(ways), max(ways)
-    if inside:  # the end lies beyond a limit: which one is nearer to it?
+    if inside:  # the target lies beyond a limit: which limit is nearer to it?
         _, least, greatest = _find_min_max_delta(to_angle, left_limit, right_limit)
         back, forth = forth, back
     if abs(least) == abs(greatest):
@@ -85,7 +87,7 @@ def shortest_angular_distance_with_limits(
 
 
 def _find_min_max_delta(from_angle: float, left_limit: float, right_limit: float) -> tuple[bool, float, float]:
-    """Whether an angle lies between the limits, and how far it may turn back and forth until it meets one."""
+    """Whether an angle lies between the limits, and the rotations in both senses until it reaches one."""
     to_left = shortest_angular_distance(from_angle, left_limit)
     to_right = shortest_angular_distance(from_angle, right_limit)
     back, forth_to_left = sorted((to_left, two_pi_complement(to_left)))
@@ -94,7 +96,7 @@ def _find_min_max_delta(from_angle: float, left_limit: float, right_limit: float
         return True, 0.0, forth
     if to_right == 0:
         return True, back, 0.0
-    if back <= back_to_right or forth >= forth_to_left:  # the other limit is met first
+    if back <= back_to_right or forth >= forth_to_left:  # the other limit is reached first
         return (left_limit, right_limit) == (-pi, pi), back_to_right, forth_to_left
     return True, back, forth
 
@@ -102,7 +104,7 @@ def _find_min_max_delta(from_angle: float, left_limit: float, right_limit: float
 def shortest_angular_distance_with_large_limits(
     from_angle: float, to_angle: float, left_limit: float, right_limit: float
 ) -> tuple[bool, float]:
-    """The same for limits that may lie beyond ±π, of a joint that turns more than once; the left is the lower one.
+    """The same for limits that may lie beyond ±π, of a multi-turn joint; the left limit is the lower one.
 
     >>> shortest_angular_distance_with_large_limits(0.0, 3.0, -2 * pi, 1.0)
     (True, -3.2831853071795862)

@@ -1,4 +1,4 @@
-"""A camera's calibration, kept in a file and told as CameraInfo.
+"""A camera's calibration, stored in a file and available as CameraInfo.
 
 In ROS 2: the Python module of the package camera_info_manager_py.
 """

@@ -16,12 +16,12 @@ from coursekit.files import read_text, write_whole
 from coursekit.systems.uris import path_of
 
 default_camera_info_url = "file://${ROS_HOME}/camera_info/${NAME}.yaml"
-"""Where a calibration is kept that has no other place."""
+"""The URL of a calibration for which no URL is given."""
 _MATRICES = {"camera_matrix": ("k", 3, 3), "rectification_matrix": ("r", 3, 3), "projection_matrix": ("p", 3, 4)}
 
 
 UNREADABLE = (ValueError, RecursionError, yaml.YAMLError, LookupError, TypeError, AttributeError, AssertionError)
-"""The errors of a text that holds no calibration."""
+"""The errors raised by a text without a valid calibration."""
 
 
 class CameraInfoError(Exception):
@@ -43,7 +43,7 @@ def resolveURL(url: str, cname: str) -> str:
 
 
 def _file_of(url: str) -> Path:
-    """The file of a file:// or package:// URL; CameraInfoError for another."""
+    """The file of a file:// or package:// URL; raises CameraInfoError for any other URL."""
     if url.startswith("package://"):
         package, _, rest = url.removeprefix("package://").partition("/")
         try:
@@ -56,7 +56,7 @@ def _file_of(url: str) -> Path:
 
 
 def loadCalibrationFile(filename: str, cname: str) -> CameraInfo:
-    """The calibration in a file; an empty one when there is none. CameraInfoError when it cannot be understood."""
+    """The calibration in a file; an empty one if there is no file. Raises CameraInfoError if it cannot be parsed."""
     path = Path(filename)
     if not path.is_file():
         return CameraInfo()
@@ -67,7 +67,7 @@ def loadCalibrationFile(filename: str, cname: str) -> CameraInfo:
 
 
 def calibration_of(text: str) -> tuple[str, CameraInfo]:
-    """The camera's name and the calibration that a calibrator's YAML holds; one of UNREADABLE where it holds none."""
+    """The camera's name and the calibration in a calibrator's YAML; raises one of UNREADABLE if it holds none."""
     told = yaml.safe_load(text)
     return (str(told.get("camera_name", "")), _info_of(told)) if told else ("", CameraInfo())
 
@@ -82,7 +82,7 @@ def _info_of(told: dict[str, Any]) -> CameraInfo:
 
 
 def calibration_text(ci: CameraInfo, cname: str) -> str:
-    """A calibration as the calibrator writes it."""
+    """A calibration as YAML, in the format of the calibrator."""
     told: dict[str, Any] = {"image_width": ci.width, "image_height": ci.height, "camera_name": cname}
     told["distortion_model"] = ci.distortion_model
     told["distortion_coefficients"] = {"data": [float(one) for one in ci.d], "rows": 1, "cols": len(ci.d)}
@@ -92,7 +92,7 @@ def calibration_text(ci: CameraInfo, cname: str) -> str:
 
 
 def saveCalibrationFile(ci: CameraInfo, filename: str, cname: str) -> bool:
-    """Write a calibration into a file; whether that was possible."""
+    """Write a calibration to a file. Return whether that succeeded."""
     try:
         Path(filename).parent.mkdir(parents=True, exist_ok=True)
         write_whole(filename, calibration_text(ci, cname))
@@ -102,7 +102,7 @@ def saveCalibrationFile(ci: CameraInfo, filename: str, cname: str) -> bool:
 
 
 class CameraInfoManager:
-    """Loads a camera's calibration from its URL and lets calibrators set it by the service set_camera_info."""
+    """Loads a camera's calibration from its URL and lets calibrators set it with the service set_camera_info."""
 
     def __init__(self, node: Node, cname: str = "camera", url: str = "", namespace: str = "") -> None:
         self.node, self.cname, self.url = node, cname, url
@@ -114,7 +114,7 @@ class CameraInfoManager:
         return _file_of(resolveURL(self.url or default_camera_info_url, self.cname))
 
     def loadCameraInfo(self) -> None:
-        """Read the calibration anew; one that cannot be read is told, and there is an empty one."""
+        """Read the calibration again. If it cannot be read, log an error and use an empty one."""
         try:
             self.camera_info = loadCalibrationFile(str(self._place()), self.cname)
         except CameraInfoError as fault:
@@ -122,13 +122,13 @@ class CameraInfoManager:
             self.camera_info = CameraInfo()
 
     def getCameraInfo(self) -> CameraInfo:
-        """The calibration; CameraInfoMissingError before it was loaded."""
+        """The calibration; raises CameraInfoMissingError if none has been loaded."""
         if self.camera_info is None:
             raise CameraInfoMissingError("Calibration missing, loadCameraInfo() needed")
         return self.camera_info
 
     def isCalibrated(self) -> bool:
-        """Whether there is one with numbers in it."""
+        """Whether the calibration holds values."""
         return bool(self.getCameraInfo().k[0])
 
     def getCameraName(self) -> str:
@@ -136,7 +136,7 @@ class CameraInfoManager:
         return self.cname
 
     def setCameraName(self, cname: str) -> bool:
-        """Another name; False when it holds other than letters, digits and _."""
+        """Set the name. Return False if it is empty or contains characters other than letters, digits and _."""
         if not cname or not all(one.isalnum() or one == "_" for one in cname):
             return False
         if cname != self.cname:
@@ -144,11 +144,11 @@ class CameraInfoManager:
         return True
 
     def getURL(self) -> str:
-        """Where the calibration is kept."""
+        """The URL of the calibration."""
         return self.url
 
     def setURL(self, url: str) -> bool:
-        """Another place; False when it is no place."""
+        """Set the URL. Return False if it is invalid."""
         if url:
             try:
                 _file_of(resolveURL(url, self.cname))

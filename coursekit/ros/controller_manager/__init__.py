@@ -1,4 +1,4 @@
-"""Ask a controller manager from Python, as the spawner does."""
+"""The services of a controller manager as Python functions, as the spawner uses them."""
 
 from __future__ import annotations
 

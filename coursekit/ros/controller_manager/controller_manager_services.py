@@ -1,6 +1,6 @@
-"""One function for each service of a controller manager; each returns the service's answer.
+"""One function for each service of a controller manager; each returns the service's response.
 
-`node` asks, `controller_manager_name` is the manager's full name. RuntimeError when it does not answer.
+`node` makes the call, `controller_manager_name` is the manager's full name. Raises RuntimeError if it does not answer.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def list_controller_types(node: Any, controller_manager_name: str, service_timeo
 
 
 def list_hardware_components(node: Any, controller_manager_name: str, service_timeout: float = 10.0) -> Any:
-    """The pieces of hardware."""
+    """The hardware components."""
     return _ask(node, controller_manager_name, ListHardwareComponents, "list_hardware_components", service_timeout)
 
 
@@ -65,14 +65,14 @@ def list_hardware_interfaces(node: Any, controller_manager_name: str, service_ti
 def load_controller(
     node: Any, controller_manager_name: str, controller_name: str, service_timeout: float = 10.0
 ) -> Any:
-    """Load a controller whose type the manager's parameters name."""
+    """Load a controller whose type is in the manager's parameters."""
     return _ask(node, controller_manager_name, LoadController, "load_controller", service_timeout, name=controller_name)
 
 
 def reload_controller_libraries(
     node: Any, controller_manager_name: str, force_kill: bool, service_timeout: float = 10.0
 ) -> Any:
-    """Unload all controllers; active ones only with `force_kill`."""
+    """Unload all controllers; active controllers only with `force_kill`."""
     name = "reload_controller_libraries"
     return _ask(
         node, controller_manager_name, ReloadControllerLibraries, name, service_timeout, force_kill=force_kill
@@ -82,7 +82,7 @@ def reload_controller_libraries(
 def set_hardware_component_state(
     node: Any, controller_manager_name: str, component_name: str, lifecyle_state: Any, service_timeout: float = 10.0
 ) -> Any:
-    """Bring a piece of hardware into a state."""
+    """Set the state of a hardware component."""
     return _ask(
         node, controller_manager_name, SetHardwareComponentState, "set_hardware_component_state", service_timeout,
         name=component_name, target_state=lifecyle_state,
@@ -93,7 +93,7 @@ def switch_controllers(
     node: Any, controller_manager_name: str, deactivate_controllers: list[str], activate_controllers: list[str],
     strict: bool, activate_asap: bool, timeout: float,
 ) -> Any:  # fmt: skip
-    """Stop some controllers and start others, `strict` all or nothing."""
+    """Deactivate some controllers and activate others; with `strict`, all of them or none."""
     answer = SwitchController.Response()
     try:
         asker = Asker(node, controller_manager_name)

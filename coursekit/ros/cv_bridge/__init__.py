@@ -1,4 +1,4 @@
-"""Between OpenCV's arrays and ROS's images. In ROS 2: vision_opencv's cv_bridge."""
+"""Conversion between OpenCV's arrays and ROS's images. In ROS 2: vision_opencv's cv_bridge."""
 
 from cv_bridge.core import CvBridge, CvBridgeError
 

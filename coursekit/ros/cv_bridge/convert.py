@@ -15,11 +15,11 @@ _YUV = {"uyvy": "UYVY", "yuyv": "YUY2"}
 
 
 class ConversionError(ValueError):
-    """The conversion makes no sense, or nobody wrote it."""
+    """The conversion makes no sense or is not implemented."""
 
 
 def convert(image: Any, source: str, target: str) -> Any:
-    """`image`, encoded as `source`, as a new one encoded as `target`; raises ConversionError."""
+    """A copy of `image`, converted from the encoding `source` to `target`; raises ConversionError."""
     before, after = parse(source), parse(target)
     if source == target:
         return image.copy()
@@ -30,7 +30,7 @@ def convert(image: Any, source: str, target: str) -> Any:
 
 
 def _colour_code(before: Encoding, after: Encoding) -> int | None:
-    """OpenCV's number of the conversion; None when the order of colours stays."""
+    """OpenCV's code of the conversion; None if the order of colours stays the same."""
     if not before.kind and after.kind:
         raise ConversionError(
             f"[{before.name}] is not a color format. but [{after.name}] is. The conversion does not make sense"
@@ -69,7 +69,7 @@ def _conversion_name(before: str, after: str) -> str | None:
 
 
 def _to_depth(image: Any, before: Encoding, after: Encoding) -> Any:
-    """The same picture in other numbers; 8 and 16 bits are scaled, the rest is rounded and clipped."""
+    """The same image with another depth. Values are scaled between 8 and 16 bits; integers are rounded and clipped."""
     if image.dtype == after.dtype:
         return image if image.flags.owndata else image.copy()
     if (before.bits, after.bits) == (8, 16):

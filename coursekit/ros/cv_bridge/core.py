@@ -1,4 +1,4 @@
-"""CvBridge: images between OpenCV and ROS messages."""
+"""CvBridge: conversion of images between OpenCV and ROS messages."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from cv_bridge.encodings import DTYPES, Encoding, UnknownEncoding, parse
 
 
 class CvBridgeError(TypeError):
-    """A conversion that cannot be made."""
+    """The conversion is not possible."""
 
 
 class CvBridge:
@@ -54,18 +54,18 @@ class CvBridge:
         return DTYPES[depth], int(channels)
 
     def encoding_to_cvtype2(self, encoding: str) -> int:
-        """OpenCV's number of an encoding's type; CvBridgeError for an encoding that is unknown."""
+        """OpenCV's number of an encoding's type; raises CvBridgeError for an unknown encoding."""
         return int(getattr(cv2, f"CV_{_parsed(encoding).cv_type}"))
 
     def encoding_to_dtype_with_channels(self, encoding: str) -> tuple[str, int]:
-        """(numpy's name of the type, channels) of an encoding; CvBridgeError for one that is unknown."""
+        """(numpy's name of the type, channels) of an encoding; raises CvBridgeError for an unknown encoding."""
         parsed = _parsed(encoding)
         return parsed.dtype, parsed.channels
 
     # -- messages to arrays
 
     def imgmsg_to_cv2(self, img_msg: Image, desired_encoding: str = "passthrough") -> Any:
-        """The image of a message, as it is (in the message's own memory) or converted; raises CvBridgeError."""
+        """The image of a message, unchanged (in the message's own memory) or converted; raises CvBridgeError."""
         encoding = _parsed(img_msg.encoding)
         image = _pixels(img_msg, encoding)
         if img_msg.is_bigendian != (sys.byteorder == "big") and encoding.bits > 8:
@@ -75,7 +75,7 @@ class CvBridge:
         return _converted(image, img_msg.encoding, desired_encoding)
 
     def compressed_imgmsg_to_cv2(self, cmprs_img_msg: CompressedImage, desired_encoding: str = "passthrough") -> Any:
-        """The image of a compressed message, as it was stored or converted from bgr8; raises CvBridgeError."""
+        """The image of a compressed message, as stored or converted from bgr8; raises CvBridgeError."""
         data = np.frombuffer(cmprs_img_msg.data, np.uint8)
         image = cv2.imdecode(data, cv2.IMREAD_UNCHANGED) if data.size else None
         if image is None:
@@ -89,7 +89,7 @@ class CvBridge:
     # -- arrays to messages
 
     def cv2_to_imgmsg(self, cvim: Any, encoding: str = "passthrough", header: Any = None) -> Image:
-        """A message with a copy of the image; CvBridgeError when the array does not fit the encoding."""
+        """A message with a copy of the image; raises CvBridgeError if the array does not match the encoding."""
         _check_array(cvim)
         message = Image()
         if header is not None:
@@ -108,7 +108,7 @@ class CvBridge:
         return message
 
     def cv2_to_compressed_imgmsg(self, cvim: Any, dst_format: str = "jpg") -> CompressedImage:
-        """A message with the image as a file: jpg, png, bmp, tiff, ...; CvBridgeError for other formats."""
+        """A message with the image as a file: jpg, png, bmp, tiff, ...; raises CvBridgeError for other formats."""
         _check_array(cvim)
         try:
             done, data = cv2.imencode(f".{dst_format}", cvim)
@@ -139,7 +139,7 @@ def _converted(image: Any, source: str, target: str) -> Any:
 
 
 def _pixels(msg: Image, encoding: Encoding) -> Any:
-    """The message's bytes as an array; what fills up a row beyond its width is left out."""
+    """The message's bytes as an array, without the padding at the end of each row."""
     size = np.dtype(encoding.dtype).itemsize
     least = msg.width * size * encoding.channels
     if msg.step < least:

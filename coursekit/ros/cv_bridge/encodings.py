@@ -21,7 +21,7 @@ _PLAIN = re.compile(r"(8U|8S|16U|16S|32S|32F|64F)(?:C([0-9]+))?")
 
 
 class UnknownEncoding(ValueError):
-    """No encoding of that name."""
+    """There is no encoding with that name."""
 
 
 @dataclass(frozen=True)
@@ -35,12 +35,12 @@ class Encoding:
 
     @property
     def dtype(self) -> str:
-        """numpy's name of one number."""
+        """numpy's name of the element type."""
         return DTYPES[self.depth]
 
     @property
     def bits(self) -> int:
-        """Bits of one number."""
+        """Bits per element."""
         return int(self.depth[:-1])
 
     @property
@@ -66,7 +66,7 @@ NAMED = _named()
 
 
 def parse(name: str) -> Encoding:
-    """The encoding of that name; raises UnknownEncoding.
+    """The encoding with that name; raises UnknownEncoding.
 
     >>> parse("bgr8").cv_type, parse("32FC1").dtype, parse("16U").channels
     ('8UC3', 'float32', 1)

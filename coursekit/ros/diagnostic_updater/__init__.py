@@ -1,4 +1,4 @@
-"""Nodes that tell how they are on /diagnostics.
+"""Nodes that report their state on /diagnostics.
 
 In ROS 2: the Python module of the package diagnostic_updater.
 """

@@ -1,4 +1,4 @@
-"""A DiagnosticStatus that can be filled with few words."""
+"""A DiagnosticStatus with methods that fill it."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ class DiagnosticStatusWrapper(DiagnosticStatus):
         super().__init__(*args, **kwds)
 
     def summary(self, *args: Any) -> None:
-        """Take a level and a message, or those of another status."""
+        """Set the level and the message, or copy those of another status."""
         self.level, self.message = _level_and_message(args)
 
     def clearSummary(self) -> None:
-        """Back to OK without words."""
+        """Reset to OK with an empty message."""
         self.summary(OK, "")
 
     def mergeSummary(self, *args: Any) -> None:
-        """The worse of two levels; the words of both where they are equally well or ill."""
+        """Take the worse of two levels. Join the messages if both levels are OK or neither is."""
         level, message = _level_and_message(args)
         if (level > OK) == (self.level > OK):
             self.message = "; ".join(one for one in (self.message, message) if one)
@@ -40,7 +40,7 @@ class DiagnosticStatusWrapper(DiagnosticStatus):
         self.level = max(self.level, level)
 
     def add(self, key: str, value: Any) -> None:
-        """Tell a value by a name."""
+        """Add a value with its key."""
         self.values = [*self.values, KeyValue(key=key, value=str(value))]
 
 

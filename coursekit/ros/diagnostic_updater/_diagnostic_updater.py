@@ -1,4 +1,4 @@
-"""Tasks that tell how something is, and the updater that asks them once in a while."""
+"""Diagnostic tasks, and the updater that runs them periodically."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from ._diagnostic_status_wrapper import DiagnosticStatusWrapper
 
 
 class DiagnosticTask:
-    """Something that can tell how it is: derive from it and write `run`."""
+    """A task that reports a status: derive from it and implement `run`."""
 
     def __init__(self, name: str) -> None:
         self.name = name
 
     def getName(self) -> str:
-        """Its name."""
+        """The name of the task."""
         return self.name
 
     def run(self, stat: DiagnosticStatusWrapper) -> DiagnosticStatusWrapper:
@@ -48,7 +48,7 @@ class CompositeDiagnosticTask(DiagnosticTask):
         self.tasks: list[DiagnosticTask] = []
 
     def run(self, stat: DiagnosticStatusWrapper) -> DiagnosticStatusWrapper:
-        """Ask all."""
+        """Run all tasks."""
         level, message = stat.level, stat.message
         together = DiagnosticStatusWrapper()
         for task in self.tasks:
@@ -59,12 +59,12 @@ class CompositeDiagnosticTask(DiagnosticTask):
         return stat
 
     def addTask(self, t: DiagnosticTask) -> None:
-        """One more."""
+        """Add a task."""
         self.tasks.append(t)
 
 
 class DiagnosticTaskVector:
-    """Tasks with a status each; `add` takes a task, or a name and a function."""
+    """Tasks with one status each; `add` takes a task, or a name and a function."""
 
     def __init__(self) -> None:
         self.tasks: list[DiagnosticTask] = []
@@ -74,14 +74,14 @@ class DiagnosticTaskVector:
         """Called after each task that is added."""
 
     def add(self, *args: Any) -> None:
-        """A task, or a name and a function."""
+        """Add a task, or a name and a function."""
         task = args[0] if len(args) == 1 else FunctionDiagnosticTask(*args)
         with self.lock:
             self.tasks.append(task)
         self.addedTaskCallback(task)
 
     def removeByName(self, name: str) -> bool:
-        """Take the tasks of that name away; whether there were any."""
+        """Remove the tasks with that name. Return whether there were any."""
         with self.lock:
             kept = [task for task in self.tasks if task.getName() != name]
             found, self.tasks = len(kept) < len(self.tasks), kept
@@ -89,7 +89,7 @@ class DiagnosticTaskVector:
 
 
 class Updater(DiagnosticTaskVector):
-    """Asks its tasks every `period` seconds and publishes what they tell on /diagnostics."""
+    """Runs its tasks every `period` seconds and publishes their statuses on /diagnostics."""
 
     def __init__(self, node: Node, period: float = 1.0) -> None:
         super().__init__()
@@ -115,7 +115,7 @@ class Updater(DiagnosticTaskVector):
         self.timer = self.node.create_timer(self.__period, self.update)
 
     def update(self) -> None:
-        """Report, and say once that there is no hardware id."""
+        """Publish all statuses, and warn once if no hardware ID is set."""
         if not self.hwid and not self.warn_nohwid_done:
             self.node.get_logger().warning(
                 "diagnostic_updater: No HW_ID was set. This is probably a bug. Please report it. For devices that do not "
@@ -126,7 +126,7 @@ class Updater(DiagnosticTaskVector):
         self.force_update()
 
     def force_update(self) -> None:
-        """Report now."""
+        """Publish all statuses now."""
         with self.lock:
             tasks = list(self.tasks)
         self.publish([self._asked(task) for task in tasks])
@@ -141,7 +141,7 @@ class Updater(DiagnosticTaskVector):
         return status
 
     def broadcast(self, lvl: Any, msg: str) -> None:
-        """Report the same of all tasks."""
+        """Publish the same level and message for all tasks."""
         told = []
         for task in self.tasks:
             status = DiagnosticStatusWrapper(name=task.name)
@@ -150,15 +150,15 @@ class Updater(DiagnosticTaskVector):
         self.publish(told)
 
     def setHardwareID(self, hwid: str) -> None:
-        """Say which device this is about; "none" where there is none."""
+        """Set the hardware ID of the device; "none" if it has none."""
         self.hwid = hwid
 
     def setHardwareIDf(self, format: str, *args: Any) -> None:
-        """The same with numbers put into a text with %."""
+        """Set the hardware ID from a format string with % and its arguments."""
         self.hwid = format % args
 
     def publish(self, msg: Any) -> None:
-        """Publish one status or several; their names begin with the node's."""
+        """Publish one status or several, with the node's name before theirs."""
         array = DiagnosticArray()
         array.header.stamp = self.node.get_clock().now().to_msg()
         for status in msg if isinstance(msg, list) else [msg]:
@@ -168,7 +168,7 @@ class Updater(DiagnosticTaskVector):
         self.publisher.publish(array)
 
     def addedTaskCallback(self, task: DiagnosticTask) -> None:
-        """A task that is new is said to begin."""
+        """Publish that a new task is starting up."""
         status = DiagnosticStatusWrapper(name=task.name)
         status.summary(DiagnosticStatus.OK, "Node starting up")
         self.publish(status)

@@ -1,4 +1,4 @@
-"""Topics whose frequency and stamps are told."""
+"""Diagnostics of topics: frequency and stamps."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ._update_functions import FrequencyStatus, FrequencyStatusParam, TimeStampS
 
 
 class HeaderlessTopicDiagnostic(CompositeDiagnosticTask):
-    """How often a topic is published; call `tick` each time."""
+    """Monitors the frequency of a topic; call `tick` for each message."""
 
     def __init__(self, name: str, diag: Updater, freq: FrequencyStatusParam) -> None:
         super().__init__(f"{name} topic status")
@@ -21,16 +21,16 @@ class HeaderlessTopicDiagnostic(CompositeDiagnosticTask):
         self.diag.add(self)
 
     def tick(self) -> None:
-        """It was published."""
+        """Record a published message."""
         self.freq.tick()
 
     def clear_window(self) -> None:
-        """Forget what was."""
+        """Discard the recorded events."""
         self.freq.clear()
 
 
 class TopicDiagnostic(HeaderlessTopicDiagnostic):
-    """How often a topic is published, and how old its stamps are."""
+    """Monitors the frequency of a topic and the age of its stamps."""
 
     def __init__(self, name: str, diag: Updater, freq: FrequencyStatusParam, stamp: TimeStampStatusParam) -> None:
         super().__init__(name, diag, freq)
@@ -38,19 +38,19 @@ class TopicDiagnostic(HeaderlessTopicDiagnostic):
         self.addTask(self.stamp)
 
     def tick(self, stamp: Any) -> None:  # type: ignore[override]
-        """It was published with that stamp."""
+        """Record a published message with its stamp."""
         self.stamp.tick(stamp)
         super().tick()
 
 
 class DiagnosedPublisher(TopicDiagnostic):
-    """A publisher of messages with headers that is watched."""
+    """A publisher of messages with headers, with diagnostics."""
 
     def __init__(self, pub: Any, diag: Updater, freq: FrequencyStatusParam, stamp: TimeStampStatusParam) -> None:
         super().__init__(pub.topic_name, diag, freq, stamp)
         self.pub = pub
 
     def publish(self, message: Any) -> None:
-        """Publish."""
+        """Record and publish a message."""
         self.tick(Time.from_msg(message.header.stamp))
         self.pub.publish(message)

@@ -1,4 +1,4 @@
-"""Tasks about how often and how late something happens."""
+"""Tasks that monitor the frequency and the delay of events."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from ._diagnostic_updater import DiagnosticTask
 
 
 class FrequencyStatusParam:
-    """Bounds {'min': Hz, 'max': Hz}, by how much they may be missed (0.1: a tenth), over how many reports."""
+    """Bounds {'min': Hz, 'max': Hz}, their relative tolerance (0.1: a tenth), and the window in reports."""
 
     def __init__(self, freq_bound: dict[str, float], tolerance: float = 0.1, window_size: int = 5) -> None:
         self.freq_bound, self.tolerance, self.window_size = freq_bound, tolerance, window_size
 
 
 class FrequencyStatus(DiagnosticTask):
-    """How often `tick` was called."""
+    """Monitors the frequency of the calls of `tick`."""
 
     def __init__(self, params: FrequencyStatusParam, name: str = "FrequencyStatus", clock: Clock | None = None) -> None:
         super().__init__(name)
@@ -30,7 +30,7 @@ class FrequencyStatus(DiagnosticTask):
         self.clear()
 
     def clear(self) -> None:
-        """Forget what was."""
+        """Discard the recorded events."""
         with self.lock:
             self.count = 0
             now = self.clock.now()
@@ -39,12 +39,12 @@ class FrequencyStatus(DiagnosticTask):
             self.hist_indx = 0
 
     def tick(self) -> None:
-        """It happened."""
+        """Record an event."""
         with self.lock:
             self.count += 1
 
     def run(self, stat: DiagnosticStatusWrapper) -> DiagnosticStatusWrapper:
-        """Compare with the bounds."""
+        """Compare the frequency with the bounds."""
         with self.lock:
             now, place = self.clock.now(), self.hist_indx
             events, window = self.count - self.seq_nums[place], (now - self.times[place]).nanoseconds * 1e-9
@@ -81,14 +81,14 @@ class FrequencyStatus(DiagnosticTask):
 
 
 class TimeStampStatusParam:
-    """Between which ages [s] a stamp is acceptable; a negative age is one of the future."""
+    """The range of acceptable ages of a stamp [s]; the age of a stamp in the future is negative."""
 
     def __init__(self, min_acceptable: float = -1, max_acceptable: float = 5) -> None:
         self.min_acceptable, self.max_acceptable = min_acceptable, max_acceptable
 
 
 class TimeStampStatus(DiagnosticTask):
-    """How old stamps are that `tick` is told, in seconds or as rclpy's Time."""
+    """Monitors the age of the stamps passed to `tick`, in seconds or as rclpy's Time."""
 
     def __init__(
         self, params: TimeStampStatusParam | None = None, name: str = "Timestamp Status", clock: Clock | None = None
@@ -100,7 +100,7 @@ class TimeStampStatus(DiagnosticTask):
         self.zero_seen, self.max_delta, self.min_delta, self.deltas_valid = False, 0.0, 0.0, False
 
     def tick(self, stamp: Any) -> None:
-        """A stamp."""
+        """Record a stamp."""
         seconds = stamp.nanoseconds * 1e-9 if isinstance(stamp, Time) else float(stamp)
         with self.lock:
             if seconds == 0:
@@ -112,7 +112,7 @@ class TimeStampStatus(DiagnosticTask):
             self.deltas_valid = True
 
     def run(self, stat: DiagnosticStatusWrapper) -> DiagnosticStatusWrapper:
-        """Compare with what is acceptable, and begin anew."""
+        """Compare the ages with the acceptable range, and reset them."""
         with self.lock:
             self._judge(stat)
             stat.add("Earliest timestamp delay:", f"{self.min_delta:f}")
@@ -142,12 +142,12 @@ class TimeStampStatus(DiagnosticTask):
 
 
 class Heartbeat(DiagnosticTask):
-    """Says that the node lives."""
+    """Reports that the node is alive."""
 
     def __init__(self) -> None:
         super().__init__("Heartbeat")
 
     def run(self, stat: DiagnosticStatusWrapper) -> DiagnosticStatusWrapper:
-        """It does."""
+        """Set the status to OK."""
         stat.summary(DiagnosticStatus.OK, "Alive")
         return stat

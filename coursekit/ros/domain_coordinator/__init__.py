@@ -1,4 +1,4 @@
-"""ROS domains for tests that run side by side: each gets one that no other has."""
+"""ROS domains for tests that run in parallel: each test gets a domain of its own."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from collections.abc import Iterator
 
 DOMAINS = range(1, 101)
 _PORT = 22119
-"""A domain is taken by who listens on this port plus its number."""
+"""A process takes a domain by binding this port plus the domain's number."""
 
 
 class CoordinatedDomainID(int):
-    """A domain that is one's own for as long as this number is kept."""
+    """A domain that stays reserved as long as this object exists."""
 
     _held: socket.socket
 
@@ -23,7 +23,7 @@ class CoordinatedDomainID(int):
 
 
 def get_coordinated_domain_id() -> CoordinatedDomainID:
-    """A domain that nobody else on this computer has taken so; keep it while it is used. RuntimeError when all are taken.
+    """Reserve a free domain on this computer; keep the result while you use it. Raises RuntimeError if all are taken.
 
     >>> one, other = get_coordinated_domain_id(), get_coordinated_domain_id()
     >>> one != other
@@ -44,7 +44,7 @@ def get_coordinated_domain_id() -> CoordinatedDomainID:
 
 @contextlib.contextmanager
 def domain_id() -> Iterator[int]:
-    """`with domain_id() as number:`, the same for a block (later releases)."""
+    """Reserve a domain for a block: `with domain_id() as number:` (later releases)."""
     domain = get_coordinated_domain_id()
     try:
         yield int(domain)

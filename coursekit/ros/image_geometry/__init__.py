@@ -1,4 +1,4 @@
-"""Between pixels and rays: cameras as CameraInfo describes them.
+"""Conversion between pixels and rays, with camera models from CameraInfo.
 
 In ROS 2: the Python module of the package image_geometry.
 """

@@ -1,4 +1,4 @@
-"""One camera, and two beside each other."""
+"""Models of a single camera and of a stereo pair."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class PinholeCameraModel:
         self.stamp: Any = None
 
     def fromCameraInfo(self, msg: CameraInfo) -> None:
-        """Take all from a message."""
+        """Set all values from a message."""
         self.K, self.R = np.array(msg.k, float).reshape(3, 3), np.array(msg.r, float).reshape(3, 3)
         self.P, self.D = np.array(msg.p, float).reshape(3, 4), np.array(msg.d, float)
         self.full_K, self.full_P = self.K.copy(), self.P.copy()
@@ -52,7 +52,7 @@ class PinholeCameraModel:
             self._shift_and_shrink(matrix)
 
     def _shift_and_shrink(self, matrix: Array) -> None:
-        """To the pixels of the image that is sent: a part of the sensor's, and fewer."""
+        """Convert to the pixels of the published image: a region of the sensor's image, with binning."""
         matrix[0, 2] -= self.raw_roi.x_offset
         matrix[1, 2] -= self.raw_roi.y_offset
         matrix[0] /= self.binning_x
@@ -61,46 +61,46 @@ class PinholeCameraModel:
     # -- pixels and rays
 
     def project3dToPixel(self, point: Any) -> tuple[float, float]:
-        """The pixel (u, v) of the rectified image at which a point (x, y, z) [m] is seen; NaN in the camera's plane."""
+        """The pixel (u, v) of the rectified image of a point (x, y, z) [m]; NaN in the camera's plane."""
         assert self.P is not None
         x, y, w = (float(one) for one in self.P @ np.array([*point, 1.0], float))
         return (x / w, y / w) if w != 0 else (math.nan, math.nan)
 
     def projectPixelTo3dRay(self, uv: Any) -> tuple[float, float, float]:
-        """The unit vector to what is seen at a pixel of the rectified image."""
+        """The unit vector of the ray through a pixel of the rectified image."""
         x, y = (uv[0] - self.cx()) / self.fx(), (uv[1] - self.cy()) / self.fy()
         length = math.sqrt(x * x + y * y + 1.0)
         return (x / length, y / length, 1.0 / length)
 
     def rectifyImage(self, raw: Any, rectified: Any) -> None:
-        """Write an image without the lens's distortion into an array of the same size."""
+        """Rectify an image into an array of the same size."""
         size = (raw.shape[1], raw.shape[0])
         x, y = cv2.initUndistortRectifyMap(self.K, self.D, self.R, self.P, size, cv2.CV_32FC1)  # type: ignore[arg-type, call-overload]
         cv2.remap(raw, x, y, cv2.INTER_CUBIC, rectified)
 
     def rectifyPoint(self, uv_raw: Any) -> Array:
-        """Where a pixel of the image as it was taken lies in the rectified one."""
+        """The position of a pixel of the raw image in the rectified image."""
         source = np.array(uv_raw, float).reshape(1, 1, 2)
         made: Array = cv2.undistortPoints(source, self.K, self.D, R=self.R, P=self.P)[0, 0]  # type: ignore[arg-type, call-overload]
         return made
 
     def getDeltaU(self, deltaX: float, Z: float) -> float:
-        """How many pixels wide something of that width [m] is seen so far away."""
+        """The width in pixels of an object with width `deltaX` [m] at depth `Z` [m]."""
         return math.inf if Z == 0 else self.fx() * deltaX / Z
 
     def getDeltaV(self, deltaY: float, Z: float) -> float:
-        """How many pixels high something of that height [m] is seen so far away."""
+        """The height in pixels of an object with height `deltaY` [m] at depth `Z` [m]."""
         return math.inf if Z == 0 else self.fy() * deltaY / Z
 
     def getDeltaX(self, deltaU: float, Z: float) -> float:
-        """How wide [m] something is that is seen so many pixels wide so far away."""
+        """The width [m] of an object that is `deltaU` pixels wide at depth `Z` [m]."""
         return Z * deltaU / self.fx()
 
     def getDeltaY(self, deltaV: float, Z: float) -> float:
-        """How high [m] something is that is seen so many pixels high so far away."""
+        """The height [m] of an object that is `deltaV` pixels high at depth `Z` [m]."""
         return Z * deltaV / self.fy()
 
-    # -- numbers
+    # -- parameters
 
     def fullResolution(self) -> tuple[int, int] | None:
         """Width and height of the sensor's image."""
@@ -135,36 +135,36 @@ class PinholeCameraModel:
         return float(self.P[row, column])
 
     def cx(self) -> float:
-        """The middle's column."""
+        """The column of the principal point."""
         return self._p(0, 2)
 
     def cy(self) -> float:
-        """The middle's row."""
+        """The row of the principal point."""
         return self._p(1, 2)
 
     def fx(self) -> float:
-        """Focal length in columns."""
+        """The focal length along x [pixels]."""
         return self._p(0, 0)
 
     def fy(self) -> float:
-        """Focal length in rows."""
+        """The focal length along y [pixels]."""
         return self._p(1, 1)
 
     def Tx(self) -> float:
-        """How far the second camera of a pair is to the right, times -fx."""
+        """The offset of a pair's second camera to the right [m], times -fx."""
         return self._p(0, 3)
 
     def Ty(self) -> float:
-        """How far it is below, times -fy."""
+        """The offset of a pair's second camera downwards [m], times -fy."""
         return self._p(1, 3)
 
     def fovX(self) -> float:
-        """The angle from the left edge to the right one [rad]."""
+        """The horizontal field of view [rad]."""
         assert self.full_P is not None and self.width is not None
         return 2 * math.atan(self.width / (2 * self.full_P[0, 0]))
 
     def fovY(self) -> float:
-        """The angle from the upper edge to the lower one [rad]."""
+        """The vertical field of view [rad]."""
         assert self.full_P is not None and self.height is not None
         return 2 * math.atan(self.height / (2 * self.full_P[1, 1]))
 
@@ -174,14 +174,14 @@ class PinholeCameraModel:
 
 
 class StereoCameraModel:
-    """Two cameras beside each other; the right one's P tells how far apart they are."""
+    """A stereo pair; the right camera's P contains their distance."""
 
     def __init__(self) -> None:
         self.left, self.right = PinholeCameraModel(), PinholeCameraModel()
         self.Q: Array | None = None
 
     def fromCameraInfo(self, left_msg: CameraInfo, right_msg: CameraInfo) -> None:
-        """Take all from two messages."""
+        """Set all values from two messages."""
         self.left.fromCameraInfo(left_msg)
         self.right.fromCameraInfo(right_msg)
         f, base = self.right.fx(), self.right.Tx() / self.right.fx()
@@ -195,19 +195,19 @@ class StereoCameraModel:
         return self.left.tfFrame()
 
     def project3dToPixel(self, point: Any) -> tuple[tuple[float, float], tuple[float, float]]:
-        """The pixels at which both see a point."""
+        """The pixels of a point in the left and the right image."""
         return self.left.project3dToPixel(point), self.right.project3dToPixel(point)
 
     def projectPixelTo3d(self, left_uv: Any, disparity: float) -> tuple[float, float, float]:
-        """The point seen at a pixel of the left image with that disparity; (0, 0, 0) where it is endlessly far."""
+        """The point at a pixel of the left image with that disparity; (0, 0, 0) if it is infinitely far away."""
         assert self.Q is not None
         x, y, z, w = (float(one) for one in self.Q @ np.array([left_uv[0], left_uv[1], disparity, 1.0]))
         return (x / w, y / w, z / w) if w != 0 else (0.0, 0.0, 0.0)
 
     def getZ(self, disparity: float) -> float:
-        """How far away [m] something is with that disparity [pixels]."""
+        """The depth [m] of a point with that disparity [pixels]."""
         return math.inf if disparity == 0 else -self.right.Tx() / (disparity - (self.left.cx() - self.right.cx()))
 
     def getDisparity(self, Z: float) -> float:
-        """The disparity [pixels] of something so far away [m]."""
+        """The disparity [pixels] of a point at that depth [m]."""
         return math.inf if Z == 0 else -self.right.Tx() / Z + self.left.cx() - self.right.cx()

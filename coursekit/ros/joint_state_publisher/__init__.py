@@ -1,1 +1,1 @@
-"""The node that publishes joint states, under the name of its package, for those who build on it."""
+"""The node that publishes joint states, under its package's name, for programs that derive from it."""

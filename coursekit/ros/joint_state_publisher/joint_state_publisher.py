@@ -16,7 +16,7 @@ PUBLISHED = ("position", "velocity", "effort")
 
 
 class _AsDictionary(MutableMapping[str, Any]):
-    """A free joint by the keys that it has on a robot; what is written is what is published next."""
+    """A free joint with the keys of ROS 2's dictionary; written values are published next."""
 
     def __init__(self, joint: FreeJoint) -> None:
         self._joint = joint
@@ -47,7 +47,7 @@ class JointStatePublisher(node.JointStatePublisher):
     """Publishes joint states; `urdf_file` is a description, or None for the topic robot_description.
 
     Raises:
-        ValueError: when the description cannot be used, in the words that this node has on a robot.
+        ValueError: when the description cannot be used, with the message of ROS 2's node.
     """
 
     def __init__(self, urdf_file: Any = None) -> None:
@@ -63,7 +63,7 @@ class JointStatePublisher(node.JointStatePublisher):
 
     @property
     def free_joints(self) -> dict[str, MutableMapping[str, Any]]:
-        """Joints with a position of their own, by name: `min`, `max`, `zero` (rad or m), and what is published."""
+        """Joints with a position of their own, by name: `min`, `max`, `zero` (rad or m), and the published values."""
         return {name: _AsDictionary(joint) for name, joint in self.model.free.items()}
 
     @property

@@ -1,4 +1,4 @@
-"""Scans as clouds.
+"""Conversion of laser scans to point clouds.
 
 In ROS 2: the Python module of the package laser_geometry.
 """

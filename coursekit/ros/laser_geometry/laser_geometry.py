@@ -1,4 +1,4 @@
-"""From a LaserScan to a PointCloud2."""
+"""Conversion of a LaserScan to a PointCloud2."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _TYPES = {PointField.FLOAT32: np.dtype("<f4"), PointField.INT32: np.dtype("<i4")
 
 
 class LaserProjection:
-    """Where a scan's beams end.
+    """Converts the beams of a scan to points.
 
     >>> scan = LaserScan(angle_min=0.0, angle_increment=1.0, range_max=10.0, ranges=[2.0, 20.0])
     >>> LaserProjection().projectLaser(scan).width  # what is too far is left out
@@ -23,7 +23,7 @@ class LaserProjection:
     LASER_SCAN_MAX_RANGE = -3.0
 
     class ChannelOption(IntEnum):
-        """The values of a point beside its position; add them up."""
+        """The values of a point besides its position; add them up."""
 
         NONE = 0x00
         INTENSITY = 0x01
@@ -36,7 +36,7 @@ class LaserProjection:
     def projectLaser(
         self, scan_in: LaserScan, range_cutoff: float = -1.0, channel_options: int = ChannelOption.DEFAULT
     ) -> PointCloud2:
-        """The points of a scan in its own frame; those beyond `range_cutoff` [m] (negative: range_max) are left out."""
+        """The points of a scan in its own frame, without those beyond `range_cutoff` [m] (negative: range_max)."""
         ranges = np.asarray(scan_in.ranges, np.float64)
         farthest = range_cutoff if range_cutoff >= 0 else scan_in.range_max
         index = np.flatnonzero((ranges < farthest) & (ranges >= scan_in.range_min))
@@ -50,7 +50,7 @@ class LaserProjection:
         return _cloud(scan_in, points, kinds)
 
     def _channels(self, scan: LaserScan, index: np.ndarray, kept: np.ndarray, options: int) -> dict[str, np.ndarray]:
-        """The requested values beside the position, in the order in which they are stored."""
+        """The requested values besides the position, in the order in which they are stored."""
         option, made = self.ChannelOption, {}
         if options & option.INTENSITY and len(scan.intensities) >= len(scan.ranges) > 0:
             made["intensity"] = np.asarray(scan.intensities, np.float64)[index]

@@ -1,4 +1,4 @@
-"""Filters between subscriptions and callbacks: messages of several topics by their time."""
+"""Filters between subscriptions and callbacks, which match messages of several topics by time."""
 
 from .cache import Cache
 from .simple_filter import SimpleFilter, Subscriber

@@ -10,7 +10,7 @@ from .simple_filter import SimpleFilter, stamp_of
 
 
 class Cache(SimpleFilter):
-    """Keeps the last `cache_size` messages and passes each on; those without a header only if `allow_headerless`."""
+    """Keeps the last `cache_size` messages and passes each on; messages without a header only if `allow_headerless`."""
 
     def __init__(self, f: SimpleFilter, cache_size: int = 1, allow_headerless: bool = False) -> None:
         super().__init__()
@@ -21,11 +21,11 @@ class Cache(SimpleFilter):
         self.connectInput(f)
 
     def connectInput(self, f: SimpleFilter) -> None:
-        """Take what comes out of `f`."""
+        """Use the output of `f` as input."""
         self.incoming_connection = f.registerCallback(self.add)
 
     def add(self, msg: Any) -> None:
-        """Take a message."""
+        """Add a message and pass it on."""
         stamp = stamp_of(msg, self.allow_headerless, "message_filters_cache", "")
         if stamp is None:
             return
@@ -56,11 +56,11 @@ class Cache(SimpleFilter):
         return self.cache_times[-1] if self.cache_times else None
 
     def getLatestTime(self) -> Time | None:
-        """The time of the last message, by its right name."""
+        """The time of the last message, under its correctly spelt name."""
         return self.getLastestTime()
 
     def getOldestTime(self) -> Time | None:
-        """The time of the first message that is kept."""
+        """The time of the oldest message in the cache."""
         return self.cache_times[0] if self.cache_times else None
 
     def getLast(self) -> Any:

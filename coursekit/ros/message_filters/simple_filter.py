@@ -1,4 +1,4 @@
-"""The common part of filters, and the first of a chain: a subscription."""
+"""The base class of filters, and the first filter of a chain: a subscription."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class SimpleFilter:
         self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
 
     def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:
-        """Call `cb(*messages, *args)` with what comes out; returns the number of the connection."""
+        """Call `cb(*messages, *args)` for each output; return the number of the connection."""
         connection = len(self.callbacks)
         self.callbacks[connection] = (cb, args)
         return connection
@@ -40,7 +40,7 @@ class Subscriber(SimpleFilter):
         self.sub = self.node.create_subscription(*args[1:3], self.callback, *args[3:], **kwargs)
 
     def callback(self, msg: Any) -> None:
-        """A message has come."""
+        """Pass a received message on."""
         self.signalMessage(msg)
 
     def getTopic(self) -> str:
@@ -48,7 +48,7 @@ class Subscriber(SimpleFilter):
         return str(self.topic)
 
     def __getattr__(self, key: str) -> Any:
-        if key == "sub":  # not made yet
+        if key == "sub":  # not created yet
             raise AttributeError(key)
         return getattr(self.sub, key)
 

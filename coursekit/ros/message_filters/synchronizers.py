@@ -1,4 +1,4 @@
-"""Messages of several filters that belong to the same time, or nearly."""
+"""Synchronizers: messages of several filters with the same or nearly the same stamp."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class TimeSynchronizer(SimpleFilter):
         self.connectInput(fs)
 
     def connectInput(self, fs: Sequence[SimpleFilter]) -> None:
-        """Take what comes out of these."""
+        """Use the outputs of these filters as inputs."""
         self.queues: list[Queue] = [{} for _ in fs]
         self.input_connections = [
             each.registerCallback(self.add, queue, number)
@@ -37,7 +37,7 @@ class TimeSynchronizer(SimpleFilter):
         ]
 
     def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:
-        """Take a message of one filter."""
+        """Add a message of one filter."""
         stamp = msg.header.stamp
         with self.lock:
             self._keep(my_queue, _time(stamp), msg)
@@ -59,8 +59,8 @@ class TimeSynchronizer(SimpleFilter):
 class ApproximateTimeSynchronizer(TimeSynchronizer):
     """Calls back with one message of each filter when their stamps lie within `slop` seconds.
 
-    Messages without a header count as stamped on arrival with `allow_headerless`, and are refused otherwise;
-    `sync_arrival_time` takes the arrival for all.
+    With `allow_headerless`, messages without a header are stamped on arrival; otherwise they are refused.
+    With `sync_arrival_time`, the arrival time is used for all messages.
     """
 
     def __init__(
@@ -77,7 +77,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         self.sync_arrival_time = sync_arrival_time
 
     def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:
-        """Take a message of one filter."""
+        """Add a message of one filter."""
         asked = None if self.sync_arrival_time else msg
         allowed = self.allow_headerless or self.sync_arrival_time
         stamp = stamp_of(asked, allowed, "message_filters_approx", "for ")
@@ -96,7 +96,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
             self._match(choices)
 
     def _match(self, choices: Sequence[Sequence[int]]) -> None:
-        """Release the first combination that lies within the slop; nearest stamps are tried first."""
+        """Release the first combination that lies within the slop, nearest stamps first."""
         for stamps in itertools.product(*choices):
             together = max(stamps) - min(stamps) < self.slop.nanoseconds
             if together and all(stamp in queue for queue, stamp in zip(self.queues, stamps, strict=True)):
@@ -105,7 +105,7 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
 
 
 def _time(stamp: Any) -> Time:
-    """Return a stamp as Time: one of rclpy's, a message, or a plain number of nanoseconds."""
+    """Return a stamp as Time. It may be rclpy's Time, a message, or a plain number of nanoseconds."""
     if isinstance(stamp, int):
         return Time(nanoseconds=stamp)
     return stamp if hasattr(stamp, "nanoseconds") else Time.from_msg(stamp)

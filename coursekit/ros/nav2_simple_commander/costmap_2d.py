@@ -9,9 +9,9 @@ import numpy as np
 
 
 class PyCostmap2D:
-    """Cells of a nav_msgs/OccupancyGrid or a nav2_msgs/Costmap, in one row after the other from the origin on.
+    """Cells of a nav_msgs/OccupancyGrid or a nav2_msgs/Costmap, row by row from the origin.
 
-    `costmap` holds them as uint8: -1 of an OccupancyGrid (not known) is 255.
+    `costmap` holds them as uint8: -1 of an OccupancyGrid (unknown) is 255.
 
     >>> from nav_msgs.msg import OccupancyGrid
     >>> grid = OccupancyGrid(data=[0, 100, -1, 0])
@@ -32,27 +32,27 @@ class PyCostmap2D:
         self.costmap = np.asarray(occupancy_map.data).astype(np.uint8)
 
     def getSizeInCellsX(self) -> int:
-        """Columns."""
+        """The number of columns."""
         return self.size_x
 
     def getSizeInCellsY(self) -> int:
-        """Rows."""
+        """The number of rows."""
         return self.size_y
 
     def getSizeInMetersX(self) -> float:
-        """From the first column to the middle of the last [m], as nav2 counts."""
+        """The distance from the first column to the centre of the last [m], as in nav2."""
         return (self.size_x - 1 + 0.5) * self.resolution
 
     def getSizeInMetersY(self) -> float:
-        """From the first row to the middle of the last [m]."""
+        """The distance from the first row to the centre of the last [m]."""
         return (self.size_y - 1 + 0.5) * self.resolution
 
     def getOriginX(self) -> float:
-        """Where the first column begins [m]."""
+        """The x coordinate at which the first column begins [m]."""
         return self.origin_x
 
     def getOriginY(self) -> float:
-        """Where the first row begins [m]."""
+        """The y coordinate at which the first row begins [m]."""
         return self.origin_y
 
     def getResolution(self) -> float:
@@ -64,34 +64,34 @@ class PyCostmap2D:
         return self.global_frame_id
 
     def getCostmapTimestamp(self) -> Any:
-        """When it was made."""
+        """The stamp of the costmap."""
         return self.costmap_timestamp
 
     def getCostXY(self, mx: int, my: int) -> np.uint8:
-        """The cost in a column and row."""
+        """The cost of the cell in a column and row."""
         return self.costmap[self.getIndex(mx, my)]
 
     def getCostIdx(self, index: int) -> np.uint8:
-        """The cost of a cell by its number."""
+        """The cost of the cell with an index."""
         return self.costmap[index]
 
     def setCost(self, mx: int, my: int, cost: int) -> None:
-        """Give a cell another cost."""
+        """Set the cost of a cell."""
         self.costmap[self.getIndex(mx, my)] = cost
 
     def mapToWorld(self, mx: int, my: int) -> tuple[float, float]:
-        """The middle of a cell [m]."""
+        """The centre of a cell [m]."""
         return self.origin_x + (mx + 0.5) * self.resolution, self.origin_y + (my + 0.5) * self.resolution
 
     def worldToMap(self, wx: float, wy: float) -> tuple[int, int]:
-        """Column and row of a place [m]; they may lie outside."""
+        """Column and row of a position [m]; they may lie outside the costmap."""
         return math.floor((wx - self.origin_x) / self.resolution), math.floor((wy - self.origin_y) / self.resolution)
 
     def worldToMapValidated(self, wx: float, wy: float) -> tuple[int | None, int | None]:
-        """Column and row of a place [m]; (None, None) outside."""
+        """Column and row of a position [m]; (None, None) outside the costmap."""
         mx, my = self.worldToMap(wx, wy)
         return (mx, my) if 0 <= mx < self.size_x and 0 <= my < self.size_y else (None, None)
 
     def getIndex(self, mx: int, my: int) -> int:
-        """The number of the cell in a column and row."""
+        """The index of the cell in a column and row."""
         return my * self.size_x + mx

@@ -34,7 +34,7 @@ class FootprintCollisionChecker:
         return self.costmap_
 
     def footprintCostAtPose(self, x: float, y: float, theta: float, footprint: Polygon) -> float:
-        """The cost of an outline that is moved to (x, y) [m] and turned by theta [rad]."""
+        """The cost of an outline after a rotation by theta [rad] and a translation to (x, y) [m]."""
         c, s = math.cos(theta), math.sin(theta)
         turned = [Point32(x=x + p.x * c - p.y * s, y=y + p.x * s + p.y * c) for p in footprint.points]
         return self.footprintCost(Polygon(points=turned))
@@ -63,9 +63,9 @@ class FootprintCollisionChecker:
         return cost
 
     def worldToMapValidated(self, wx: float, wy: float) -> tuple[int | None, int | None]:
-        """Column and row of a place [m]; (None, None) outside of the costmap."""
+        """Column and row of a position [m]; (None, None) outside the costmap."""
         return self._costs.worldToMapValidated(wx, wy)
 
     def pointCost(self, x: int, y: int) -> float:
         """The cost of a cell."""
-        return self._costs.getCostXY(x, y)  # type: ignore[return-value]  # np.uint8, as nav2 gives it
+        return self._costs.getCostXY(x, y)  # type: ignore[return-value]  # np.uint8, as in nav2

@@ -1,4 +1,4 @@
-"""Points of a line, one step after the other. In ROS 2: nav2_simple_commander.line_iterator."""
+"""Points of a line, step by step. In ROS 2: nav2_simple_commander.line_iterator."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import math
 
 
 class LineIterator:
-    """Goes from (x0, y0) to (x1, y1), `step_size` at a time along x, or along y where x stays the same.
+    """Steps from (x0, y0) to (x1, y1) by `step_size` along x, or along y if x stays the same.
 
     >>> line = LineIterator(0, 0, 2, 1); points = []
     >>> while line.isValid():
@@ -17,7 +17,7 @@ class LineIterator:
     """
 
     def __init__(self, x0: float, y0: float, x1: float, y1: float, step_size: float = 1.0) -> None:
-        """Raise TypeError for what is no number, ValueError for a step or a line of no length."""
+        """Raise TypeError for a value that is not a number, ValueError for a line or a step without length."""
         for name, value in (("x0", x0), ("y0", y0), ("x1", x1), ("y1", y1), ("step_size", step_size)):
             if type(value) not in (int, float):
                 raise TypeError(f"{name} must be a number (int or float)")
@@ -33,7 +33,7 @@ class LineIterator:
             self.b_ = y1 - self.m_ * x1
 
     def isValid(self) -> bool:
-        """Whether the present point is one of the line."""
+        """Whether the current point is on the line."""
         return self.valid_
 
     def advance(self) -> None:
@@ -49,15 +49,15 @@ class LineIterator:
             self.y_ = moved
         else:
             self.x_, self.y_ = moved, round(self.m_ * moved + self.b_, 5)
-        if abs(last - moved) < 1e-5:  # rounding must not keep it from ending
+        if abs(last - moved) < 1e-5:  # rounding must not keep the line from ending
             self.x_, self.y_ = (self.x_, last) if upright else (last, self.y_)
 
     def getX(self) -> float:
-        """X of the present point."""
+        """X of the current point."""
         return self.x_
 
     def getY(self) -> float:
-        """Y of the present point."""
+        """Y of the current point."""
         return self.y_
 
     def getX0(self) -> float:
@@ -77,9 +77,9 @@ class LineIterator:
         return self.y1_
 
     def get_line_length(self) -> complex:
-        """How long the line is; a complex number, as nav2 gives it."""
+        """The length of the line; a complex number, as in nav2."""
         return complex(math.hypot(self.x1_ - self.x0_, self.y1_ - self.y0_))
 
     def clamp(self, n: float, min_n: float, max_n: float) -> float:
-        """The number itself, or the bound that it oversteps."""
+        """The number, limited to the bounds."""
         return max(min_n, min(n, max_n))

@@ -1,4 +1,4 @@
-"""BasicNavigator: a robot that goes where a program says. In ROS 2: nav2_simple_commander.robot_navigator.
+"""BasicNavigator: navigation under the control of a program. In ROS 2: nav2_simple_commander.robot_navigator.
 
 from nav2_simple_commander.robot_navigator import BasicNavigator, TaskResult
 """
@@ -29,7 +29,7 @@ from nav2_simple_commander.servers import Servers, place_of
 from nav2_simple_commander.task_result import TaskResult
 
 NavigationResult = TaskResult
-"""The name before Humble; programs and courses of that time have it."""
+"""The name before Humble; programs and courses of that time use it."""
 _AMCL_QOS = QoSProfile(
     durability=QoSDurabilityPolicy.TRANSIENT_LOCAL,
     reliability=QoSReliabilityPolicy.RELIABLE,
@@ -39,7 +39,7 @@ _AMCL_QOS = QoSProfile(
 
 
 class BasicNavigator(Servers):
-    """Gives tasks to navigation and tells how they go. A task begins at once; `isTaskComplete` waits for its end."""
+    """Sends tasks to navigation and reports their progress. A task begins at once; `isTaskComplete` polls for its end."""
 
     def __init__(self, node_name: str = "basic_navigator", namespace: str = "") -> None:
         super().__init__(node_name, namespace)
@@ -53,7 +53,7 @@ class BasicNavigator(Servers):
         self._navigator_make_clients()
 
     def _navigator_make_clients(self) -> None:
-        """The clients under the names that programs know."""
+        """Create the clients under the names that programs use."""
         self.nav_to_pose_client = self._navigator_action(NavigateToPose, "navigate_to_pose")
         self.nav_through_poses_client = self._navigator_action(NavigateThroughPoses, "navigate_through_poses")
         self.follow_waypoints_client = self._navigator_action(FollowWaypoints, "follow_waypoints")
@@ -72,10 +72,10 @@ class BasicNavigator(Servers):
         self.get_costmap_global_srv = self.create_client(get, "global_costmap/get_costmap")
         self.get_costmap_local_srv = self.create_client(get, "local_costmap/get_costmap")
 
-    # -- where the robot is
+    # -- the robot's pose
 
     def setInitialPose(self, initial_pose: PoseStamped) -> None:
-        """Tell amcl where the robot is."""
+        """Publish the robot's pose for amcl."""
         self.initial_pose_received = False
         self.initial_pose = initial_pose
         self._setInitialPose()
@@ -92,7 +92,7 @@ class BasicNavigator(Servers):
         self.initial_pose_received = True
 
     def waitUntilNav2Active(self, navigator: str = "bt_navigator", localizer: str = "amcl") -> None:
-        """Wait until navigation takes goals, and amcl knows where the robot is; robot_localization has no states."""
+        """Wait until navigation accepts goals and amcl knows the robot's pose; robot_localization has no states."""
         if localizer != "robot_localization":
             self._waitForNodeToActivate(localizer)
         if localizer == "amcl":
@@ -101,7 +101,7 @@ class BasicNavigator(Servers):
         self.info("Nav2 is ready for use!")
 
     def _waitForInitialPose(self) -> None:
-        """Tell amcl the initial pose until it answers."""
+        """Publish the initial pose until amcl answers."""
         while not self.initial_pose_received:
             self.info("Setting initial pose")
             self._setInitialPose()
@@ -117,7 +117,7 @@ class BasicNavigator(Servers):
         return self._navigator_give(self.nav_to_pose_client, "NavigateToPose", goal, f"Goal to {place_of(pose)}")
 
     def goThroughPoses(self, poses: list[PoseStamped], behavior_tree: str = "") -> bool:
-        """Go to the last of some poses, by way of the others."""
+        """Go to the last pose through the others."""
         self.info(f"Navigating with {len(poses)} goals....")
         goal = NavigateThroughPoses.Goal(poses=poses, behavior_tree=behavior_tree)
         return self._navigator_give(
@@ -139,13 +139,13 @@ class BasicNavigator(Servers):
         return self._navigator_give(self.follow_path_client, "FollowPath", goal, "Follow path")
 
     def spin(self, spin_dist: float = 1.57, time_allowance: int = 10) -> bool:
-        """Turn on the spot [rad], for so many seconds at the most."""
+        """Rotate in place by `spin_dist` [rad], for at most `time_allowance` seconds."""
         self.info(f"Spinning to angle {spin_dist}....")
         goal = Spin.Goal(target_yaw=float(spin_dist), time_allowance=Duration(sec=time_allowance))
         return self._navigator_give(self.spin_client, "Spin", goal, "Spin request")
 
     def backup(self, backup_dist: float = 0.15, backup_speed: float = 0.025, time_allowance: int = 10) -> bool:
-        """Drive straight back [m, m/s], for so many seconds at the most."""
+        """Drive straight back [m, m/s], for at most `time_allowance` seconds."""
         self.info(f"Backing up {backup_dist} m at {backup_speed} m/s....")
         goal = BackUp.Goal(
             target=Point(x=float(backup_dist)), speed=float(backup_speed), time_allowance=Duration(sec=time_allowance)
@@ -153,7 +153,7 @@ class BasicNavigator(Servers):
         return self._navigator_give(self.backup_client, "Backup", goal, "Backup request")
 
     def assistedTeleop(self, time_allowance: int = 30) -> bool:
-        """Drive by hand (topic cmd_vel_teleop), with brakes; for so many seconds, without end when that is 0."""
+        """Drive by teleoperation (topic cmd_vel_teleop), with brakes, for `time_allowance` seconds; 0 is without limit."""
         self.info("Running 'assisted_teleop'....")
         goal = AssistedTeleop.Goal(time_allowance=Duration(sec=time_allowance))
         return self._navigator_give(self.assisted_teleop_client, "assisted_teleop", goal, "Assisted Teleop request")
@@ -173,7 +173,7 @@ class BasicNavigator(Servers):
     def getPathThroughPoses(
         self, start: PoseStamped, goals: list[PoseStamped], planner_id: str = "", use_start: bool = False
     ) -> Any:
-        """A path by way of some poses; None when there is none."""
+        """A path through some poses; None when there is none."""
         asked = ComputePathThroughPoses.Goal(start=start, goals=goals, planner_id=planner_id, use_start=use_start)
         self.info("Getting path...")
         result = self._navigator_have_done(
@@ -194,7 +194,7 @@ class BasicNavigator(Servers):
     def smoothPath(
         self, path: Any, smoother_id: str = "", max_duration: float = 2.0, check_for_collision: bool = False
     ) -> Any:
-        """A path made smooth; None when that did not work."""
+        """A smoothed path; None when smoothing failed."""
         result = self._smoothPathImpl(path, smoother_id, max_duration, check_for_collision)
         return result.path if result else None
 

@@ -1,4 +1,4 @@
-"""A BasicNavigator's requests to others: tasks, one at a time, and services."""
+"""The requests of a BasicNavigator: tasks, one at a time, and service calls."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from nav2_simple_commander.task_result import TaskResult
 
 
 class Servers(Node):
-    """A node that gives goals to action servers and calls services, and waits for both."""
+    """A node that sends goals to action servers and calls services, and waits for both."""
 
     def __init__(self, node_name: str, namespace: str) -> None:
         super().__init__(node_name, namespace=namespace)
@@ -45,7 +45,7 @@ class Servers(Node):
     # -- tasks
 
     def _navigator_give(self, client: ActionClient, name: str, goal: Any, what: str) -> bool:
-        """Give a goal to an action; whether it was taken."""
+        """Send a goal to an action server. Return whether it was accepted."""
         handle = self._navigator_send(client, name, goal, self._feedbackCallback)
         if not handle.accepted:
             self.error(f"{what} was rejected!")
@@ -62,7 +62,7 @@ class Servers(Node):
         return sent.result()
 
     def _navigator_have_done(self, client: ActionClient, name: str, goal: Any, what: str) -> Any:
-        """Give a goal and wait for its end; the action's result, or None when it was not taken or went wrong."""
+        """Send a goal and wait for its end. Return the action's result, or None if it was rejected or failed."""
         handle = self._navigator_send(client, name, goal)
         if not handle.accepted:
             self.error(f"{what} was rejected!")
@@ -77,13 +77,13 @@ class Servers(Node):
         return answer.result
 
     def cancelTask(self) -> None:
-        """Cancel the present task of any kind."""
+        """Cancel the current task of any kind."""
         self.info("Canceling current task.")
         if self.result_future:
             rclpy.spin_until_future_complete(self, self.goal_handle.cancel_goal_async())
 
     def isTaskComplete(self) -> bool:
-        """Whether the task has ended, however; waits for a tenth of a second."""
+        """Whether the task has ended, with any status; waits for up to a tenth of a second."""
         if not self.result_future:
             return True
         rclpy.spin_until_future_complete(self, self.result_future, timeout_sec=0.10)
@@ -115,7 +115,7 @@ class Servers(Node):
     # -- services
 
     def _navigator_call(self, client: Any, what: str, request: Any) -> Any:
-        """Call a service, and wait for it to be there."""
+        """Wait for a service and call it."""
         while not client.wait_for_service(timeout_sec=1.0):
             self.info(f"{what} service not available, waiting...")
         future = client.call_async(request)
@@ -139,35 +139,35 @@ class Servers(Node):
         self.destroy_client(client)
 
     def _navigator_wait(self, seconds: float) -> None:
-        """Listen for so long."""
+        """Spin for that long."""
         end = self.get_clock().now().nanoseconds + int(seconds * 1e9)
         while rclpy.ok() and (left := end - self.get_clock().now().nanoseconds) > 0:
             rclpy.spin_once(self, timeout_sec=min(left * 1e-9, 0.1))
 
     def _navigator_manage(self, command: int) -> None:
-        """Give a command to every lifecycle manager."""
+        """Send a command to every lifecycle manager."""
         for name, kinds in self.get_service_names_and_types():
             if "nav2_msgs/srv/ManageLifecycleNodes" in kinds:
                 client = self.create_client(ManageLifecycleNodes, name)
                 self._navigator_call(client, name, ManageLifecycleNodes.Request(command=command))
                 self.destroy_client(client)
 
-    # -- words
+    # -- logging
 
     def info(self, msg: str) -> None:
-        """Say it."""
+        """Log an info message."""
         self.get_logger().info(msg)
 
     def warn(self, msg: str) -> None:
-        """Warn of it."""
+        """Log a warning."""
         self.get_logger().warning(msg)
 
     def error(self, msg: str) -> None:
-        """Complain of it."""
+        """Log an error."""
         self.get_logger().error(msg)
 
     def debug(self, msg: str) -> None:
-        """Say it to those who debug."""
+        """Log a debug message."""
         self.get_logger().debug(msg)
 
 

@@ -1,4 +1,4 @@
-"""Colours of a terminal, to be taken out of text."""
+"""Removal of a terminal's colours from text."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ __all__ = ["remove_ansi_escape_senquences", "remove_ansi_escape_sequences"]
 
 
 def remove_ansi_escape_sequences(string: str) -> str:
-    r"""Return text without what a terminal takes for colours and movements.
+    r"""Return text without a terminal's escape sequences for colours and cursor movements.
 
     >>> remove_ansi_escape_sequences("\x1b[31mred\x1b[0m")
     'red'

@@ -1,4 +1,4 @@
-"""Actions, who serves them and who calls them."""
+"""Actions, their servers and their clients."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def get_action_names(*, node: Any) -> list[str]:
 
 
 def get_action_clients_and_servers(*, node: Any, action_name: str) -> tuple[NamesAndTypes, NamesAndTypes]:
-    """(full node name, types) of those that call an action, and of those that serve it."""
+    """(full node name, types) of an action's clients, and of its servers."""
     name = expand_topic_name(action_name, node.get_name(), node.get_namespace())
     validate_full_topic_name(name)
     clients: NamesAndTypes = []
@@ -40,7 +40,7 @@ def get_action_clients_and_servers(*, node: Any, action_name: str) -> tuple[Name
 
 
 def get_action_class(node: Any, action_name: str) -> Any:
-    """The class of an action; None when nobody has it.
+    """The class of an action; None when no node has it.
 
     Raises:
         RuntimeError: for an action of several types, or a type that is not installed.
@@ -69,7 +69,7 @@ def action_type_completer(**_: Any) -> list[str]:
 
 
 class ActionTypeCompleter:
-    """The type of the action that was typed, else all types, for argcomplete."""
+    """The type of the action on the command line, else all types, for argcomplete."""
 
     def __init__(self, *, action_name_key: str | None = None) -> None:
         self.action_name_key = action_name_key
@@ -84,7 +84,7 @@ class ActionTypeCompleter:
 
 
 class ActionGoalPrototypeCompleter:
-    """The default goal of the type that was typed, for argcomplete."""
+    """The default goal of the type on the command line, for argcomplete."""
 
     def __init__(self, *, action_type_key: str | None = None) -> None:
         self.action_type_key = action_type_key

@@ -1,4 +1,4 @@
-"""Arguments of `ros2 bag`, and the QoS profiles that its files give."""
+"""Arguments of `ros2 bag`, and the QoS profiles in its files."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from coursekit.cli import bag_arguments
 
 
 def print_error(string: str) -> str:
-    """A text as errors are printed.
+    """The text of an error as `ros2 bag` prints it.
 
     >>> print_error("no bag")
     '[ERROR] [ros2bag]: no bag'
@@ -20,7 +20,7 @@ def print_error(string: str) -> str:
 
 
 def dict_to_duration(time_dict: dict[str, int] | None) -> Duration:
-    """The duration of {sec: ..., nsec: ...}; ValueError when one is missing or it is negative.
+    """The duration of {sec: ..., nsec: ...}; raises ValueError if a key is missing or the duration is negative.
 
     >>> dict_to_duration({"sec": 1, "nsec": 5}).nanoseconds
     1000000005
@@ -29,7 +29,7 @@ def dict_to_duration(time_dict: dict[str, int] | None) -> Duration:
 
 
 def interpret_dict_as_qos_profile(qos_profile_dict: dict[str, Any]) -> QoSProfile:
-    """The profile of a dictionary of policies; ValueError for an unknown one."""
+    """The profile of a dictionary of policies; raises ValueError for an unknown policy."""
     return bag_arguments.profile_of(qos_profile_dict)
 
 
@@ -54,5 +54,5 @@ def check_not_negative_int(value: str) -> int:
 
 
 def add_standard_reader_args(parser: Any) -> None:
-    """The bag's path and its storage."""
+    """Add the arguments for the bag's path and its storage."""
     bag_arguments.add_reader(parser)

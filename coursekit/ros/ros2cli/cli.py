@@ -1,4 +1,4 @@
-"""The command `ros2`, to be called from Python."""
+"""The command `ros2` for calls from Python."""
 
 from __future__ import annotations
 
@@ -12,5 +12,5 @@ from coursekit.cli.parser import run
 def main(
     *, script_name: str = "ros2", argv: Sequence[str] | None = None, description: str | None = None, extension: Any = None
 ) -> int:
-    """Carry out `ros2 ARGV` (the interpreter's own words by default) in this program; its exit code."""
+    """Run `ros2 ARGV` (by default the interpreter's own arguments) in this program. Return the exit code."""
     return run(sys.argv[1:] if argv is None else list(argv))

@@ -1,4 +1,4 @@
-"""Entry points of the packages that are on Python's path: how a package adds commands and verbs."""
+"""Entry points of the packages on Python's path, with which a package adds commands and verbs."""
 
 from __future__ import annotations
 
@@ -21,16 +21,16 @@ def get_all_entry_points() -> dict[str, dict[str, tuple[Any, Any]]]:
 
 
 def get_entry_points(group_name: str) -> dict[str, Any]:
-    """The entry points of a group by their names, of the workspaces that are sourced where the program runs."""
+    """The entry points of a group by name, from the workspaces sourced in the program's environment."""
     process = current_process()
     folders = [] if process is None else python_folders(process.env)
     distributions = importlib.metadata.distributions(path=folders)
     found = [one for each in distributions for one in each.entry_points if one.group == group_name]
-    return {one.name: one for one in reversed(found)}  # the folder that is first on the path wins
+    return {one.name: one for one in reversed(found)}  # the first folder on the path wins
 
 
 def load_entry_points(group_name: str, *, exclude_names: Sequence[str] | None = None) -> dict[str, Any]:
-    """What the entry points of a group stand for; those that fail are told and left out."""
+    """The objects of a group's entry points, by name. Failures are reported and left out."""
     loaded = {}
     for name, entry_point in get_entry_points(group_name).items():
         if name in (exclude_names or ()):

@@ -16,17 +16,17 @@ _WAIT_SECONDS = 5.0
 
 
 def get_ros_domain_id() -> int:
-    """The domain that ROS_DOMAIN_ID names, 0 without one."""
+    """The domain in ROS_DOMAIN_ID, 0 if it is not set."""
     return int(os.environ.get("ROS_DOMAIN_ID") or 0)
 
 
 def get_rmw_additional_env(rmw_implementation: str) -> dict[str, str]:
-    """The variables by which a child gets that middleware."""
+    """The environment variables that select this middleware in a child process."""
     return {"RMW_IMPLEMENTATION": rmw_implementation}
 
 
 def wait_for(predicate: Callable[[], bool], timeout: float | None, period: float = 0.1) -> bool:
-    """Ask every `period` seconds until `predicate()` holds; False when `timeout` seconds were not enough.
+    """Poll every `period` seconds until `predicate()` holds. Return False after `timeout` seconds.
 
     >>> wait_for(lambda: True, timeout=0.0)
     True
@@ -42,10 +42,10 @@ def wait_for(predicate: Callable[[], bool], timeout: float | None, period: float
 
 
 def call_service(node: Any, kind: Any, name: str, request: Any, absent: str) -> Any:
-    """The response of a service, which is waited for.
+    """Wait for a service, call it and return its response.
 
     Raises:
-        RuntimeError: with the text `absent` when nobody serves it within 5 s; when the call itself failed.
+        RuntimeError: with the text `absent` if the service does not appear within 5 s; also if the call itself fails.
     """
     target = getattr(node, "node", node)
     client = target.create_client(kind, name)
@@ -73,7 +73,7 @@ def pretty_print_call(func: Callable[..., Any], *args: Any, **kwargs: Any) -> No
 
 
 def before_invocation(func: Callable[..., Any], hook: Callable[..., Any]) -> Callable[..., Any]:
-    """`func`, but `hook(func, *arguments)` is called first."""
+    """`func` with a preceding call of `hook(func, *arguments)`."""
 
     @functools.wraps(func)
     def wrapper(*args: Any, **kwargs: Any) -> Any:

@@ -14,7 +14,7 @@ PLUGIN_SYSTEM_VERSION = "0.1"
 def instantiate_extensions(
     group_name: str, *, exclude_names: Sequence[str] | None = None, unique_instance: bool = False
 ) -> dict[str, Any]:
-    """An object of each class of a group, by its name; those that fail are told and left out."""
+    """An instance of each class of a group, by name. Failures are reported and left out."""
     made = {}
     for name, kind in load_entry_points(group_name, exclude_names=exclude_names).items():
         try:
@@ -30,7 +30,7 @@ def satisfies_version(version: str, caret_range: str) -> None:
     >>> satisfies_version("0.1", "^0.1")
 
     Raises:
-        RuntimeError: when the version is older than the range, or one that may break it.
+        RuntimeError: if the version is older than the range or incompatible with it.
     """
     assert caret_range.startswith("^"), "Only supports caret ranges"
     least, asked = (tuple(int(part) for part in text.split(".")) for text in (caret_range[1:], version))
@@ -42,6 +42,6 @@ def satisfies_version(version: str, caret_range: str) -> None:
 
 
 def get_first_line_doc(any_type: Any) -> str:
-    """The first line of what the code says about an object, without its full stop."""
+    """The first line of an object's docstring, without its full stop."""
     lines = (any_type.__doc__ or "").strip().splitlines()
     return lines[0].removesuffix(".") if lines else ""

@@ -19,7 +19,7 @@ _SERVICES = {"load_node": LoadNode, "unload_node": UnloadNode, "list_nodes": Lis
 
 
 class ComponentInfo(NamedTuple):
-    """A component's number in its container, and its full node name."""
+    """A component's ID in its container, and its full node name."""
 
     uid: int
     name: str
@@ -36,7 +36,7 @@ def get_package_component_types(*, package_name: str | None = None) -> list[str]
 
 
 def find_container_node_names(*, node: Any, node_names: Iterable[NodeName]) -> list[NodeName]:
-    """Those of the nodes that are containers."""
+    """The nodes that are containers."""
     return [one for one in node_names if _is_container(node, one)]
 
 
@@ -59,7 +59,7 @@ def _call(node: Any, container: str, service: str, request: Any) -> Any:
 
 
 def get_components_in_container(*, node: Any, remote_container_node_name: str) -> tuple[bool, Any]:
-    """True and the components of a container, or False and why they are not known."""
+    """True and the components of a container, or False and the reason why they are not known."""
     try:
         answer = _call(node, remote_container_node_name, "list_nodes", ListNodes.Request())
     except RuntimeError as error:
@@ -68,7 +68,7 @@ def get_components_in_container(*, node: Any, remote_container_node_name: str) -
 
 
 def get_components_in_containers(*, node: Any, remote_containers_node_names: Iterable[str]) -> dict[str, tuple[bool, Any]]:
-    """By container, what get_components_in_container gives."""
+    """The results of get_components_in_container, by container."""
     names = list(remote_containers_node_names)
     return {name: get_components_in_container(node=node, remote_container_node_name=name) for name in names}
 
@@ -91,7 +91,7 @@ def load_component_into_container(
     parameters: list[str] | None = None,
     extra_arguments: list[str] | None = None,
 ) -> tuple[int, str]:
-    """Load a component; its number and full node name. RuntimeError when the container does not."""
+    """Load a component. Return its ID and full node name. Raises RuntimeError if the container cannot load it."""
     request = LoadNode.Request(package_name=package_name, plugin_name=plugin_name)
     request.node_name, request.node_namespace = node_name or "", node_namespace or ""
     request.log_level, request.remap_rules = int(log_level or 0), list(remap_rules or [])
@@ -106,7 +106,7 @@ def load_component_into_container(
 def unload_component_from_container(
     *, node: Any, remote_container_node_name: str, component_uids: Iterable[int]
 ) -> Iterator[tuple[int, bool, str]]:
-    """Take components out; for each its number, whether it went, and why not."""
+    """Unload components. Yield for each its ID, whether it was unloaded, and the error message."""
     for uid in component_uids:
         answer = _call(node, remote_container_node_name, "unload_node", UnloadNode.Request(unique_id=uid))
         yield uid, answer.success, answer.error_message
@@ -119,7 +119,7 @@ def container_node_name_completer(prefix: str, parsed_args: Any, **_: Any) -> li
 
 
 class ComponentTypeNameCompleter:
-    """Classes of the components of the package that was typed, for argcomplete."""
+    """Component classes of the package on the command line, for argcomplete."""
 
     def __init__(self, *, package_name_key: str | None = None) -> None:
         self.package_name_key = package_name_key

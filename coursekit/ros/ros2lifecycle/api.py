@@ -14,7 +14,7 @@ _SERVICE = "get_state"
 
 
 def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> list[NodeName]:
-    """The nodes that serve their state."""
+    """The nodes with a service for their state."""
     services = get_service_names_and_types(node=node, include_hidden_services=include_hidden_nodes)
     serving = {name for name, types in services if "lifecycle_msgs/srv/GetState" in types}
     nodes = get_all_node_names(node=node, include_hidden_nodes=include_hidden_nodes)
@@ -22,7 +22,7 @@ def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> list[Nod
 
 
 def _call_all(node: Any, kind: Any, service: str, requests: dict[str, Any]) -> dict[str, Any]:
-    """By node, the response or the exception of each request; None from those that are gone."""
+    """The response or the exception of each request, by node; None for nodes that are gone."""
     target = getattr(node, "node", node)
     clients = {name: target.create_client(kind, f"{name}/{service}") for name in requests}
     futures = {
@@ -39,7 +39,7 @@ def _call_all(node: Any, kind: Any, service: str, requests: dict[str, Any]) -> d
 
 
 def call_get_states(*, node: Any, node_names: list[str]) -> dict[str, Any]:
-    """By node, its State, or the exception that asking for it raised."""
+    """The State of each node, or the exception of the call."""
     answers = _call_all(node, GetState, _SERVICE, {name: GetState.Request() for name in node_names})
     return {name: getattr(answer, "current_state", answer) for name, answer in answers.items()}
 
@@ -51,17 +51,17 @@ def _call_transitions(node: Any, names: list[str], service: str) -> dict[str, An
 
 
 def call_get_available_transitions(*, node: Any, states: dict[str, Any]) -> dict[str, Any]:
-    """By node, the transitions that are possible now, or an exception."""
+    """The currently available transitions of each node, or an exception."""
     return _call_transitions(node, list(states), "get_available_transitions")
 
 
 def call_get_transition_graph(*, node: Any, states: dict[str, Any]) -> dict[str, Any]:
-    """By node, all transitions, or an exception."""
+    """All transitions of each node, or an exception."""
     return _call_transitions(node, list(states), "get_transition_graph")
 
 
 def call_change_states(*, node: Any, transitions: dict[str, Any]) -> dict[str, Any]:
-    """Have nodes make transitions; by node, whether it did, or an exception."""
+    """Request transitions of nodes. Return for each node whether it succeeded, or an exception."""
     requests = {name: ChangeState.Request(transition=transition) for name, transition in transitions.items()}
     answers = _call_all(node, ChangeState, "change_state", requests)
     return {name: getattr(answer, "success", answer) for name, answer in answers.items()}

@@ -1,4 +1,4 @@
-"""Datagrams to everybody on the network that listens: to see whether it lets them through."""
+"""Multicast datagrams, to test whether the network lets them through."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _LONGEST = 4096
 
 
 def send(data: bytes, *, group: str = DEFAULT_GROUP, port: int = DEFAULT_PORT, ttl: int | None = None) -> None:
-    """Send one datagram; `ttl` is how many networks it may cross."""
+    """Send one datagram; `ttl` is the number of networks that it may cross."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM, socket.IPPROTO_UDP) as sender:
         if ttl is not None:
             sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, struct.pack("b", ttl))
@@ -19,7 +19,7 @@ def send(data: bytes, *, group: str = DEFAULT_GROUP, port: int = DEFAULT_PORT, t
 
 
 def join(receiver: socket.socket, group: str = DEFAULT_GROUP, port: int = DEFAULT_PORT) -> bytes:
-    """Have a socket receive the group's datagrams; the membership, by which it can leave."""
+    """Subscribe a socket to the group's datagrams. Return the membership, with which it can leave the group."""
     receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     receiver.bind(("", port))
     member = struct.pack("4sl", socket.inet_aton(group), socket.INADDR_ANY)
@@ -30,7 +30,7 @@ def join(receiver: socket.socket, group: str = DEFAULT_GROUP, port: int = DEFAUL
 def receive(
     *, group: str = DEFAULT_GROUP, port: int = DEFAULT_PORT, timeout: float | None = None
 ) -> tuple[bytes, tuple[str, int]]:
-    """Wait for one datagram; it and its sender. TimeoutError after `timeout` seconds."""
+    """Wait for one datagram. Return it and its sender. Raises TimeoutError after `timeout` seconds."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM, socket.IPPROTO_UDP) as receiver:
         receiver.settimeout(timeout)
         member = join(receiver, group, port)

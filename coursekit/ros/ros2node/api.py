@@ -1,4 +1,4 @@
-"""Nodes, and what they publish, subscribe to, serve and call."""
+"""Nodes with their publishers, subscriptions, services and clients."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class TopicInfo(NamedTuple):
 
 
 def get_absolute_node_name(node_name: str) -> str | None:
-    """A name with the leading slash that may be left out; None for no name.
+    """A name with its optional leading slash added; None for an empty name.
 
     >>> get_absolute_node_name("talker")
     '/talker'
@@ -55,7 +55,7 @@ def parse_node_name(node_name: str) -> NodeName:
 
 
 def has_duplicates(values: Iterable[Any]) -> bool:
-    """Whether a value is there twice."""
+    """Whether a value occurs more than once."""
     return any(count > 1 for count in Counter(values).values())
 
 
@@ -125,7 +125,7 @@ class NodeNameCompleter:
         self.include_hidden_nodes_key = include_hidden_nodes_key
 
     def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
-        """The names there are."""
+        """The names of the existing nodes."""
         key = self.include_hidden_nodes_key
         hidden = bool(key and getattr(parsed_args, key))
         with NodeStrategy(parsed_args) as node:

@@ -1,4 +1,4 @@
-"""A node's parameters, asked and set by its services."""
+"""A node's parameters, read and set with its services."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ def get_value(*, parameter_value: ParameterValue) -> Any:
 
 
 def get_parameter_value(*, string_value: str) -> ParameterValue:
-    """The value that a text means, its type told as in YAML."""
+    """The value of a text, with its type inferred as in YAML."""
     return _from_text(string_value)
 
 
 def get_parameter_type_string(parameter_type: int) -> str:
-    """The word for a parameter type.
+    """The name of a parameter type.
 
     >>> get_parameter_type_string(2)
     'integer'
@@ -82,13 +82,13 @@ def call_list_parameters(*, node: Any, node_name: str, prefix: str | None = None
 
 
 def load_parameter_dict(*, node: Any, node_name: str, parameter_dict: dict[str, Any]) -> None:
-    """Set a tree of values, and print what became of each."""
+    """Set a tree of values, and print the result of each."""
     parameters = parse_parameter_dict(namespace="", parameter_dict=parameter_dict)
     _set_and_tell(node, node_name, parameters)
 
 
 def load_parameter_file(*, node: Any, node_name: str, parameter_file: str, use_wildcard: bool) -> None:
-    """Set what a file says for the node, and print what became of each."""
+    """Set the values of a file for the node, and print the result of each."""
     found = parameter_dict_from_yaml_file(parameter_file, use_wildcard, target_nodes=[node_name])
     _set_and_tell(node, node_name, list(found.values()))
 
@@ -102,10 +102,10 @@ def _set_and_tell(node: Any, node_name: str, parameters: list[Parameter]) -> Non
 
 
 class ParameterNameCompleter:
-    """Names of the parameters of the node that was typed, for argcomplete."""
+    """Names of the parameters of the node on the command line, for argcomplete."""
 
     def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
-        """The names that begin so."""
+        """The names that begin with `prefix`."""
         with DirectNode(parsed_args) as node:
             names = call_list_parameters(node=node, node_name=parsed_args.node_name)
         return [name for name in names if name.startswith(prefix or "")]

@@ -1,4 +1,4 @@
-"""Packages and their executables, as launch files ask for them."""
+"""Packages and their executables, as launch files use them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from coursekit.processes import executables
 
 
 class PackageNotFound(Exception):
-    """No such package; `package_name` is what was asked for."""
+    """The package `package_name` does not exist."""
 
     def __init__(self, package_name: str) -> None:
         super().__init__(package_name)

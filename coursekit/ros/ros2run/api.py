@@ -1,4 +1,4 @@
-"""The executables of a package by name, as launch files ask for them."""
+"""The executables of a package by name, as launch files use them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class MultipleExecutables(Exception):
 
 
 def get_executable_path(*, package_name: str, executable_name: str) -> str | None:
-    """The file of an executable; None when the package has none of that name, PackageNotFound when it does not exist.
+    """The file of an executable; None if the package has none of that name. Raises PackageNotFound.
 
     >>> Path(get_executable_path(package_name="demo_nodes_py", executable_name="talker")).parts[-2:]
     ('demo_nodes_py', 'talker')
@@ -40,7 +40,7 @@ class ExecutableNameCompleter:
         self.package_name_key = package_name_key
 
     def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
-        """The executables of the package that was typed before; none when there is no such package."""
+        """The executables of the package on the command line; none if it does not exist."""
         package = getattr(parsed_args, self.package_name_key)
         try:
             return [Path(path).name for path in get_executable_paths(package_name=package)]

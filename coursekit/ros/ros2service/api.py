@@ -29,7 +29,7 @@ def get_service_names(*, node: Any, include_hidden_services: bool = False) -> li
 
 
 def get_service_class(node: Any, service: str, blocking: bool = False, include_hidden_services: bool = False) -> Any:
-    """The class of a service; None when nobody has it. With `blocking` it waits for somebody.
+    """The class of a service; None when no node has it. With `blocking`, wait until a node has it.
 
     Raises:
         RuntimeError: for a service of several types, or a type that is not installed.
@@ -69,7 +69,7 @@ class ServiceNameCompleter:
         self.include_hidden_services_key = include_hidden_services_key
 
     def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
-        """The names there are."""
+        """The names of the existing services."""
         key = self.include_hidden_services_key
         hidden = bool(key and getattr(parsed_args, key))
         with NodeStrategy(parsed_args) as node:
@@ -77,7 +77,7 @@ class ServiceNameCompleter:
 
 
 class ServiceTypeCompleter:
-    """The type of the service that was typed, else all types, for argcomplete."""
+    """The type of the service on the command line, else all types, for argcomplete."""
 
     def __init__(self, *, service_name_key: str | None = None) -> None:
         self.service_name_key = service_name_key
@@ -94,7 +94,7 @@ class ServiceTypeCompleter:
 
 
 class ServicePrototypeCompleter:
-    """The default request of the type that was typed, for argcomplete."""
+    """The default request of the type on the command line, for argcomplete."""
 
     def __init__(self, *, service_type_key: str | None = None) -> None:
         self.service_type_key = service_type_key

@@ -1,4 +1,4 @@
-"""Topics and their types, and profiles by the words of the command line."""
+"""Topics and their types, and QoS profiles from the words of the command line."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ POLICIES = (
 
 
 def unsigned_int(string: str) -> int:
-    """A number of 0 or more, for argparse.
+    """A whole number of 0 or more, for argparse.
 
     >>> unsigned_int("3")
     3
@@ -81,10 +81,10 @@ def get_topic_names(*, node: Any, include_hidden_topics: bool = False) -> list[s
 
 
 def get_msg_class(node: Any, topic: str, blocking: bool = False, include_hidden_topics: bool = False) -> Any:
-    """The class of a topic's messages; None when nobody has the topic. With `blocking` it waits for somebody.
+    """The class of a topic's messages; None when no node has the topic. With `blocking`, wait until a node has it.
 
     Raises:
-        RuntimeError: for a name that is none, a topic of several types, or a type that is not installed.
+        RuntimeError: for an invalid name, a topic of several types, or a type that is not installed.
     """
     found = _class_of(node, topic, include_hidden_topics)
     if found is None:
@@ -121,7 +121,7 @@ def profile_configure_short_keys(
     liveliness: str | None = None,
     liveliness_lease_duration_s: float | None = None,
 ) -> None:
-    """Set the policies of a profile by their words; None leaves one as it is."""
+    """Set the policies of a profile by their short keys; None leaves a policy unchanged."""
     words = {"history": history, "durability": durability, "reliability": reliability, "liveliness": liveliness}
     for name, policy in POLICIES:
         word = words[name]
@@ -136,7 +136,7 @@ def profile_configure_short_keys(
 
 
 def qos_profile_from_short_keys(preset_profile: str, *args: Any, **kwargs: Any) -> QoSProfile:
-    """The preset of that name, with changes as profile_configure_short_keys takes them.
+    """The preset of that name, changed by the arguments of profile_configure_short_keys.
 
     >>> qos_profile_from_short_keys("sensor_data", reliability="reliable").reliability.name
     'RELIABLE'
@@ -150,7 +150,7 @@ def qos_profile_from_short_keys(preset_profile: str, *args: Any, **kwargs: Any) 
 def add_qos_arguments(
     parser: ArgumentParser, entity_type: str, default_profile_str: str = "default", extra_message: str = ""
 ) -> None:
-    """`--qos-profile`, `--qos-depth`, and one option for each policy."""
+    """Add `--qos-profile`, `--qos-depth`, and one option for each policy."""
     base = QoSPresetProfiles.get_from_short_key(default_profile_str)
     parser.add_argument(
         "--qos-profile",
@@ -172,7 +172,7 @@ class TopicNameCompleter:
         self.include_hidden_topics_key = include_hidden_topics_key
 
     def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
-        """The names there are."""
+        """The names of the existing topics."""
         key = self.include_hidden_topics_key
         hidden = bool(key and getattr(parsed_args, key))
         with NodeStrategy(parsed_args) as node:
@@ -185,7 +185,7 @@ def message_type_completer(**_: Any) -> list[str]:
 
 
 class TopicTypeCompleter:
-    """The type of the topic that was typed, else all types, for argcomplete."""
+    """The type of the topic on the command line, else all types, for argcomplete."""
 
     def __init__(self, *, topic_name_key: str | None = None) -> None:
         self.topic_name_key = topic_name_key
@@ -202,7 +202,7 @@ class TopicTypeCompleter:
 
 
 class TopicMessagePrototypeCompleter:
-    """The default values of the type that was typed, for argcomplete."""
+    """The default values of the type on the command line, for argcomplete."""
 
     def __init__(self, *, topic_type_key: str | None = None) -> None:
         self.topic_type_key = topic_type_key

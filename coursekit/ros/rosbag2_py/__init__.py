@@ -1,6 +1,6 @@
 """Bags from Python: readers, writers, recorder, player; Humble's names. In ROS 2: rosbag2_py.
 
-The names come when they are first used, so that a program pays only for what it takes.
+Names are imported on first use. A program thus loads only the modules that it uses.
 """
 
 from __future__ import annotations
@@ -46,7 +46,7 @@ __all__ = sorted(_HOME)
 
 
 def __getattr__(name: str) -> Any:
-    if name in _HOMES:  # programs of the tutorials write rosbag2_py._storage.StorageOptions
+    if name in _HOMES:  # programs in the tutorials use rosbag2_py._storage.StorageOptions
         return importlib.import_module(f"rosbag2_py.{name}")
     if name not in _HOME:
         raise AttributeError(f"module 'rosbag2_py' has no attribute '{name}'")

@@ -1,4 +1,4 @@
-"""How bags are compressed. In ROS 2: rosbag2_py._compression_options."""
+"""The compression of bags. In ROS 2: rosbag2_py._compression_options."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ class CompressionMode(Enum):
 
 
 def compression_mode_from_string(text: str) -> CompressionMode:
-    """Return the mode that a word means, in any case; NONE for another word.
+    """Return the mode of a word, ignoring case; NONE for an unknown word.
 
     >>> compression_mode_from_string("file")
     <CompressionMode.FILE: 1>
@@ -24,7 +24,7 @@ def compression_mode_from_string(text: str) -> CompressionMode:
 
 
 def compression_mode_to_string(mode: CompressionMode) -> str:
-    """Return the word of a mode.
+    """Return the word for a mode.
 
     >>> compression_mode_to_string(CompressionMode.MESSAGE)
     'MESSAGE'
@@ -34,7 +34,7 @@ def compression_mode_to_string(mode: CompressionMode) -> str:
 
 @dataclass
 class CompressionOptions:
-    """Format and mode of compression; queue and threads make no difference here: nothing is dropped."""
+    """Format and mode of compression. Queue size and threads have no effect here: no message is dropped."""
 
     compression_format: str = ""
     compression_mode: CompressionMode = CompressionMode.NONE

@@ -1,4 +1,4 @@
-"""Work that comes to a node from outside of its executor: keys, Ctrl-C, other threads."""
+"""Work for a node from outside its executor: keys, Ctrl-C, other threads."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from typing import Any
 
 
 class Inbox:
-    """Does what it is given one after the other, where the node's callbacks run."""
+    """A queue of actions that run one after the other in the thread of the node's callbacks."""
 
     def __init__(self, node: Any) -> None:
         self._acts: deque[Callable[[], Any]] = deque()
         self._guard = node.create_guard_condition(self._work)
 
     def put(self, act: Callable[[], Any]) -> None:
-        """Have `act()` done; safe from any thread."""
+        """Queue a call of `act()`; thread-safe."""
         self._acts.append(act)
         self._guard.trigger()
 

@@ -8,10 +8,10 @@ from rosbag2_py._storage import BagMetadata
 
 
 class Info:
-    """Reads the facts of a bag."""
+    """Reads the metadata of a bag."""
 
     def read_metadata(self, uri: str, storage_id: str = "") -> BagMetadata:
-        """Return the facts of a folder or a file; RuntimeError when it is no bag."""
+        """Return the metadata of a folder or a file; raises RuntimeError if it is not a bag."""
         reader = BagReader(uri, storage_id, say_opened)
         reader.close()
         return BagMetadata.of(reader.facts)

@@ -18,7 +18,7 @@ _CTRL_C = "\x03"
 
 
 class Keyboard:
-    """Reads the keys that are typed to the process, beside its work, until `stop()`; `press(key)` is called for each."""
+    """Reads the keys typed to the process in the background until `stop()`, and calls `press(key)` for each."""
 
     def __init__(self, press: Callable[[str], None], interrupt: Callable[[], None]) -> None:
         self._press = press
@@ -26,14 +26,14 @@ class Keyboard:
         self._stopped = False
 
     def start(self) -> None:
-        """Begin to read; a program that is no process of a session has no keyboard of its own."""
+        """Start reading. A program that is not a process of a session has no keyboard of its own."""
         process = current_process()
         if process is not None:
             process.want_keys()
             current().spawn(self._read)
 
     def stop(self) -> None:
-        """Do nothing for keys any more."""
+        """Ignore keys from now on."""
         self._stopped = True
 
     def _read(self) -> None:
@@ -51,12 +51,12 @@ class Keyboard:
 
 @contextlib.contextmanager
 def until_told_to_end(end: Callable[[], Any]) -> Iterator[None]:
-    """Have Ctrl-C and `kill` call `end()` instead of breaking off."""
+    """Make Ctrl-C and `kill` call `end()` instead of aborting."""
     previous: dict[signal.Signals, Any] = {}
     try:
         for signum in (signal.SIGINT, signal.SIGTERM):
             previous[signum] = signal.signal(signum, lambda *_: end())
-    except ValueError:  # not the main thread: somebody else deals with signals
+    except ValueError:  # not the main thread: signals are handled elsewhere
         pass
     try:
         yield

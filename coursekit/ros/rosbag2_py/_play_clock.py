@@ -1,4 +1,4 @@
-"""The time of the recording while it is played: it runs at a rate, can be stopped, and can jump."""
+"""The time in a recording during playback: it runs at a rate, can be paused, and can jump."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ class PlayClock:
         self._here, self._there = clock.steady(), start
 
     def now(self) -> int:
-        """The time in the recording."""
+        """The current time in the recording."""
         if self.paused:
             return self._there
         return self._there + int((self._clock.steady() - self._here) * self.rate)
 
     def jump(self, time: int) -> None:
-        """Go to a time of the recording."""
+        """Jump to a time in the recording."""
         self._here, self._there = self._clock.steady(), time
 
     def set_rate(self, rate: float) -> bool:
-        """Run at another rate from now on; False for one that is not above 0."""
+        """Run at another rate from now on. Return False for a rate that is not finite and above 0."""
         if not (rate > 0 and math.isfinite(rate)):
             return False
         self.jump(self.now())
@@ -40,17 +40,17 @@ class PlayClock:
         return True
 
     def pause(self) -> None:
-        """Pause."""
+        """Stop the clock."""
         self.jump(self.now())
         self.paused = True
 
     def resume(self) -> None:
-        """Run again."""
+        """Let the clock run again."""
         self.jump(self.now())
         self.paused = False
 
     def seconds_until(self, time: int) -> float | None:
-        """Seconds of the session until the recording is there, 0.0 when it is; None while it is paused."""
+        """Seconds of session time until the recording reaches `time`, at least 0.0; None while it is paused."""
         if self.paused:
             return None
         due = self._here + math.ceil((time - self._there) / self.rate)

@@ -1,4 +1,4 @@
-"""The services with which a player is controlled."""
+"""The services that control a player."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from rosbag2_interfaces.srv import (
 
 
 def offer_services(player: Any) -> None:
-    """Serve them under the player's name, /rosbag2_player/pause and so on."""
+    """Create the services under the player's name: /rosbag2_player/pause and so on."""
 
     def serve(kind: Any, name: str, act: Callable[[Any], Any], answer: str = "") -> None:
         def callback(request: Any, response: Any) -> Any:

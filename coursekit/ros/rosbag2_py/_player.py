@@ -1,4 +1,4 @@
-"""The node that plays."""
+"""The node that plays a bag."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ from rosbag2_py._reader import SequentialReader
 from rosbag2_py._storage import StorageFilter, StorageOptions
 
 _WITHOUT_PAUSE = 64
-"""Messages that may be published in a row before services and keys get their turn."""
+"""The number of messages published in a row before services and keys are handled."""
 
 
 class PlayerNode(Node):
-    """Publishes the messages of a bag as they were recorded in time."""
+    """Publishes the messages of a bag at the times at which they were recorded."""
 
     def __init__(self, storage: StorageOptions, options: Any, context: Any) -> None:
         self.reader = SequentialReader()
@@ -73,7 +73,7 @@ class PlayerNode(Node):
             if not self._topics or topic.name in self._topics:
                 try:
                     made[topic.name] = self.create_publisher(_type_of(topic), topic.name, self._profile(topic))
-                except Exception as error:  # a type or a name that is not possible here is no reason to play nothing
+                except Exception as error:  # an invalid type or name must not prevent the playback of the other topics
                     self.get_logger().warning(f"Ignoring a topic '{topic.name}', reason: {error}.")
         return made
 
@@ -106,7 +106,7 @@ class PlayerNode(Node):
                 self.destroy_node()
 
     def end(self) -> None:
-        """Have `play()` return."""
+        """Make `play()` return."""
         self._inbox.put(self._set_over)
 
     def _set_over(self) -> None:
@@ -116,7 +116,7 @@ class PlayerNode(Node):
         return not self._over and self.context.ok()
 
     def _wait(self, delay: float) -> None:
-        """Let some seconds pass before playing; services are answered meanwhile."""
+        """Wait for `delay` seconds before playback; services are answered meanwhile."""
         if delay > 0 and self._goes_on():
             self.get_logger().info(f"Sleep {round(delay * 1e9)} ns")
             steady = current().clock.steady
@@ -129,7 +129,7 @@ class PlayerNode(Node):
         self.reader.set_filter(StorageFilter(list(self._outs) if self._topics else []))
         self.seek(self._start_ns)
         self._wait(self._options.delay)
-        self.clock.jump(self._position)  # where keys and services have led it to in the meantime
+        self.clock.jump(self._position)  # the position that keys and services have set in the meantime
         in_a_row = 0
         while self._goes_on() and (message := self.reader.peek()) is not None:
             left = self.clock.seconds_until(message.stamp)
@@ -175,7 +175,7 @@ class PlayerNode(Node):
     # -- control
 
     def set_rate(self, rate: float) -> bool:
-        """Play at another speed; False for one that is not above 0."""
+        """Play at another rate. Return False for a rate that is not finite and above 0."""
         if self.clock.set_rate(rate):
             self.get_logger().info(f"Set rate to {rate:g}")
             return True
@@ -183,12 +183,12 @@ class PlayerNode(Node):
         return False
 
     def pause(self) -> None:
-        """Pause."""
+        """Pause playback."""
         self.clock.pause()
         self.get_logger().info("Pausing play.")
 
     def resume(self) -> None:
-        """Go on."""
+        """Resume playback."""
         self.clock.resume()
         self.get_logger().info("Resuming play.")
 
@@ -197,7 +197,7 @@ class PlayerNode(Node):
         (self.resume if self.clock.paused else self.pause)()
 
     def play_next(self) -> bool:
-        """While paused: publish the next message; whether there was one."""
+        """While paused: publish the next message. Return whether there was one."""
         if not self.clock.paused:
             self.get_logger().warning("Called play next, but not in paused state.")
             return False
@@ -213,7 +213,7 @@ class PlayerNode(Node):
         return False
 
     def burst(self, count: int) -> int:
-        """While paused: publish `count` messages at once (0: all that are left); how many there were."""
+        """While paused: publish `count` messages at once (0: all that are left). Return the number published."""
         if not self.clock.paused:
             self.get_logger().warning("Burst can only be used when in the paused state.")
             return 0
@@ -224,7 +224,7 @@ class PlayerNode(Node):
         return played
 
     def seek(self, time: int) -> None:
-        """Go to a time of the recording (ns since 1970), not before its beginning."""
+        """Jump to a time in the recording (ns since 1970), not before its start."""
         time = max(time, self._start_ns)
         self.reader.seek(time)
         self._jump(time)

@@ -1,4 +1,4 @@
-"""Quality of service in bags: as text in the metadata, and what a recorder asks for and a player offers."""
+"""Quality of service in bags: as text in the metadata, as a recorder's request and as a player's offer."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _SAME = ("reliability", "durability", "deadline", "liveliness", "liveliness_leas
 
 
 def default_profile(**policies: Any) -> QoSProfile:
-    """Reliable, volatile, the last ten messages; with some policies given."""
+    """A reliable, volatile profile that keeps the last ten messages; arguments override policies."""
     return QoSProfile(depth=DEFAULT_DEPTH, **policies)
 
 
@@ -31,7 +31,7 @@ def default_profile(**policies: Any) -> QoSProfile:
 
 
 def offers_text(profiles: Iterable[QoSProfile]) -> str:
-    """The profiles of publishers as rosbag2 writes them. History and depth do not travel in DDS: 3 (unknown) and 0."""
+    """The profiles of publishers as rosbag2 writes them. DDS does not transmit history and depth: 3 (unknown) and 0."""
     offers = [_as_dict(profile) for profile in profiles]
     return dump(offers) if offers else ""
 
@@ -52,7 +52,7 @@ def _seconds(duration: Duration) -> dict[str, int]:
 
 
 def parse_offers(text: str) -> list[QoSProfile]:
-    """The profiles in such a text, of any version of ROS 2; BagError when it holds none."""
+    """The profiles in the metadata of any version of ROS 2; raises BagError if the text is not a list of profiles."""
     loaded = load_yaml(text, "offered_qos_profiles") if text else []
     if loaded is None:
         return []
@@ -68,7 +68,7 @@ def _profile(values: dict[str, Any]) -> QoSProfile:
 
 
 def _policy(kind: Any, value: Any) -> Any:
-    """A number up to version 8, a word since version 9; what is unknown is left to the system."""
+    """The policy of a number (up to version 8) or a word (since version 9); SYSTEM_DEFAULT for an unknown value."""
     try:
         return kind[value.upper()] if isinstance(value, str) else kind(value)
     except (KeyError, ValueError, TypeError):
@@ -83,11 +83,11 @@ def _duration(value: Any) -> Duration:
     return Duration(nanoseconds=min(max(0, nanoseconds), _INFINITE))
 
 
-# -- what is asked for and offered
+# -- requests and offers
 
 
 def request_for(topic: str, offers: list[QoSProfile], warn: Callable[[str], Any]) -> QoSProfile:
-    """A recorder's request, so that it hears all publishers of a topic."""
+    """A recorder's request, compatible with all publishers of a topic."""
     reliable = sum(one.reliability == ReliabilityPolicy.RELIABLE for one in offers)
     latched = sum(one.durability == DurabilityPolicy.TRANSIENT_LOCAL for one in offers)
     if 0 < reliable < len(offers):
@@ -110,7 +110,7 @@ def request_for(topic: str, offers: list[QoSProfile], warn: Callable[[str], Any]
 
 
 def offer_for(topic: str, recorded: list[QoSProfile], warn: Callable[[str], Any]) -> QoSProfile:
-    """A player's offer: that of the recorded publishers, where they agreed."""
+    """A player's offer: that of the recorded publishers if they agree, else the default."""
     if not recorded:
         return default_profile()
     first = recorded[0]

@@ -20,20 +20,20 @@ def get_registered_readers() -> set[str]:
 
 
 def say_opened(path: str) -> None:
-    """The log line of a file that is opened for reading; mcap files have none."""
+    """Log that a file is opened for reading; mcap files have no log line."""
     if path.endswith(SUFFIXES["sqlite3"]):
         get_logger("rosbag2_storage").info(f"Opened database '{path}' for READ_ONLY.")
 
 
 class SequentialReader:
-    """Reads a bag's messages, oldest first; compressed ones too. RuntimeError when it cannot be read."""
+    """Reads a bag's messages, oldest first, also from compressed bags. Raises RuntimeError if the bag cannot be read."""
 
     def __init__(self) -> None:
         self._say_opened = say_opened
         self._bag: BagReader | None = None
 
     def open(self, storage_options: StorageOptions, converter_options: ConverterOptions | None = None) -> None:
-        """Open a bag: its folder, or one of its files."""
+        """Open a bag by its folder or one of its files."""
         wanted = converter_options.output_serialization_format if converter_options else ""
         if wanted not in ("", "cdr"):
             raise RuntimeError(f"Could not find converter for format {wanted}: there is only 'cdr'")
@@ -63,11 +63,11 @@ class SequentialReader:
         return self._opened().peek() is not None
 
     def peek(self) -> Message | None:
-        """The message that `read_next` would give; None at the end."""
+        """The message that `read_next` would return; None at the end."""
         return self._opened().peek()
 
     def read_next(self) -> tuple[str, bytes, int]:
-        """Take the next message: its topic, its bytes, and when it was received (ns since 1970)."""
+        """Take the next message: its topic, its bytes, and its time of reception (ns since 1970)."""
         message = self._opened().take()
         if message is None:
             raise RuntimeError("Bag is at end. No next message.")
@@ -92,22 +92,22 @@ class SequentialReader:
         self.set_filter(StorageFilter())
 
     def set_read_order(self, order: Any) -> bool:
-        """Whether messages will come in this order (ROS releases after Humble): by reception, oldest first."""
+        """Whether this order is supported (ROS releases after Humble): only by reception, oldest first."""
         return not order.reverse and int(order.sort_by) == 0
 
     def seek(self, timestamp: int) -> None:
-        """Go on with the first message at or after a time (ns since 1970)."""
+        """Continue with the first message at or after a time (ns since 1970)."""
         self._opened().rewind(timestamp, self._filter)
 
     def close(self) -> None:
-        """Let go of the bag's files."""
+        """Close the bag's files."""
         if self._bag is not None:
             self._bag.close()
             self._bag = None
 
 
 class SequentialCompressionReader(SequentialReader):
-    """The same: whether a bag is compressed is in its metadata."""
+    """The same as SequentialReader: the metadata states whether a bag is compressed."""
 
 
 def _chosen(storage_filter: StorageFilter, names: list[str]) -> list[str] | None:

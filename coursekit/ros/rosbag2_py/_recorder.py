@@ -1,4 +1,4 @@
-"""The node that records."""
+"""The node that records a bag."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class RecorderNode(Node):
         self._executor_here = SingleThreadedExecutor(context=context)
         self._inbox = Inbox(self)
         self._over = False
-        self._seen = -1  # the graph's version when topics were looked for
+        self._seen = -1  # the graph's version at the last search for topics
         self._bag: BagWriter | None = None
         if not options.disable_keyboard_controls:
             self.get_logger().info(f"Press {NAMES[SPACE]} for pausing/resuming")
@@ -66,7 +66,7 @@ class RecorderNode(Node):
             self._close()
 
     def end(self) -> None:
-        """Have `record()` return."""
+        """Make `record()` return."""
         self._inbox.put(self._set_over)
 
     def _set_over(self) -> None:
@@ -103,7 +103,7 @@ class RecorderNode(Node):
         self.get_logger().info("Recording stopped")
 
     def _rescued(self) -> str:
-        """Let go of a bag that cannot be written any more; what can be done with it."""
+        """Close a bag that can no longer be written. Return advice on how to rescue it."""
         if self._bag is None:
             return ""
         self._bag.abandon()
@@ -118,7 +118,7 @@ class RecorderNode(Node):
     # -- topics
 
     def _discover(self) -> None:
-        """Look for topics again; on simulated time, not before there is any."""
+        """Look for topics again; with simulated time, not before /clock is received."""
         if self._options.use_sim_time and not self._recorded:
             if self.get_clock().now().nanoseconds == 0:
                 return
@@ -156,7 +156,7 @@ class RecorderNode(Node):
             self.get_logger().info(f"Overriding subscription profile for {name}")
             return chosen
         profile = request_for(name, offers, get_logger("rosbag2_transport").warning)
-        # How much is kept does not decide whether the two match, and nothing is to be lost while the bag is written.
+        # History does not affect compatibility, and no message may be lost while the bag is written.
         profile.history = HistoryPolicy.KEEP_ALL
         return profile
 
@@ -180,7 +180,7 @@ class RecorderNode(Node):
                 "Messages from this new publisher will not be recorded."
             )
 
-    # -- what happens
+    # -- callbacks
 
     def _keep(self, name: str, data: bytes) -> None:
         if not self._paused and self._bag is not None:

@@ -1,4 +1,4 @@
-"""The metadata of a bag made anew. In ROS 2: rosbag2_py._reindexer."""
+"""Reconstruction of a bag's metadata. In ROS 2: rosbag2_py._reindexer."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from rosbag2_py._storage import StorageOptions
 
 
 class Reindexer:
-    """Makes metadata.yaml from the files of a bag."""
+    """Reconstructs metadata.yaml from the files of a bag."""
 
     def reindex(self, storage_options: StorageOptions) -> None:
-        """Read the files and write metadata.yaml; RuntimeError when there are none, or they are broken."""
+        """Read the files and write metadata.yaml; raises RuntimeError if there are none or they are damaged."""
         log = get_logger("rosbag2_cpp")
         log.info(f"Beginning reindexing bag in directory: {storage_options.uri}")
         reindex(Path(storage_options.uri), storage_options.storage_id)

@@ -1,4 +1,4 @@
-"""The YAML file with which `ros2 bag convert` is told what to write."""
+"""The YAML file that configures the output of `ros2 bag convert`."""
 
 from __future__ import annotations
 
@@ -36,11 +36,11 @@ _WITHOUT_EFFECT = (
     "compression_queue_size", "compression_threads", "topic_qos_profile_overrides", "include_hidden_topics",
     "include_unpublished_topics", "start_paused", "ignore_leaf_topics", "use_sim_time", "output_serialization_format",
 )  # fmt: skip
-"""Options of recording that mean nothing for a bag that is there."""
+"""Options of recording that have no effect on an existing bag."""
 
 
 def outputs_in(path: Path) -> list[Output]:
-    """Read the file; RuntimeError names what is wrong in it."""
+    """Read the file; raises RuntimeError with the fault in it."""
     document = load_settings(path)
     if not isinstance(document, dict) or "output_bags" not in document:
         raise BagError("Output bag config YAML file must have top-level key 'output_bags'")
@@ -67,7 +67,7 @@ def _output(values: dict[str, Any], path: Path) -> Output:
 
 
 class _Choice:
-    """Whether a topic goes into one bag."""
+    """Whether a topic is written to an output bag."""
 
     def __init__(self, values: dict[str, Any], path: Path) -> None:
         self._all = values.get("all", False)

@@ -1,4 +1,4 @@
-"""Options and facts of bags. In ROS 2: rosbag2_py._storage."""
+"""Options and metadata of bags. In ROS 2: rosbag2_py._storage."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ __all__ = [
 
 
 def get_default_storage_id() -> str:
-    """The storage that is used where none is named.
+    """The storage that is used by default.
 
     >>> get_default_storage_id()
     'sqlite3'
@@ -38,7 +38,7 @@ def get_default_storage_id() -> str:
 
 @dataclass
 class ConverterOptions:
-    """Which serialization goes in and out; '' leaves it as it is, and there is only 'cdr'."""
+    """The input and output serialization; '' leaves it unchanged, and 'cdr' is the only format."""
 
     input_serialization_format: str = ""
     output_serialization_format: str = ""
@@ -46,7 +46,7 @@ class ConverterOptions:
 
 @dataclass
 class StorageOptions:
-    """Where and how a bag is stored. Sizes are bytes, durations seconds, 0 is 'no limit'."""
+    """The location and format of a bag. Sizes are in bytes, durations in seconds; 0 means no limit."""
 
     uri: str
     storage_id: str = ""
@@ -63,7 +63,7 @@ class StorageOptions:
 
 @dataclass
 class StorageFilter:
-    """Which topics are read: those in `topics`, or those that `topics_regex` finds; all when both are empty."""
+    """The topics to read: those in `topics` and those that match `topics_regex`; all if both are empty."""
 
     topics: list[str] = field(default_factory=list)
     topics_regex: str = ""
@@ -80,7 +80,7 @@ class ReadOrderSortBy(IntEnum):
 
 @dataclass
 class ReadOrder:
-    """The order of reading (ROS releases after Humble): here always by the time of reception."""
+    """The order of reading (ROS releases after Humble); here always by the time of reception."""
 
     sort_by: ReadOrderSortBy = ReadOrderSortBy.ReceivedTimestamp
     reverse: bool = False
@@ -94,7 +94,7 @@ class _Timed:
 
     @property
     def starting_time(self) -> Time:
-        """When the first message was received."""
+        """The time at which the first message was received."""
         return Time(nanoseconds=self.starting_time_ns)
 
     @starting_time.setter
@@ -103,7 +103,7 @@ class _Timed:
 
     @property
     def duration(self) -> Duration:
-        """From the first message to the last."""
+        """The time from the first message to the last."""
         return Duration(nanoseconds=self.duration_ns)
 
     @duration.setter
@@ -119,7 +119,7 @@ class FileInformation(_Timed, FileFacts):
 
 
 class BagMetadata(_Timed, BagFacts):
-    """A whole bag; printed, it is what `ros2 bag info` shows."""
+    """The metadata of a bag; its text is the output of `ros2 bag info`."""
 
     def __init__(
         self,
@@ -155,7 +155,7 @@ class BagMetadata(_Timed, BagFacts):
 
     @classmethod
     def of(cls, facts: BagFacts) -> BagMetadata:
-        """The facts of a bag as ROS's class."""
+        """Convert the facts of a bag to ROS's class."""
         made = cls()
         vars(made).update(vars(facts))
         made.files = [_file_information(one) for one in facts.files]

@@ -1,4 +1,4 @@
-"""Which topics a recorder takes."""
+"""The choice of topics to record."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from coursekit.rcl.names import is_hidden
 
 
 class TopicFilter:
-    """Says of each topic in the graph whether it is recorded; what is passed over for a reason is warned of once."""
+    """Decides for each topic in the graph whether it is recorded; warns once of a topic that cannot be recorded."""
 
     def __init__(self, options: Any, topics: list[str], node: Any) -> None:
         self._options = options
@@ -22,7 +22,7 @@ class TopicFilter:
         self._wanted, self._unwanted = _expression(options.regex, "--regex"), _expression(options.exclude, "--exclude")
 
     def select(self) -> dict[str, str]:
-        """The topics to record and their types, of those that are there now."""
+        """The topics to record and their types, among those in the graph now."""
         found = self._node.get_topic_names_and_types()
         return {name: types[0] for name, types in found if types and self._takes(name, types)}
 
@@ -55,7 +55,7 @@ class TopicFilter:
     def _is_known(self, name: str, kind: str) -> bool:
         try:
             get_message(kind)
-        except Exception as error:  # a definition may be broken in many ways
+        except Exception as error:  # a definition may be invalid in many ways
             text = f"Topic '{name}' has unknown type '{kind}' associated. Only topics with known type are supported. "
             return self._refuse(name, f"{text}Reason: '{error}'")
         return True

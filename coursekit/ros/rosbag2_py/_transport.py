@@ -24,7 +24,7 @@ __all__ = ["PlayOptions", "Player", "RecordOptions", "Recorder", "bag_rewrite"]
 
 @dataclass
 class PlayOptions:
-    """How a bag is played; `delay` and `start_offset` are seconds, `wait_acked_timeout` milliseconds."""
+    """The options of playback; `delay` and `start_offset` are in seconds, `wait_acked_timeout` in milliseconds."""
 
     read_ahead_queue_size: int = 1000
     node_prefix: str = ""
@@ -68,15 +68,15 @@ class RecordOptions:
     use_sim_time: bool = False
 
     def packing(self) -> CompressionOptions:
-        """How the bag is compressed."""
+        """The compression of the bag."""
         return CompressionOptions(self.compression_format, compression_mode_from_string(self.compression_mode))
 
 
 class _Runner:
-    """A context of its own, as rclcpp has it: the program's rclpy is not touched."""
+    """Runs in a context of its own, as in rclcpp; the program's rclpy context is not affected."""
 
     _made: weakref.WeakSet[Any]
-    """Those of the class that a program has made."""
+    """The instances of the class that exist."""
 
     def __init__(self, log_level: str = "info") -> None:
         self._context = Context()
@@ -94,7 +94,7 @@ class _Runner:
 
     @classmethod
     def cancel(cls) -> None:
-        """End what those of this class that the program made are doing, or are about to do in another thread."""
+        """End the runs of the program's instances of this class, also runs about to start in another thread."""
         for one in list(cls._made):
             if one._process is current_process():
                 one._cancelled = True
@@ -117,7 +117,7 @@ class Player(_Runner):
     """Plays bags."""
 
     def play(self, storage_options: StorageOptions, play_options: PlayOptions) -> None:
-        """Play a bag to its end, or until Ctrl-C or `Player.cancel()`; RuntimeError when it cannot be read."""
+        """Play a bag to its end, or until Ctrl-C or `Player.cancel()`; raises RuntimeError if it cannot be read."""
         from rosbag2_py._player import PlayerNode
 
         node = PlayerNode(storage_options, play_options, self._context)
@@ -129,7 +129,7 @@ class Recorder(_Runner):
     """Records bags."""
 
     def record(self, storage_options: StorageOptions, record_options: RecordOptions) -> None:
-        """Record until Ctrl-C or `Recorder.cancel()`; RuntimeError when the bag cannot be written."""
+        """Record until Ctrl-C or `Recorder.cancel()`; raises RuntimeError if the bag cannot be written."""
         from rosbag2_py._recorder import RecorderNode
 
         settings = settings_of(storage_options, record_options.packing())
@@ -139,7 +139,7 @@ class Recorder(_Runner):
 
 
 def bag_rewrite(input_options: Sequence[StorageOptions], output_config_file: str) -> None:
-    """Copy bags into bags with other settings, which a YAML file lists under `output_bags`."""
+    """Copy bags to bags with other settings, which a YAML file lists under `output_bags`."""
     from coursekit.bag.reader import BagReader
     from coursekit.bag.rewrite import rewrite
     from rosbag2_py._reader import say_opened

@@ -28,18 +28,18 @@ def get_registered_compressors() -> set[str]:
 
 
 def get_registered_serializers() -> set[str]:
-    """The serializations that can be converted into."""
+    """The serializations that can be written."""
     return {"cdr_converter"}
 
 
 def say_opened(path: str) -> None:
-    """The log line of a file that is opened for writing; mcap files have none."""
+    """Log that a file is opened for writing; mcap files have no log line."""
     if path.endswith(SUFFIXES["sqlite3"]):
         get_logger("rosbag2_storage").info(f"Opened database '{path}' for READ_WRITE.")
 
 
 def settings_of(options: StorageOptions, packing: CompressionOptions | None = None) -> WriteSettings:
-    """ROS's options as the settings of a bag."""
+    """Convert ROS's options to the settings of a bag."""
     packing = packing or CompressionOptions()
     return WriteSettings(
         uri=options.uri,
@@ -57,7 +57,7 @@ def settings_of(options: StorageOptions, packing: CompressionOptions | None = No
 
 
 class SequentialWriter:
-    """Writes a bag. It is ended by `close()`, or when the writer or its program ends. RuntimeError when it fails."""
+    """Writes a bag until `close()`, or until the writer or its program ends. Raises RuntimeError on failure."""
 
     _compression: CompressionOptions | None = None
 
@@ -67,7 +67,7 @@ class SequentialWriter:
         self._end: Any = None
 
     def open(self, storage_options: StorageOptions, converter_options: ConverterOptions | None = None) -> None:
-        """Make the bag's folder and its first file."""
+        """Create the bag's folder and its first file."""
         wanted = converter_options.output_serialization_format if converter_options else ""
         if wanted not in ("", "cdr"):
             raise RuntimeError(f"Could not find converter for format {wanted}: there is only 'cdr'")
@@ -85,11 +85,11 @@ class SequentialWriter:
         return self._bag
 
     def create_topic(self, topic_with_type: TopicMetadata) -> None:
-        """Enter a topic; to be done before its first message."""
+        """Register a topic; do this before its first message."""
         self._opened().create_topic(topic_with_type)
 
     def remove_topic(self, topic_with_type: TopicMetadata) -> None:
-        """Take a topic out that was entered."""
+        """Remove a registered topic."""
         self._opened().remove_topic(topic_with_type)
 
     def write(self, topic_name: str, message: bytes, timestamp: int) -> None:
@@ -100,15 +100,15 @@ class SequentialWriter:
         self._opened().write(Message(topic_name, message, int(timestamp)))
 
     def split_bagfile(self) -> None:
-        """Go on in a new file."""
+        """Continue in a new file."""
         self._opened().split()
 
     def take_snapshot(self) -> bool:
-        """In snapshot mode: write what is remembered."""
+        """In snapshot mode: write the buffered messages."""
         return self._opened().take_snapshot()
 
     def close(self) -> None:
-        """End the bag; harmless when it is ended."""
+        """Finish the bag; no effect if it is finished already."""
         if self._bag is not None:
             self._end()
             self._bag = None

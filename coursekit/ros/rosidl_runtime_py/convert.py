@@ -51,7 +51,7 @@ def message_to_yaml(
 def message_to_ordereddict(
     msg: Any, *, truncate_length: int | None = None, no_arr: bool = False, no_str: bool = False
 ) -> OrderedDict[str, Any]:
-    """Return the fields of a message and of the messages in it, in order; of a serialized message, its bytes."""
+    """Return the fields of a message and of the messages in it, in order; for a serialized message, its bytes."""
     if isinstance(msg, bytes):
         return OrderedDict(bytes=msg)
     options = {"truncate_length": truncate_length, "no_arr": no_arr, "no_str": no_str}
@@ -163,7 +163,7 @@ def _csv(value: Any, kind: definition.AbstractType | None, options: Options) -> 
 
 
 def field_names(msg: Any) -> list[str]:
-    """Return the names of a message's fields; of one that does not tell them, as programs' own classes may be, its slots."""
+    """Return the names of a message's fields; for a class of a program's own without them, the names of its slots."""
     if hasattr(msg, "get_fields_and_field_types"):
         return list(msg.get_fields_and_field_types())
     return [slot.removeprefix("_") for slot in msg.__slots__]

@@ -1,4 +1,4 @@
-"""Which interfaces exist, by package."""
+"""The existing interfaces, by package."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[s
 
 
 def _as_idl(package: str, path: Path) -> Path | None:
-    """The IDL of a definition; ROS installs it beside the file, here it is written when it is asked for."""
+    """The IDL of a definition. ROS installs it beside the definition; here it is written on demand."""
     definitions = [path.with_suffix(suffix) for suffix in (".msg", ".srv", ".action")]
     found = next((one for one in definitions if one.exists()), None)
     return idl_file(package, found) if path.suffix == ".idl" and found is not None else None

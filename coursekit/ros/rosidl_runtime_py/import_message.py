@@ -10,9 +10,9 @@ from rosidl_parser.definition import AbstractNestedType, NamespacedType
 
 
 def import_message_from_namespaced_type(message_type: NamespacedType | AbstractNestedType) -> Any:
-    """Return the class of a message type; an array's or a sequence's items, as once was allowed, give a warning.
+    """Return the class of a message type. An array or sequence type, which was once allowed, gives a warning.
 
-    Raises ModuleNotFoundError or AttributeError when there is none.
+    Raises ModuleNotFoundError or AttributeError if there is no class.
     """
     if isinstance(message_type, AbstractNestedType):
         warnings.warn("pass the type of the items, not that of the array or sequence", DeprecationWarning, stacklevel=2)

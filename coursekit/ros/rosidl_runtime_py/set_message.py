@@ -1,4 +1,4 @@
-"""Fills a message from a dictionary, as `ros2 topic pub` does."""
+"""Setting the fields of a message from a dictionary, as `ros2 topic pub` does."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ Setter = Callable[[Any], None]
 def set_message_fields(
     msg: Any, values: dict[str, Any], expand_header_auto: bool = False, expand_time_now: bool = False
 ) -> list[Setter]:
-    """Set the fields that a dictionary names; return functions that set times to "now".
+    """Set the fields of a message from a dictionary; return functions that set times to "now".
 
-    With `expand_header_auto`, 'auto' for a header asks for its stamp;
-    with `expand_time_now`, 'now' asks for a time.
+    With `expand_header_auto`, 'auto' as a header is replaced by a stamp later;
+    with `expand_time_now`, 'now' as a time is replaced later.
     Raises AttributeError for an unknown field and TypeError or ValueError for a value that does not fit.
 
     >>> from geometry_msgs.msg import Vector3

@@ -10,7 +10,7 @@ from rosidl_runtime_py.import_message import import_message_from_namespaced_type
 
 
 def get_namespaced_type(identifier: str) -> NamespacedType:
-    """Return the type named 'package/kind/Name'; raises ValueError for another form."""
+    """Return the type named 'package/kind/Name'; raises ValueError for any other form."""
     parts = identifier.split("/")
     if len(parts) != 3 or not all(parts):
         raise ValueError(f"Expected an interface in the form 'package/kind/Name', got '{identifier}'")
@@ -43,22 +43,22 @@ def get_interface(identifier: str) -> Any:
 
 
 def is_message(interface: Any) -> bool:
-    """Tell whether a class is a message."""
+    """Return whether a class is a message."""
     return hasattr(interface, "get_fields_and_field_types")
 
 
 def is_service(interface: Any) -> bool:
-    """Tell whether a class is a service."""
+    """Return whether a class is a service."""
     return hasattr(interface, "Request") and hasattr(interface, "Response")
 
 
 def is_action(interface: Any) -> bool:
-    """Tell whether a class is an action."""
+    """Return whether a class is an action."""
     return all(hasattr(interface, part) for part in ("Goal", "Result", "Feedback"))
 
 
 def get_message(identifier: str) -> Any:
-    """Return a message class; raises ValueError when the name is no message's.
+    """Return a message class; raises ValueError if the name is not that of a message.
 
     >>> get_message('std_msgs/msg/String')
     <class 'std_msgs.msg._string.String'>
@@ -70,7 +70,7 @@ def get_message(identifier: str) -> Any:
 
 
 def get_service(identifier: str) -> Any:
-    """Return a service class; raises ValueError when the name is no service's."""
+    """Return a service class; raises ValueError if the name is not that of a service."""
     found = import_message_from_namespaced_type(get_service_namespaced_type(identifier))
     if not is_service(found):
         raise ValueError(f"Expected the full name of a service, got '{identifier}'")
@@ -78,7 +78,7 @@ def get_service(identifier: str) -> Any:
 
 
 def get_action(identifier: str) -> Any:
-    """Return an action class; raises ValueError when the name is no action's."""
+    """Return an action class; raises ValueError if the name is not that of an action."""
     found = import_message_from_namespaced_type(get_action_namespaced_type(identifier))
     if not is_action(found):
         raise ValueError(f"Expected the full name of an action, got '{identifier}'")

@@ -1,4 +1,4 @@
-"""Helpers for finding shared libraries on Windows; here nothing has to be found."""
+"""Helpers for finding shared libraries on Windows; here they do nothing."""
 
 from __future__ import annotations
 
@@ -8,5 +8,5 @@ from collections.abc import Iterator
 
 @contextlib.contextmanager
 def add_dll_directories_from_env(env_name: str) -> Iterator[None]:
-    """A block in which the folders of an environment variable would be searched for libraries."""
+    """Run a block in which the folders of an environment variable would be searched for libraries."""
     yield

@@ -1,4 +1,4 @@
-"""Point clouds as numpy arrays, and back."""
+"""Conversion between point clouds and numpy arrays."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def read_points(
     uvs: Iterable[int] | None = None,
     reshape_organized_cloud: bool = False,
 ) -> np.ndarray[Any, Any]:
-    """Return the points as a structured array, one record a point.
+    """Return the points as a structured array, one record per point.
 
     `field_names` chooses fields, `skip_nans` drops points with a NaN, `uvs` chooses points by index.
     Raises AssertionError for anything but a PointCloud2 and for unknown fields.
@@ -88,7 +88,7 @@ def read_points_numpy(
     uvs: Iterable[int] | None = None,
     reshape_organized_cloud: bool = False,
 ) -> np.ndarray[Any, Any]:
-    """Return fields of one type as a plain array, one row a point; raises AssertionError for mixed types."""
+    """Return fields of one type as a plain array, one row per point; raises AssertionError for mixed types."""
     kinds = {field.datatype for field in cloud.fields if field_names is None or field.name in field_names}
     assert len(kinds) <= 1, (
         "All fields need to have the same datatype. Use `read_points()` otherwise."
@@ -118,7 +118,7 @@ def create_cloud(
 ) -> PointCloud2:
     """Return a cloud of points: a structured array, or rows of values in the order of the fields.
 
-    A two-dimensional array of records, or a three-dimensional one of values, gives an organized cloud.
+    A two-dimensional array of records, or a three-dimensional array of values, gives an organized cloud.
     Raises AssertionError when the types do not match.
     """
     dtype = dtype_from_fields(fields, point_step if point_step is not None else step)
@@ -130,7 +130,7 @@ def create_cloud(
     )
     if points.dtype.itemsize > dtype.itemsize and points.dtype.fields == dtype.fields:
         assert step is None and point_step is None, "The step is not the size of the records in the array!"
-        dtype = points.dtype  # records that are longer than their fields stay so
+        dtype = points.dtype  # records that are longer than their fields keep their length
     points = np.ascontiguousarray(points.astype(dtype))
     height, width = (1, len(points)) if points.ndim == 1 else points.shape[::-1]
     return PointCloud2(

@@ -1,4 +1,4 @@
-"""Messages for tests: of each type some that differ in every field."""
+"""Messages for tests: for each type, several messages that differ in every field."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def _basic(byte: int, real: float, whole: Callable[[str], int] = lambda name: 0)
 
 
 def get_msg_constants() -> list[Any]:
-    """A message with nothing but constants."""
+    """A message with constants only."""
     return [types.Constants()]
 
 
@@ -56,7 +56,7 @@ def get_msg_defaults() -> list[Any]:
 
 
 def get_msg_strings() -> list[Any]:
-    """No text, some, text beyond ASCII, and as much as is allowed."""
+    """An empty text, an ASCII text, a text beyond ASCII, and a text of the maximum length."""
     texts = ("", "Hello world!", "Hell\u00f6 w\u00f6rld!", "abc" * 7)
     return [types.Strings(string_value=text, bounded_string_value=text) for text in texts]
 
@@ -83,13 +83,13 @@ def get_msg_arrays() -> list[Any]:
 
 
 def get_msg_unbounded_sequences() -> list[Any]:
-    """Sequences: three of each, one, and none."""
+    """Sequences with three elements, with one, and without any."""
     one = types.UnboundedSequences(bool_values=[True], string_values=["max value"], basic_types_values=[_basic(1, 1.0)])
     return [_filled(types.UnboundedSequences()), one, types.UnboundedSequences(alignment_check=4)]
 
 
 def get_msg_bounded_sequences() -> list[Any]:
-    """Sequences with a bound: as many as is allowed, and none."""
+    """Bounded sequences, full and empty."""
     return [_filled(types.BoundedSequences()), types.BoundedSequences(alignment_check=4)]
 
 
@@ -114,7 +114,7 @@ def get_msg_multi_nested() -> list[Any]:
 
 
 def get_msg_bounded_plain_sequences() -> list[Any]:
-    """Sequences with a bound, without texts: as many as is allowed, and none."""
+    """Bounded sequences without texts, full and empty."""
     source, full = get_msg_bounded_sequences()[0], types.BoundedPlainSequences(alignment_check=2)
     for name in full.get_fields_and_field_types():
         if name.endswith("_values"):
@@ -123,7 +123,7 @@ def get_msg_bounded_plain_sequences() -> list[Any]:
 
 
 def get_msg_wstrings() -> list[Any]:
-    """No text, and text beyond ASCII, alone and in arrays and sequences."""
+    """Wide strings, empty and beyond ASCII, alone and in arrays and sequences."""
     many = types.WStrings(array_of_wstrings=["1", "two", "\u4e09"], bounded_sequence_of_wstrings=["one", "\u4e8c"])
     many.unbounded_sequence_of_wstrings = [".", "..", "...", "\u56db"]
     texts = ("ascii", "Hell\u00f6 w\u00f6rld!", "\u30cf\u30ed\u30fc\u30ef\u30fc\u30eb\u30c9")
@@ -131,7 +131,7 @@ def get_msg_wstrings() -> list[Any]:
 
 
 def get_test_msg(message_name: str) -> list[Any]:
-    """The messages of the type of that name; ValueError for another.
+    """The messages of the type with that name; raises ValueError for an unknown name.
 
     >>> len(get_test_msg("Builtins"))
     1

@@ -1,6 +1,6 @@
-"""How the stamped types of geometry_msgs are transformed; importing it registers them with tf2_ros.
+"""Transforms of the stamped types of geometry_msgs; importing this package registers them with tf2_ros.
 
-The types can be had from here, too, as in ROS 2.
+The types can be imported from here, too, as in ROS 2.
 """
 
 from geometry_msgs.msg import (

@@ -26,17 +26,17 @@ Message = TypeVar("Message")
 
 
 def to_msg_msg(msg: Message) -> Message:
-    """A message as a message."""
+    """Return the message unchanged."""
     return msg
 
 
 def from_msg_msg(msg: Message) -> Message:
-    """A message as a message."""
+    """Return the message unchanged."""
     return msg
 
 
 def _numbers(place: Any, turn: Any) -> Numbers:
-    """A position and a quaternion as a pose of coursekit.tf; a quaternion of zeros turns nothing."""
+    """A position and a quaternion as a pose of coursekit.tf; a quaternion of zeros counts as no rotation."""
     pose = (place.x, place.y, place.z, turn.x, turn.y, turn.z, turn.w)
     length = sum(part * part for part in pose[3:])
     if abs(length - 1.0) < 1e-12:
@@ -65,7 +65,7 @@ def do_transform_point(point: PointStamped, transform: TransformStamped) -> Poin
 
 
 def do_transform_vector3(vector3: Vector3Stamped, transform: TransformStamped) -> Vector3Stamped:
-    """The vector in the transform's frame: turned, not moved."""
+    """The vector in the transform's frame: rotated, not translated."""
     result = Vector3Stamped(header=transform.header)
     result.vector.x, result.vector.y, result.vector.z = vector3.vector.x, vector3.vector.y, vector3.vector.z
     _turn(result.vector, _of(transform)[3:])
@@ -91,7 +91,7 @@ def do_transform_pose_stamped(pose: PoseStamped, transform: TransformStamped) ->
 
 
 def transform_covariance(cov_in: Any, transform: TransformStamped) -> np.ndarray[Any, Any]:
-    """A 6x6 covariance (36 numbers, row by row), turned."""
+    """The rotated 6x6 covariance (36 numbers, row by row)."""
     rotation = np.array(matrix(_of(transform)))[:3, :3]
     blocks = np.asarray(cov_in, dtype=float).reshape(2, 3, 2, 3)
     turned = [[rotation @ blocks[a, :, b, :] @ rotation.T for b in (0, 1)] for a in (0, 1)]
@@ -109,7 +109,7 @@ def do_transform_pose_with_covariance_stamped(
 
 
 def do_transform_wrench(wrench: WrenchStamped, transform: TransformStamped) -> WrenchStamped:
-    """Force and torque in the transform's frame: turned; the point they act on stays."""
+    """Force and torque rotated into the transform's frame; their point of action stays the same."""
     result = WrenchStamped(header=transform.header)
     for name in ("force", "torque"):
         old, new = getattr(wrench.wrench, name), getattr(result.wrench, name)

@@ -1,4 +1,4 @@
-"""Between ROS's messages and the tuples of coursekit.tf."""
+"""Conversion between ROS's messages and the tuples of coursekit.tf."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _new: Any = object.__new__
 
 
 def nanoseconds(time: Any, what: str = "time") -> int:
-    """A point in time or a duration, as message or as rclpy's, in nanoseconds; TypeError for anything else."""
+    """A time or a duration, as a message or of rclpy's types, in nanoseconds; raises TypeError for other types."""
     if type(time) is Time:
         return time._ns
     if hasattr(time, "sec") and hasattr(time, "nanosec"):
@@ -27,7 +27,7 @@ def nanoseconds(time: Any, what: str = "time") -> int:
 
 
 def pose_of(transform: Any, faults: tuple[str, str]) -> Pose:
-    """The numbers of a geometry_msgs/Transform; TypeError with one of `faults` for parts of a wrong type."""
+    """The pose in a geometry_msgs/Transform; raises TypeError with one of `faults` for parts of a wrong type."""
     t, r = transform.translation, transform.rotation
     if not issubclass(type(t), Vector3):
         raise TypeError(faults[0])
@@ -37,7 +37,7 @@ def pose_of(transform: Any, faults: tuple[str, str]) -> Pose:
 
 
 def _maker() -> Callable[[str, str, int, Pose], TransformStamped]:
-    """The function below; a closure, because the names it uses a dozen times are then found fastest."""
+    """Return the function below. In a closure, the lookup of the names that it uses is fastest."""
 
     def stamped(target: str, source: str, stamp: int, pose: Pose) -> TransformStamped:
         msg = _new(TransformStamped)

@@ -1,4 +1,4 @@
-"""BufferCore: the science's buffer with ROS's messages, under the names of the C++ binding."""
+"""BufferCore: the buffer of coursekit.tf with ROS's messages, under the names of the C++ binding."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def _names(*frames: Any) -> None:
 
 
 class BufferCore:
-    """Transforms over time, for `cache_time` (ten seconds unless given).
+    """Transforms over time, kept for `cache_time` (ten seconds by default).
 
     >>> core = BufferCore()
     >>> core.can_transform_core("map", "robot", Time())
@@ -43,7 +43,7 @@ class BufferCore:
         self._frames = FrameBuffer(span)
 
     def set_transform(self, transform: TransformStamped, authority: str) -> None:
-        """Add a transform; what is wrong with one that is ignored is printed."""
+        """Add a transform. If it is invalid, it is ignored and the reason is printed."""
         header = transform.header
         pose = pose_of(transform.transform, _MEMBERS)
         stamp = nanoseconds(header.stamp)
@@ -55,7 +55,7 @@ class BufferCore:
         self._frames.set(transform.header.frame_id, transform.child_frame_id, 0, pose, authority, static=True)
 
     def lookup_transform_core(self, target_frame: str, source_frame: str, time: Any) -> TransformStamped:
-        """The pose of `source_frame` in `target_frame` at a time; time 0 is the newest common one."""
+        """The pose of `source_frame` in `target_frame` at a time; time 0 is the newest common time."""
         stamp = time._ns if type(time) is Time else nanoseconds(time)
         if type(target_frame) is not str or type(source_frame) is not str:
             _names(target_frame, source_frame)
@@ -67,7 +67,7 @@ class BufferCore:
     def lookup_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> TransformStamped:
-        """Where `source_frame` was at its time, in `target_frame` at its time, by way of `fixed_frame`."""
+        """The pose of `source_frame` at its time in `target_frame` at its time, through `fixed_frame`."""
         _names(target_frame, source_frame, fixed_frame)
         pose, stamp = self._frames.lookup_full(
             target_frame, nanoseconds(target_time), source_frame, nanoseconds(source_time), fixed_frame
@@ -75,7 +75,7 @@ class BufferCore:
         return stamped(target_frame, source_frame, stamp, pose)
 
     def can_transform_core(self, target_frame: str, source_frame: str, time: Any) -> tuple[int, str]:
-        """(1, '') when the lookup would succeed, or 0 and why not."""
+        """(1, '') when the lookup would succeed, or 0 and the reason why not."""
         _names(target_frame, source_frame)
         can, why = self._frames.can(target_frame, source_frame, nanoseconds(time))
         return int(can), why
@@ -83,7 +83,7 @@ class BufferCore:
     def can_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> tuple[int, str]:
-        """(1, '') when the full lookup would succeed, or 0 and why not."""
+        """(1, '') when the full lookup would succeed, or 0 and the reason why not."""
         _names(target_frame, source_frame, fixed_frame)
         can, why = self._frames.can_full(
             target_frame, nanoseconds(target_time), source_frame, nanoseconds(source_time), fixed_frame
@@ -100,7 +100,7 @@ class BufferCore:
     def lookupVelocityCore(
         self, tracking_frame: str, observation_frame: str, time: Any, averaging_interval: Any
     ) -> tuple[tuple[float, ...], tuple[float, ...]]:
-        """Linear and angular velocity of `tracking_frame` seen from `observation_frame`."""
+        """Linear and angular velocity of `tracking_frame` relative to `observation_frame`."""
         return self.lookupVelocityFullCore(
             tracking_frame,
             observation_frame,
@@ -121,7 +121,7 @@ class BufferCore:
         time: Any,
         averaging_interval: Any,
     ) -> tuple[tuple[float, ...], tuple[float, ...]]:
-        """The same, of a point, written in `reference_frame`."""
+        """The velocity at a reference point, expressed in `reference_frame`."""
         return velocity(
             self._frames,
             tracking_frame,
@@ -134,7 +134,7 @@ class BufferCore:
         )
 
     def all_frames_as_yaml(self) -> str:
-        """Every frame with parent, broadcaster, rate and times."""
+        """All frames with parent, broadcaster, rate and times."""
         return self._frames.all_frames_as_yaml()
 
     def all_frames_as_string(self) -> str:
@@ -142,7 +142,7 @@ class BufferCore:
         return self._frames.all_frames_as_string()
 
     def clear(self) -> None:
-        """Forget all transforms."""
+        """Discard all transforms."""
         self._frames.clear()
 
     def _frameExists(self, frame_id: str) -> bool:

@@ -1,6 +1,6 @@
-"""Listening to, looking up and broadcasting transforms.
+"""Listeners, lookups and broadcasters of transforms.
 
-As in ROS 2, where the modules' names are all taken over, messages and rclpy's classes can be had from here, too.
+As in ROS 2, which re-exports all names of its modules, messages and rclpy's classes can be imported from here, too.
 """
 
 from geometry_msgs.msg import TransformStamped

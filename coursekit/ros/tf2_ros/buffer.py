@@ -1,4 +1,4 @@
-"""The buffer that programs use: it waits, and answers `tf2_frames`."""
+"""The buffer that programs use: it waits for transforms and serves `tf2_frames`."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from tf2_ros.buffer_interface import BufferInterface
 
 _AT_ONCE = Duration()
 POLL_SECONDS = 0.02
-"""How often a wait looks at a clock that follows /clock."""
+"""The period at which a wait polls a clock that follows /clock."""
 
 
 class Buffer(BufferCore, BufferInterface):
     """Transforms of the last `cache_time`, filled by a TransformListener.
 
-    With a `node` it offers the service tf2_frames, waits on the node's clock, and is emptied when that jumps back.
+    With a `node` it offers the service tf2_frames and waits on the node's clock. It is cleared when the clock jumps back.
     """
 
     def __init__(self, cache_time: Duration | None = None, node: Node | None = None) -> None:
@@ -51,13 +51,13 @@ class Buffer(BufferCore, BufferInterface):
         self.clear()
 
     def set_transform(self, transform: TransformStamped, authority: str) -> None:
-        """Add a transform, and wake those who wait for it."""
+        """Add a transform, and wake pending waits."""
         super().set_transform(transform, authority)
         if self._new_data_callbacks:
             self._call_new_data_callbacks()
 
     def set_transform_static(self, transform: TransformStamped, authority: str) -> None:
-        """Add a transform that holds for all times, and wake those who wait for it."""
+        """Add a transform that holds for all times, and wake pending waits."""
         super().set_transform_static(transform, authority)
         if self._new_data_callbacks:
             self._call_new_data_callbacks()
@@ -70,12 +70,12 @@ class Buffer(BufferCore, BufferInterface):
         if callback in self._new_data_callbacks:
             self._new_data_callbacks.remove(callback)
 
-    # -- looking up
+    # -- lookups
 
     def lookup_transform(
         self, target_frame: str, source_frame: str, time: Time, timeout: Duration = _AT_ONCE
     ) -> TransformStamped:
-        """The transform from source to target; waits at most `timeout` until there is one.
+        """The transform from source to target; waits at most `timeout` until it is available.
 
         `time` Time() is the newest. Raises LookupException, ConnectivityException, ExtrapolationException,
         InvalidArgumentException.
@@ -85,7 +85,7 @@ class Buffer(BufferCore, BufferInterface):
         return self.lookup_transform_core(target_frame, source_frame, time)
 
     async def lookup_transform_async(self, target_frame: str, source_frame: str, time: Time) -> TransformStamped:
-        """The transform from source to target, as soon as there is one."""
+        """The transform from source to target, as soon as it is available."""
         await self.wait_for_transform_async(target_frame, source_frame, time)
         return self.lookup_transform_core(target_frame, source_frame, time)
 
@@ -98,7 +98,7 @@ class Buffer(BufferCore, BufferInterface):
         fixed_frame: str,
         timeout: Duration = _AT_ONCE,
     ) -> TransformStamped:
-        """Where source was at its time, seen from target at its time; `fixed_frame` did not move in between."""
+        """The pose of source at its time in target at its time; `fixed_frame` did not move in between."""
         asked = (target_frame, target_time, source_frame, source_time, fixed_frame)
         if timeout is not _AT_ONCE and timeout != _AT_ONCE:
             self._wait(lambda: self.can_transform_full_core(*asked)[0], timeout)
@@ -107,12 +107,12 @@ class Buffer(BufferCore, BufferInterface):
     async def lookup_transform_full_async(
         self, target_frame: str, target_time: Time, source_frame: str, source_time: Time, fixed_frame: str
     ) -> TransformStamped:
-        """The same, as soon as it can be."""
+        """The same, as soon as it is available."""
         asked = (target_frame, target_time, source_frame, source_time, fixed_frame)
         await self.wait_for_transform_full_async(*asked)
         return self.lookup_transform_full_core(*asked)
 
-    # -- asking whether it can be
+    # -- queries
 
     def can_transform(
         self,
@@ -122,7 +122,7 @@ class Buffer(BufferCore, BufferInterface):
         timeout: Duration = _AT_ONCE,
         return_debug_tuple: bool = False,
     ) -> Any:
-        """Whether the lookup would succeed, perhaps after waiting; with `return_debug_tuple` also why not."""
+        """Whether the lookup would succeed within `timeout`; with `return_debug_tuple` also the reason why not."""
         return self._can(lambda: self.can_transform_core(target_frame, source_frame, time), timeout, return_debug_tuple)
 
     def can_transform_full(
@@ -135,7 +135,7 @@ class Buffer(BufferCore, BufferInterface):
         timeout: Duration = _AT_ONCE,
         return_debug_tuple: bool = False,
     ) -> Any:
-        """Whether the full lookup would succeed, perhaps after waiting."""
+        """Whether the full lookup would succeed within `timeout`."""
         asked = (target_frame, target_time, source_frame, source_time, fixed_frame)
         return self._can(lambda: self.can_transform_full_core(*asked), timeout, return_debug_tuple)
 
@@ -146,7 +146,7 @@ class Buffer(BufferCore, BufferInterface):
         return answer if debug else answer[0]
 
     def _wait(self, ready: Callable[[], Any], timeout: Any) -> None:
-        """Wait until ready, until the time is over, or until time jumps back by more than three seconds."""
+        """Wait until ready, until the timeout, or until the clock jumps back by more than three seconds."""
         if ready():
             return
         clock = self._clock

@@ -1,4 +1,4 @@
-"""Asks a BufferServer for transforms, by an action."""
+"""A client that requests transforms from a BufferServer with an action."""
 
 from __future__ import annotations
 
@@ -33,11 +33,11 @@ _ERRORS = {
     TF2Error.TIMEOUT_ERROR: TimeoutException,
 }
 GRACE_SECONDS = 2.0
-"""The answer may come so much later than the goal could wait: also without padding the server's reason is heard."""
+"""The extra time for the result after the goal's timeout. Even without padding, the server's reason then arrives."""
 
 
 class BufferClient(BufferInterface):
-    """The buffer of another node, reached by the action `ns`. The node must be spun by another thread."""
+    """The buffer of another node, accessed with the action `ns`. Another thread must spin the node."""
 
     def __init__(
         self,
@@ -53,7 +53,7 @@ class BufferClient(BufferInterface):
         self.timeout_padding = timeout_padding
 
     def destroy(self) -> None:
-        """Let go of the action client."""
+        """Destroy the action client."""
         self.action_client.destroy()
 
     def lookup_transform(
@@ -83,7 +83,7 @@ class BufferClient(BufferInterface):
         fixed_frame: str,
         timeout: Duration = Duration(),
     ) -> TransformStamped:
-        """Where source was at its time, seen from target at its time."""
+        """The pose of source at its time in target at its time."""
         goal = LookupTransform.Goal(target_frame=target_frame, source_frame=source_frame, fixed_frame=fixed_frame)
         goal.source_time = source_time.to_msg()
         goal.target_time = target_time.to_msg()

@@ -1,4 +1,4 @@
-"""The interface of every source of transforms, and the register of types that can be transformed."""
+"""The interface of every source of transforms, and the registry of types that can be transformed."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ DoTransform = Callable[[Any, TransformStamped], Any]
 
 
 class TypeException(Exception):
-    """Nobody has registered how this type is transformed or converted."""
+    """No function that transforms or converts this type is registered."""
 
     def __init__(self, errstr: str) -> None:
         super().__init__(errstr)
@@ -31,7 +31,7 @@ class NotImplementedException(Exception):
 
 
 class BufferInterface:
-    """Transforms messages by the lookups that a subclass offers."""
+    """Transforms messages with the lookups of a subclass."""
 
     def __init__(self) -> None:
         self.registration = TransformRegistration()
@@ -39,9 +39,9 @@ class BufferInterface:
     def transform(
         self, object_stamped: Any, target_frame: str, timeout: Duration = Duration(), new_type: type | None = None
     ) -> Any:
-        """A stamped message in another frame, at its own time; perhaps as another type.
+        """A stamped message in another frame, at its own time, optionally converted to `new_type`.
 
-        Raises TypeException for a type that nobody registered (import tf2_geometry_msgs), and as a lookup does.
+        Raises TypeException for a type that is not registered (import tf2_geometry_msgs), and the errors of a lookup.
         """
         do_transform = self.registration.get(type(object_stamped))
         header = object_stamped.header
@@ -57,7 +57,7 @@ class BufferInterface:
         timeout: Duration = Duration(),
         new_type: type | None = None,
     ) -> Any:
-        """A stamped message in another frame at another time, by way of a frame that does not move."""
+        """A stamped message in another frame at another time, through a frame that does not move."""
         do_transform = self.registration.get(type(object_stamped))
         header = object_stamped.header
         found = self.lookup_transform_full(target_frame, target_time, header.frame_id, header.stamp, fixed_frame, timeout)
@@ -99,48 +99,48 @@ class BufferInterface:
 
 
 def Stamped(obj: Any, stamp: Any, frame_id: str) -> Any:
-    """The object with a header."""
+    """Set the object's header and return the object."""
     obj.header = Header(frame_id=frame_id, stamp=stamp)
     return obj
 
 
 class TransformRegistration:
-    """How each type is transformed; one register for all."""
+    """The function that transforms each type; all instances share one registry."""
 
     _types: dict[type, DoTransform] = {}
 
     def print_me(self) -> None:
-        """Print the register."""
+        """Print the registry."""
         print(self._types)
 
     def add(self, key: type, callback: DoTransform) -> None:
-        """`callback(message, transform)` transforms messages of type `key`."""
+        """Register `callback(message, transform)`, which transforms messages of type `key`."""
         self._types[key] = callback
 
     def get(self, key: type) -> DoTransform:
-        """The function for a type; TypeException when there is none."""
+        """The function for a type; raises TypeException if there is none."""
         if key not in self._types:
             raise TypeException(f"Type {key} is not loaded or supported")
         return self._types[key]
 
 
 class ConvertRegistration:
-    """How types become messages and the other way round; one register for all."""
+    """The functions that convert types to messages and back; all instances share one registry."""
 
     _to_msg: dict[Any, Callable[[Any], Any]] = {}
     _from_msg: dict[Any, Callable[[Any], Any]] = {}
     _convert: dict[Any, Callable[[Any], Any]] = {}
 
     def add_from_msg(self, key: type, callback: Callable[[Any], Any]) -> None:
-        """`callback(msg)` makes a `key` of a message."""
+        """Register `callback(msg)`, which converts a message to a `key`."""
         self._from_msg[key] = callback
 
     def add_to_msg(self, key: type, callback: Callable[[Any], Any]) -> None:
-        """`callback(obj)` makes a message of a `key`."""
+        """Register `callback(obj)`, which converts a `key` to a message."""
         self._to_msg[key] = callback
 
     def add_convert(self, key: tuple[type, type], callback: Callable[[Any], Any]) -> None:
-        """`callback(obj)` makes a `key[1]` of a `key[0]`."""
+        """Register `callback(obj)`, which converts a `key[0]` to a `key[1]`."""
         self._convert[key] = callback
 
     def get_from_msg(self, key: type) -> Callable[[Any], Any]:
@@ -163,7 +163,7 @@ def _registered(functions: dict[Any, Callable[[Any], Any]], key: Any) -> Callabl
 
 
 def convert(a: Any, b_type: type) -> Any:
-    """`a` as another type: by a registered function, a copy, or by way of a message."""
+    """Convert `a` to another type: with a registered function, as a copy, or through a message."""
     register = ConvertRegistration()
     if (type(a), b_type) in register._convert:
         return register.get_convert((type(a), b_type))(a)

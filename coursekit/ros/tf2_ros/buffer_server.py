@@ -1,4 +1,4 @@
-"""Answers BufferClients out of a buffer. In ROS 2: of C++ only."""
+"""A server that answers BufferClients from a buffer. In ROS 2: in C++ only."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _CODES = (
 
 
 class BufferServer:
-    """The action `ns` of tf2_msgs/LookupTransform; goals that cannot be met yet are tried every `check_period`."""
+    """Serves the action `ns` of tf2_msgs/LookupTransform; retries goals that cannot be met yet every `check_period`."""
 
     def __init__(self, buffer: Any, node: Node, ns: str, check_period: Duration = Duration(seconds=0.01)) -> None:
         self.buffer = buffer
@@ -42,7 +42,7 @@ class BufferServer:
         self.check_timer = node.create_timer(check_period.nanoseconds * 1e-9, self._check)
 
     def destroy(self) -> None:
-        """Leave the graph."""
+        """Destroy the action server and the timer."""
         self.server.destroy()
         self.node.destroy_timer(self.check_timer)
 
@@ -81,7 +81,7 @@ class BufferServer:
         except TransformException as error:
             result.error.error = next(code for kind, code in _CODES if isinstance(error, kind))
             result.error.error_string = str(error)
-        handle.succeed()  # a transform that is not there is an answer, too
+        handle.succeed()  # a missing transform is a valid result, too
         return result
 
 

@@ -1,4 +1,4 @@
-"""Sends transforms that never change, on /tf_static, where late listeners still get them."""
+"""A broadcaster of static transforms on /tf_static, which late listeners still receive."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from tf2_ros.transform_broadcaster import as_list
 
 
 class StaticTransformBroadcaster:
-    """A publisher of /tf_static; each message holds all that was sent so far, because only the last one is kept."""
+    """A publisher of /tf_static. Each message contains all transforms so far, because only the last message is kept."""
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
         if qos is None:
@@ -22,7 +22,7 @@ class StaticTransformBroadcaster:
         self.net_message = TFMessage()
 
     def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
-        """Send one transform, or several; one for a known child replaces the old one."""
+        """Send one transform, or several; a transform of a known child replaces the old one."""
         known = {sent.child_frame_id: sent for sent in self.net_message.transforms}
         known.update((new.child_frame_id, new) for new in as_list(transform))
         self.net_message.transforms = list(known.values())

@@ -1,4 +1,4 @@
-"""Fills a buffer with the transforms that never change."""
+"""A listener that fills a buffer with static transforms."""
 
 from __future__ import annotations
 

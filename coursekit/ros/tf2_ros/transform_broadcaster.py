@@ -1,4 +1,4 @@
-"""Sends transforms that change, on /tf."""
+"""A broadcaster of changing transforms on /tf."""
 
 from __future__ import annotations
 

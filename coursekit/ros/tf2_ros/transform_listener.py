@@ -1,4 +1,4 @@
-"""Fills a buffer with what is broadcast."""
+"""A listener that fills a buffer with broadcast transforms."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ DEFAULT_STATIC_TF_TOPIC = "/tf_static"
 class TransformListener:
     """Subscribes to /tf and /tf_static for a buffer.
 
-    With `spin_thread` the node is spun by a thread of the listener's own; `static_only` leaves /tf out; `node` None
-    makes a hidden node.
+    With `spin_thread`, a thread of the listener's own spins the node. `static_only` leaves /tf out. If `node` is None,
+    the listener creates a hidden node.
     """
 
     def __init__(
@@ -39,7 +39,7 @@ class TransformListener:
     ) -> None:
         self.buffer = buffer
         self.node = _own_node() if node is None else node
-        self.group = ReentrantCallbackGroup()  # so that a callback of the node may wait for a transform
+        self.group = ReentrantCallbackGroup()  # a callback of the node may thus wait for a transform
         if not static_only:
             self.tf_sub = self.node.create_subscription(
                 TFMessage,
@@ -68,18 +68,18 @@ class TransformListener:
             self.unregister()
 
     def unregister(self) -> None:
-        """Listen no more."""
+        """Destroy the subscriptions."""
         if hasattr(self, "tf_sub"):
             self.node.destroy_subscription(self.tf_sub)
         self.node.destroy_subscription(self.tf_static_sub)
 
     def callback(self, data: TFMessage) -> None:
-        """Take what moves."""
+        """Add transforms to the buffer."""
         for transform in data.transforms:
             self.buffer.set_transform(transform, "default_authority")
 
     def static_callback(self, data: TFMessage) -> None:
-        """Take what does not move."""
+        """Add static transforms to the buffer."""
         for transform in data.transforms:
             self.buffer.set_transform_static(transform, "default_authority")
 

@@ -1,4 +1,4 @@
-"""How point clouds are transformed; importing it registers PointCloud2 with tf2_ros."""
+"""Transforms of point clouds; importing this package registers PointCloud2 with tf2_ros."""
 
 from geometry_msgs.msg import TransformStamped
 from sensor_msgs.msg import PointCloud2, PointField

@@ -1,4 +1,4 @@
-"""Transforming many points at once."""
+"""Transforms of many points at once."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from coursekit.geometry.pose import matrix
 
 
 def transform_points(point_cloud: Any, transform: Transform | TransformStamped) -> np.ndarray[Any, Any]:
-    """Points in rows of x, y, z (n x 3), transformed."""
+    """Transform points given as rows of x, y, z (n x 3)."""
     motion = transform.transform if isinstance(transform, TransformStamped) else transform
     homogeneous = np.array(matrix(_numbers(motion.translation, motion.rotation)))
     return np.asarray(point_cloud) @ homogeneous[:3, :3].T + homogeneous[:3, 3]
 
 
 def do_transform_cloud(cloud: PointCloud2, transform: Transform | TransformStamped) -> PointCloud2:
-    """The cloud in the transform's frame; fields besides x, y and z stay as they are."""
+    """The cloud in the transform's frame; other fields than x, y and z are unchanged."""
     points = read_points(cloud).copy()
     places = np.stack([points[axis] for axis in "xyz"], axis=-1)
     for axis, column in zip("xyz", transform_points(places, transform).T, strict=True):

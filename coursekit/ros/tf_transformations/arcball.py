@@ -1,4 +1,4 @@
-"""A ball on the screen that the mouse turns."""
+"""A virtual trackball on the screen that the mouse rotates."""
 
 from __future__ import annotations
 
@@ -39,24 +39,24 @@ class Arcball:
         self._qnow = self._qpre = self._qdown
 
     def place(self, center: Any, radius: float) -> None:
-        """Where the ball lies in the window."""
+        """Set the ball's position and radius in the window."""
         self._radius = float(radius)
         self._center = [center[0], center[1]]
 
     def setaxes(self, *axes: Any) -> None:
-        """The axes that it may turn about while constrained; none: any."""
+        """Set the axes of constrained rotation; without axes, any axis is allowed."""
         self._axes = [unit_vector(axis) for axis in axes] or None
 
     def setconstrain(self, constrain: bool) -> None:
-        """Turn only about the axes, or freely."""
+        """Constrain the rotation to the axes, or allow any rotation."""
         self._constrain = constrain is True
 
     def getconstrain(self) -> bool:
-        """Whether it turns only about the axes."""
+        """Whether the rotation is constrained to the axes."""
         return self._constrain
 
     def down(self, point: Any) -> None:
-        """The button was pressed there."""
+        """Start a drag at a point."""
         self._vdown = arcball_map_to_sphere(point, self._center, self._radius)
         self._qdown = self._qpre = self._qnow
         self._axis = None
@@ -65,7 +65,7 @@ class Arcball:
             self._vdown = arcball_constrain_to_axis(self._vdown, self._axis)
 
     def drag(self, point: Any) -> None:
-        """The mouse moved there."""
+        """Rotate the ball for a mouse movement to a point."""
         now = arcball_map_to_sphere(point, self._center, self._radius)
         if self._axis is not None:
             now = arcball_constrain_to_axis(now, self._axis)
@@ -77,12 +77,12 @@ class Arcball:
             self._qnow = quaternion_multiply((*turn, self._vdown @ now), self._qdown)
 
     def next(self, acceleration: float = 0.0) -> None:
-        """Turn on as in the last drag."""
+        """Continue the rotation of the last drag."""
         following = quaternion_slerp(self._qpre, self._qnow, 2.0 + acceleration, 0)
         self._qpre, self._qnow = self._qnow, following
 
     def matrix(self) -> Array:
-        """The 4x4 rotation now."""
+        """The current 4x4 rotation."""
         return quaternion_matrix(self._qnow)
 
 
@@ -96,7 +96,7 @@ def arcball_map_to_sphere(point: Any, center: Any, radius: float) -> Array:
 
 
 def arcball_constrain_to_axis(point: Any, axis: Any) -> Array:
-    """The point of the sphere at right angles to the axis that is nearest."""
+    """The nearest point of the sphere that is perpendicular to the axis."""
     a = np.asarray(axis, dtype=np.float64)
     v = np.asarray(point, dtype=np.float64)
     v = v - a * (a @ v)

@@ -30,7 +30,7 @@ _TUPLE2AXES = {code: name for name, code in _AXES2TUPLE.items()}
 
 
 def encoding(axes: Axes) -> tuple[int, int, int, int]:
-    """The four numbers of an order; KeyError for one that is none."""
+    """The four numbers of an order; raises KeyError for an unknown order."""
     if isinstance(axes, str):
         return _AXES2TUPLE[axes.lower()]
     if tuple(axes) not in _TUPLE2AXES:
@@ -39,7 +39,7 @@ def encoding(axes: Axes) -> tuple[int, int, int, int]:
 
 
 def turns(ai: float, aj: float, ak: float, axes: Axes) -> tuple[tuple[int, float], tuple[int, float], tuple[int, float]]:
-    """The three turns about static axes, in the order in which they are made, as (axis, angle)."""
+    """The three rotations about static axes as (axis, angle), in the order of application."""
     first, parity, repetition, frame = encoding(axes)
     if frame:
         ai, ak = ak, ai
@@ -70,7 +70,7 @@ def _about(axis: int, angle: float) -> Array:
 
 
 def euler_from_matrix(matrix: Any, axes: Axes = "sxyz") -> tuple[float, float, float]:
-    """The three angles of a rotation (3x3 or 4x4); where they are not unique, one is 0."""
+    """The three angles of a rotation (3x3 or 4x4); if they are not unique, one is 0."""
     first, parity, repetition, frame = encoding(axes)
     i, j = first, (first + 1 + parity) % 3
     k = 3 - i - j

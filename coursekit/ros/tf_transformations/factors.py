@@ -1,4 +1,4 @@
-"""A matrix as rotation, zooms and shears."""
+"""The factors of a matrix: rotation, scales and shears."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from .vectors import Array
 
 
 def rotation_part(matrix: Any) -> Array:
-    """The rotation in a 3x3 or 4x4 matrix, without zooms and shears."""
+    """The rotation in a 3x3 or 4x4 matrix, without scales and shears."""
     return factors(np.asarray(matrix, dtype=np.float64)[:3, :3])[0]
 
 
 def factors(m: Array) -> tuple[Array, Array, Array]:
-    """Rotation, zooms and shears with m = rotation · zooms · shears: each column loses its part along the ones before."""
+    """Rotation, scales and shears with m = rotation · scales · shears, by Gram-Schmidt orthogonalization of the columns."""
     rotation, scale, shear = np.empty((3, 3)), np.empty(3), {}
     for column in range(3):
         rest = m[:, column].copy()

@@ -1,4 +1,4 @@
-"""Matrices that mirror, scale, shear, project and clip, and what they are made of."""
+"""Matrices that reflect, scale, shear, project and clip, and the recovery of their parameters."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ def _matrix(linear: Array, move: Array) -> Array:
 
 
 def reflection_matrix(point: Any, normal: Any) -> Array:
-    """Mirrors at the plane through `point` with that normal."""
+    """The reflection in the plane through `point` with that normal."""
     n = unit_vector(_vector(normal))
     return _matrix(np.identity(3) - 2.0 * np.outer(n, n), 2.0 * (_vector(point) @ n) * n)
 
 
 def reflection_from_matrix(matrix: Any) -> tuple[Array, Array]:
-    """A point of the mirror's plane (the nearest to the origin), and its normal."""
+    """The point of the reflection plane nearest to the origin, and the normal of the plane."""
     m = np.asarray(matrix, dtype=np.float64)
     values, vectors = np.linalg.eigh(m[:3, :3])
     if abs(values[0] + 1.0) > 1e-8:
@@ -37,7 +37,7 @@ def reflection_from_matrix(matrix: Any) -> tuple[Array, Array]:
 
 
 def scale_matrix(factor: float, origin: Any = None, direction: Any = None) -> Array:
-    """Scales about `origin`, in all directions or in one."""
+    """The scaling about `origin`, in all directions or along one."""
     if direction is None:
         linear = np.identity(3) * factor
     else:
@@ -48,7 +48,7 @@ def scale_matrix(factor: float, origin: Any = None, direction: Any = None) -> Ar
 
 
 def scale_from_matrix(matrix: Any) -> tuple[float, Array, Array | None]:
-    """Factor, origin, and direction (None when it scales in all)."""
+    """Factor, origin, and direction (None if it scales in all directions)."""
     m = np.asarray(matrix, dtype=np.float64)
     factor = float(np.trace(m[:3, :3])) - 2.0
     values, vectors = np.linalg.eigh(m[:3, :3])
@@ -61,7 +61,7 @@ def scale_from_matrix(matrix: Any) -> tuple[float, Array, Array | None]:
 
 
 def shear_matrix(angle: float, direction: Any, point: Any, normal: Any) -> Array:
-    """Shears by an angle along `direction`, which lies in the plane through `point` with `normal`."""
+    """The shear by an angle along `direction`, which lies in the plane through `point` with `normal`."""
     d, n = unit_vector(_vector(direction)), unit_vector(_vector(normal))
     if abs(float(d @ n)) > 1e-5:
         raise ValueError("direction and normal vectors are not orthogonal")
@@ -70,7 +70,7 @@ def shear_matrix(angle: float, direction: Any, point: Any, normal: Any) -> Array
 
 
 def shear_from_matrix(matrix: Any) -> tuple[float, Array, Array, Array]:
-    """Angle, direction, point and normal."""
+    """Angle, direction, point and normal of a shear."""
     m = np.asarray(matrix, dtype=np.float64)
     u, sizes, vh = np.linalg.svd(m[:3, :3] - np.identity(3))
     slope = float(sizes[0])
@@ -83,8 +83,10 @@ def shear_from_matrix(matrix: Any) -> tuple[float, Array, Array, Array]:
 def projection_matrix(
     point: Any, normal: Any, direction: Any = None, perspective: Any = None, pseudo: bool = False
 ) -> Array:
-    """Projects onto the plane through `point` with `normal`: along the normal, along `direction`, or from the point
-    `perspective` (with `pseudo`, depth is kept)."""
+    """The projection onto the plane through `point` with `normal`.
+
+    It is along the normal, along `direction`, or from the point `perspective` (with `pseudo`, depth is kept).
+    """
     n = unit_vector(_vector(normal))
     height = float(_vector(point) @ n)
     if perspective is None:
@@ -102,7 +104,7 @@ def projection_matrix(
 
 
 def projection_from_matrix(matrix: Any, pseudo: bool = False) -> tuple[Array, Array, Array | None, Array | None, bool]:
-    """Point, normal, direction, perspective and pseudo: what `projection_matrix` takes."""
+    """Point, normal, direction, perspective and pseudo: the arguments of `projection_matrix`."""
     m = np.array(matrix, dtype=np.float64)
     size = float(np.linalg.norm(m[3, :3]))
     if size < 1e-8:
@@ -120,9 +122,9 @@ def projection_from_matrix(matrix: Any, pseudo: bool = False) -> tuple[Array, Ar
 def clip_matrix(
     left: float, right: float, bottom: float, top: float, near: float, far: float, perspective: bool = False
 ) -> Array:
-    """From a box (or, with `perspective`, a truncated pyramid) to the cube from -1 to 1.
+    """The mapping of a box (or, with `perspective`, a truncated pyramid) to the cube from -1 to 1.
 
-    ValueError for limits in the wrong order.
+    Raises ValueError for limits in the wrong order.
     """
     if left >= right or bottom >= top or near >= far:
         raise ValueError("invalid frustrum")

@@ -1,4 +1,4 @@
-"""Homogeneous 4x4 matrices: making them, taking them apart, comparing them."""
+"""Homogeneous 4x4 matrices: composition, decomposition and comparison."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ from .vectors import Array, vector_norm
 
 
 def identity_matrix() -> Array:
-    """The matrix that changes nothing."""
+    """The identity matrix."""
     return np.identity(4)
 
 
 def translation_matrix(direction: Any) -> Array:
-    """Moves by a vector."""
+    """The translation by a vector."""
     return _affine(np.identity(3), direction)
 
 
 def translation_from_matrix(matrix: Any) -> Array:
-    """The vector that a matrix moves the origin by."""
+    """The translation vector of a matrix."""
     return np.array(matrix, dtype=np.float64)[:3, 3]
 
 
 def rotation_matrix(angle: float, direction: Any, point: Any = None) -> Array:
-    """Turns by an angle about an axis through `point` (the origin unless given)."""
+    """The rotation by an angle about an axis through `point` (the origin by default)."""
     matrix = quaternion_matrix(quaternion_about_axis(angle, direction[:3]))
     if point is not None:
         place = np.asarray(point[:3], dtype=np.float64)
@@ -45,7 +45,7 @@ def rotation_from_matrix(matrix: Any) -> tuple[float, Array, Array]:
     if not length:
         return 0.0, np.array((1.0, 0.0, 0.0)), np.zeros(3)
     direction = np.array(quaternion[:3]) / length
-    chord = m[:3, 3] - direction * (direction @ m[:3, 3])  # between the origin and where it was turned to
+    chord = m[:3, 3] - direction * (direction @ m[:3, 3])  # from the origin to its rotated position
     point = (chord + np.cross(direction, chord) * quaternion[3] / length) / 2.0
     return 2.0 * math.atan2(length, quaternion[3]), direction, point
 
@@ -53,7 +53,7 @@ def rotation_from_matrix(matrix: Any) -> tuple[float, Array, Array]:
 def compose_matrix(
     scale: Any = None, shear: Any = None, angles: Any = None, translate: Any = None, perspective: Any = None
 ) -> Array:
-    """A matrix that shears (xy, xz, yz), then scales, turns (angles about static x, y, z) and moves.
+    """A matrix that shears (xy, xz, yz), then scales, rotates (angles about static x, y, z) and translates.
 
     `perspective` is not used, as in ROS 2's package.
     """
@@ -69,14 +69,14 @@ def compose_matrix(
 
 
 def decompose_matrix(matrix: Any) -> tuple[Array, Array, tuple[float, float, float], Array, None]:
-    """Scale, shear, angles, translation and None: what `compose_matrix` takes."""
+    """Scale, shear, angles, translation and None: the arguments of `compose_matrix`."""
     m = np.array(matrix, dtype=np.float64)
     rotation, scale, shear = factors(m[:3, :3])
     return scale, shear, euler_from_matrix(rotation), m[:3, 3], None
 
 
 def orthogonalization_matrix(lengths: Any, angles: Any) -> Array:
-    """From coordinates of a crystal's cell to right-angled ones; angles in degrees."""
+    """The conversion from coordinates of a crystal's cell to orthogonal coordinates; angles in degrees."""
     a, b, c = lengths
     sin_a, sin_b, _ = np.sin(np.radians(angles))
     cos_a, cos_b, cos_g = np.cos(np.radians(angles))
@@ -91,9 +91,9 @@ def orthogonalization_matrix(lengths: Any, angles: Any) -> Array:
 
 
 def superimposition_matrix(v0: Any, v1: Any, scaling: bool = False, usesvd: bool = True) -> Array:
-    """The rigid motion (with `scaling`, also a zoom) that brings points v0 nearest to v1; a point is a column.
+    """The rigid motion (with `scaling`, also a scale) that brings points v0 nearest to v1; a point is a column.
 
-    Kabsch's method by singular values, or Horn's by a quaternion. ValueError for fewer than three points.
+    It uses Kabsch's method with singular values, or Horn's with a quaternion. Raises ValueError for fewer than three points.
     """
     a = np.asarray(v0, dtype=np.float64)[:3]
     b = np.asarray(v1, dtype=np.float64)[:3]
@@ -115,7 +115,7 @@ def _kabsch(products: Array) -> Array:
 
 
 def _horn(products: Array) -> Array:
-    """The quaternion that maximises the sum of b · (q a q*) is an eigenvector of a symmetric matrix."""
+    """Horn's method: the quaternion that maximises the sum of b · (q a q*) is an eigenvector of a symmetric matrix."""
     p = products
     skew = np.array((p[2, 1] - p[1, 2], p[0, 2] - p[2, 0], p[1, 0] - p[0, 1]))
     form = np.empty((4, 4))
@@ -127,12 +127,12 @@ def _horn(products: Array) -> Array:
 
 
 def inverse_matrix(matrix: Any) -> Array:
-    """The matrix that undoes this one."""
+    """The inverse of a matrix."""
     return np.linalg.inv(matrix)
 
 
 def concatenate_matrices(*matrices: Any) -> Array:
-    """The product; the last one acts first."""
+    """The product of matrices; the last one acts first."""
     product = np.identity(4)
     for matrix in matrices:
         product = product @ np.asarray(matrix)
@@ -140,7 +140,7 @@ def concatenate_matrices(*matrices: Any) -> Array:
 
 
 def is_same_transform(matrix0: Any, matrix1: Any) -> bool:
-    """Whether two matrices do the same to every point."""
+    """Whether two matrices describe the same transform."""
     a = np.array(matrix0, dtype=np.float64)
     b = np.array(matrix1, dtype=np.float64)
     return bool(np.allclose(a / a[3, 3], b / b[3, 3]))

@@ -15,7 +15,7 @@ Quaternion = tuple[float, float, float, float]
 
 
 def quaternion_multiply(quaternion1: Any, quaternion0: Any) -> Quaternion:
-    """First the turn `quaternion0`, then `quaternion1`.
+    """The rotation `quaternion0` followed by `quaternion1`.
 
     >>> quaternion_multiply([1, -2, 3, 4], [-5, 6, 7, 8])
     (-44.0, -14.0, 48.0, 28.0)
@@ -54,14 +54,14 @@ def euler_from_quaternion(quaternion: Any, axes: Axes = "sxyz") -> tuple[float, 
 
 
 def quaternion_about_axis(angle: float, axis: Any) -> Quaternion:
-    """The turn by `angle` about `axis` (of any length but 0)."""
+    """The rotation by `angle` about `axis` (of any length but 0)."""
     x, y, z = (float(part) for part in axis)
     scale = math.sin(angle / 2) / math.sqrt(x * x + y * y + z * z)
     return x * scale, y * scale, z * scale, math.cos(angle / 2)
 
 
 def quaternion_matrix(quaternion: Any) -> Array:
-    """The 4x4 rotation of a quaternion of any length; zeros turn nothing."""
+    """The 4x4 rotation of a quaternion of any length; a quaternion of zeros gives the identity."""
     x, y, z, w = (float(part) for part in quaternion)
     matrix = np.identity(4)
     length = x * x + y * y + z * z + w * w
@@ -77,7 +77,7 @@ def quaternion_matrix(quaternion: Any) -> Array:
 
 
 def quaternion_from_matrix(matrix: Any) -> Quaternion:
-    """The quaternion (w not negative) of a rotation, also with zooms and shears beside it (3x3 or 4x4)."""
+    """The quaternion (w not negative) of the rotation in a matrix (3x3 or 4x4), which may also have scales and shears."""
     m = rotation_part(matrix).tolist()
     squares = [1.0 + m[0][0] - m[1][1] - m[2][2], 1.0 - m[0][0] + m[1][1] - m[2][2]]
     squares += [1.0 - m[0][0] - m[1][1] + m[2][2], 1.0 + m[0][0] + m[1][1] + m[2][2]]
@@ -100,13 +100,13 @@ def quaternion_conjugate(quaternion: Any) -> Array:
 
 
 def quaternion_inverse(quaternion: Any) -> Array:
-    """The quaternion that undoes this one."""
+    """The inverse of a quaternion."""
     result: Array = quaternion_conjugate(quaternion) / np.dot(quaternion, quaternion)
     return result
 
 
 def quaternion_slerp(quat0: Any, quat1: Any, fraction: float, spin: int = 0, shortestpath: bool = True) -> Array:
-    """Part of the way from `quat0` to `quat1` at constant speed; `spin` adds half turns."""
+    """Interpolate from `quat0` to `quat1` at constant angular speed; `spin` adds half turns."""
     start: Array = unit_vector(quat0[:4])
     end: Array = unit_vector(quat1[:4])
     if fraction in (0.0, 1.0):
@@ -125,7 +125,7 @@ def quaternion_slerp(quat0: Any, quat1: Any, fraction: float, spin: int = 0, sho
 
 
 def random_quaternion(rand: Any = None) -> Array:
-    """A random unit quaternion, every attitude as likely; `rand` gives three numbers from 0 to 1."""
+    """A random unit quaternion, uniform over all rotations; `rand` gives three numbers from 0 to 1."""
     if rand is None:
         rand = np.random.rand(3)
     assert len(rand) == 3

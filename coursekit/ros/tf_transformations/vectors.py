@@ -12,7 +12,7 @@ EPS = float(np.finfo(float).eps * 4.0)
 
 
 def vector_norm(data: Any, axis: int | None = None, out: Array | None = None) -> Any:
-    """The length of a vector; with `axis`, lengths along it, written into `out` if given.
+    """The length of a vector; with `axis`, the lengths along it, written to `out` if given.
 
     >>> vector_norm([3.0, 4.0])
     5.0
@@ -27,7 +27,7 @@ def vector_norm(data: Any, axis: int | None = None, out: Array | None = None) ->
 
 
 def unit_vector(data: Any, axis: int | None = None, out: Array | None = None) -> Any:
-    """The vector divided by its length; with `axis`, along it, written into `out` if given.
+    """The vector divided by its length; with `axis`, along it, written to `out` if given.
 
     >>> unit_vector([0.0, 2.0]).tolist()
     [0.0, 1.0]

@@ -1,4 +1,4 @@
-"""A frame that goes round turtle1. In ROS 2: turtle_tf2_py.dynamic_frame_tf2_broadcaster."""
+"""A frame that circles turtle1. In ROS 2: turtle_tf2_py.dynamic_frame_tf2_broadcaster."""
 
 from coursekit.nodes.turtle_tf2.broadcasters import DynamicFrameBroadcaster
 from coursekit.nodes.turtle_tf2.broadcasters import dynamic as main

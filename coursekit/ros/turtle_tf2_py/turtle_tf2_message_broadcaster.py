@@ -1,4 +1,4 @@
-"""A turtle that tells its places as points. In ROS 2: turtle_tf2_py.turtle_tf2_message_broadcaster."""
+"""A turtle that publishes its positions as points. In ROS 2: turtle_tf2_py.turtle_tf2_message_broadcaster."""
 
 from coursekit.nodes.turtle_tf2.messages import PointPublisher, main
 

@@ -1,4 +1,4 @@
-"""Substitutions that make a parameter file of another, and one that looks into it."""
+"""Substitutions that derive a parameter file from another, and one that inspects a parameter file."""
 
 from .has_node_params import HasNodeParams
 from .replace_string import ReplaceString

@@ -1,4 +1,4 @@
-"""Whether a parameter file speaks of a node."""
+"""Whether a parameter file has an entry for a node."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class HasNodeParams(Substitution):
-    """`True` if the file has a top-level entry of the node's name, else `False`; as text."""
+    """The text `True` if the file has a top-level entry with the node's name, else `False`."""
 
     def __init__(self, source_file: SomeSubstitutionsType, node_name: str) -> None:
         super().__init__()

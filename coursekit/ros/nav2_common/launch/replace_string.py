@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 class ReplaceString(Substitution):
     """The name of a copy of `source_file` in which every key of `replacements` is replaced by its value.
 
-    With a condition that does not hold it is the name of the file itself.
+    If the condition does not hold, it is the name of the file itself.
     """
 
     def __init__(

@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 
 
 class RewrittenYaml(Substitution):
-    """The name of a copy of `source_file`: values rewritten, keys renamed, all of it under `root_key`.
+    """The name of a copy of `source_file` with rewritten values and renamed keys, nested under `root_key`.
 
-    `param_rewrites` names a key wherever it is, or one by its path (`amcl.ros__parameters.min_particles`). Values
-    are texts; `true` and `false` become truth values, and with `convert_types` numbers become numbers.
+    `param_rewrites` names a key at any depth, or one key by its path (`amcl.ros__parameters.min_particles`). Values
+    are texts. `true` and `false` become booleans; with `convert_types`, numeric texts become numbers.
     """
 
     def __init__(

@@ -11,7 +11,7 @@ _own = threading.local()
 
 
 def get_loop() -> asyncio.AbstractEventLoop:
-    """Return this thread's own event loop, made when there is none yet or the last one was closed.
+    """Return this thread's own event loop; create one if there is none or it was closed.
 
     >>> get_loop() is get_loop()
     True

@@ -1,4 +1,4 @@
-"""The base of commands that packages add, and how a command finds its verbs."""
+"""The base class of commands that packages add, and the search for a command's verbs."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class CommandExtension:
         """Add the command's arguments."""
 
     def main(self, *, parser: Any, args: Any) -> Any:
-        """Carry it out."""
+        """Run the command."""
         raise NotImplementedError()
 
 
@@ -33,7 +33,7 @@ def get_command_extensions(group_name: str, *, exclude_names: Sequence[str] | No
 
 
 def named(extensions: dict[str, Any]) -> dict[str, Any]:
-    """Extensions that know their names, in order."""
+    """Extensions with their names set, in alphabetical order."""
     for name, extension in extensions.items():
         extension.NAME = name
     return dict(sorted(extensions.items()))
@@ -48,10 +48,10 @@ def add_subparsers_on_demand(
     required: bool = True,
     argv: Any = None,
 ) -> Any:
-    """Give a command the verbs of a group; `args.DEST` is then the one that was typed."""
+    """Add the verbs of a group to a command; `args.DEST` is then the verb on the command line."""
     title = f"Call `{cli_name} <command> -h` for more detailed usage."
     subparsers = parser.add_subparsers(title="Commands", metavar=title, required=required)
-    subparsers.dest = " " + dest.lstrip("_")  # not `dest`: there the extension itself is to stand
+    subparsers.dest = " " + dest.lstrip("_")  # not `dest`, which is for the extension itself
     for name, extension in named(instantiate_extensions(group_name)).items():
         add_extension(subparsers, f"{cli_name} {name}", extension, name in (hide_extensions or ()), argv)
         subparsers.choices[name].set_defaults(**{dest: extension})

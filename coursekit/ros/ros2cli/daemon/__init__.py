@@ -1,4 +1,4 @@
-"""Where the daemon would listen."""
+"""The address at which the daemon would listen."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ def get_port() -> int:
 
 
 def get_address() -> tuple[str, int]:
-    """Its address."""
+    """The daemon's address."""
     return "127.0.0.1", get_port()
 
 
 def get_xmlrpc_server_url(address: tuple[str, int] | None = None) -> str:
-    """Its URL. Nobody listens there: the session itself answers.
+    """The daemon's URL. No process listens there: the session itself answers.
 
     >>> get_xmlrpc_server_url(("127.0.0.1", 11511))
     'http://127.0.0.1:11511/ros2cli/'

@@ -1,3 +1,3 @@
-"""The nodes through which commands ask the graph."""
+"""The nodes with which commands query the graph."""
 
 NODE_NAME_PREFIX = "_ros2cli"

@@ -20,7 +20,7 @@ _METHODS = [
 
 
 class _View(NodeGraph):
-    """Looks at the graph without being in it."""
+    """A view of the graph without a node in it."""
 
     def __init__(self) -> None:
         graph: Any = ask.graph()
@@ -32,12 +32,12 @@ class _View(NodeGraph):
         return f"_ros2cli_daemon_{get_ros_domain_id()}"
 
     def get_namespace(self) -> str:
-        """Its namespace."""
+        """The daemon's namespace."""
         return "/"
 
 
 class DaemonNode:
-    """Answers as the daemon does: lists where a node gives tuples."""
+    """Answers as the daemon does, with lists where a node returns tuples."""
 
     def __init__(self, args: Any) -> None:
         self._args = args
@@ -46,12 +46,12 @@ class DaemonNode:
 
     @property
     def connected(self) -> bool:
-        """Whether it runs."""
+        """Whether the daemon runs."""
         return is_daemon_running(self._args)
 
     @property
     def methods(self) -> list[str]:
-        """The names of its functions."""
+        """The names of the daemon's functions."""
         return list(_METHODS)
 
     def __getattr__(self, name: str) -> Any:
@@ -65,7 +65,7 @@ class DaemonNode:
         return self
 
     def __exit__(self, *_error: object) -> None:
-        """Nothing is held."""
+        """Do nothing: there is nothing to release."""
 
 
 def _lists(answer: Any) -> Any:
@@ -78,15 +78,15 @@ def is_daemon_running(args: Any) -> bool:
 
 
 def spawn_daemon(args: Any, timeout: float | None = None, debug: bool = False) -> bool:
-    """Start the daemon; False when it runs already."""
+    """Start the daemon; return False if it is already running."""
     return daemon.start(ask.graph(), get_ros_domain_id())
 
 
 def shutdown_daemon(args: Any, timeout: float | None = None) -> bool:
-    """Stop the daemon; False when it does not run."""
+    """Stop the daemon; return False if it is not running."""
     return daemon.stop(ask.graph())
 
 
 def add_arguments(parser: Any) -> None:
-    """`--no-daemon`."""
+    """Add the option `--no-daemon`."""
     parser.add_argument("--no-daemon", action="store_true", help="Do not spawn nor use an already running daemon")

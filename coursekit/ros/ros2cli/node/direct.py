@@ -1,4 +1,4 @@
-"""A hidden node of one's own, for the time of a command."""
+"""A hidden node of the command's own, for the duration of the command."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from rclpy.parameter import Parameter
 from . import NODE_NAME_PREFIX
 
 DEFAULT_TIMEOUT = 0.5
-"""Seconds for discovery on a robot; here the graph is known at once."""
+"""Seconds for discovery in ROS 2; here the graph is known at once."""
 
 
 class DirectNode:
-    """Stands for a node `_ros2cli_PID` inside `with`; what it does not know itself, the node is asked.
+    """Wraps a node `_ros2cli_PID` inside `with`; other attributes are those of the node.
 
-    `args.spin_time` [s] is how long it spins first, `args.use_sim_time` has it follow /clock.
+    It spins for `args.spin_time` [s] first. With `args.use_sim_time`, it follows /clock.
     """
 
     def __init__(self, args: Any, *, node_name: str | None = None) -> None:
@@ -51,7 +51,7 @@ class DirectNode:
 
 
 def add_arguments(parser: Any) -> None:
-    """`--spin-time` and `--use-sim-time`."""
+    """Add the options `--spin-time` and `--use-sim-time`."""
     parser.add_argument(
         "--spin-time", type=float, default=DEFAULT_TIMEOUT, help="Spin time in seconds to wait for discovery"
     )

@@ -1,4 +1,4 @@
-"""The daemon where one runs, else a node of one's own."""
+"""The daemon if it runs, else a node of the command's own."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ros2cli.node.direct import DirectNode
 
 
 class NodeStrategy:
-    """Asks the daemon what it can answer, and for all else a node that is made when it is needed.
+    """Forwards calls to the daemon if it knows them, otherwise to a node that is created on demand.
 
     >>> with NodeStrategy([]) as node:
     ...     node.get_namespace()
@@ -37,7 +37,7 @@ class NodeStrategy:
 
     @property
     def direct_node(self) -> DirectNode:
-        """The node of one's own."""
+        """The command's own node, created on first use."""
         if self._direct_node is None:
             self._direct_node = DirectNode(self._args, node_name=self._node_name)
         return self._direct_node
@@ -58,6 +58,6 @@ class NodeStrategy:
 
 
 def add_arguments(parser: Any) -> None:
-    """The options of a node of one's own and of the daemon."""
+    """Add the options of the command's own node and of the daemon."""
     direct.add_arguments(parser)
     daemon.add_arguments(parser)

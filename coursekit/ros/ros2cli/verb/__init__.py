@@ -1,4 +1,4 @@
-"""The base of verbs that packages add."""
+"""The base class of verbs that packages add."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class VerbExtension:
         """Add the verb's arguments."""
 
     def main(self, *, args: Any) -> Any:
-        """Carry it out."""
+        """Run the verb."""
         raise NotImplementedError()
 
 

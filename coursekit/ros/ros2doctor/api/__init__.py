@@ -1,4 +1,4 @@
-"""Checks of the set-up and of the graph, and what they found."""
+"""Checks of the set-up and of the graph, and their results."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from coursekit.cli import checks, graph_report
 
 
 class Result:
-    """How many errors and warnings a check found."""
+    """The number of errors and warnings of a check."""
 
     __slots__ = ("error", "warning")
 
@@ -46,19 +46,19 @@ class Report:
 
 
 class DoctorCheck:
-    """The base of checks that packages add."""
+    """The base class of checks that packages add."""
 
     def category(self) -> str:
         """The name of the check."""
         raise NotImplementedError()
 
     def check(self) -> Result:
-        """Look."""
+        """Run the check."""
         raise NotImplementedError()
 
 
 class DoctorReport:
-    """The base of reports that packages add."""
+    """The base class of reports that packages add."""
 
     def category(self) -> str:
         """The name of the report."""
@@ -70,14 +70,14 @@ class DoctorReport:
 
 
 def run_checks(*, include_warnings: bool = False) -> tuple[set[str], int, int]:
-    """The names of the checks that failed, how many those are, and how many checks there are."""
+    """The names of the failed checks, the number of failed checks, and the number of all checks."""
     results = [*checks.run_all(), graph_report.compatibility(), graph_report.both_ends()]
     bad = {one.name for one in results if one.fault and (include_warnings or not one.only_warning)}
     return bad, len(bad), len(results)
 
 
 def generate_reports(*, categories: Any = None) -> list[Report]:
-    """The tables of `ros2 doctor --report`, all or those named."""
+    """The tables of `ros2 doctor --report`: all, or those of `categories`."""
     made = []
     for title, lines in (*checks.report(), *graph_report.report()):
         report = Report(title)

@@ -1,4 +1,4 @@
-"""The topics of the graph: how many are at each end of them."""
+"""The topics of the graph: the numbers of their publishers and subscriptions."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ class TopicCheck(DoctorCheck):
         return "topic"
 
     def check(self) -> Result:
-        """Count a warning for every such topic."""
+        """Count a warning for each of these topics."""
         result = Result()
         for _ in graph_report.both_ends().fault.splitlines():
             result.add_warning()

@@ -1,3 +1,3 @@
-"""The base of verbs that packages add to `ros2 doctor`."""
+"""The base class of verbs that packages add to `ros2 doctor`."""
 
 from ros2cli.verb import VerbExtension as VerbExtension

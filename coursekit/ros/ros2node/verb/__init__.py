@@ -1,3 +1,3 @@
-"""The base of verbs that packages add to `ros2 node`."""
+"""The base class of verbs that packages add to `ros2 node`."""
 
 from ros2cli.verb import VerbExtension as VerbExtension

@@ -1,3 +1,3 @@
-"""The base of verbs that packages add to `ros2 pkg`."""
+"""The base class of verbs that packages add to `ros2 pkg`."""
 
 from ros2cli.verb import VerbExtension as VerbExtension

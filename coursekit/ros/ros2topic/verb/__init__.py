@@ -1,3 +1,3 @@
-"""The base of verbs that packages add to `ros2 topic`."""
+"""The base class of verbs that packages add to `ros2 topic`."""
 
 from ros2cli.verb import VerbExtension as VerbExtension

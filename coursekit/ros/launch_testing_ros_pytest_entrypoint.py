@@ -1,6 +1,6 @@
 """pytest's plugin: a file whose `generate_test_description` has the mark `rostest` is a launch test of ROS.
 
-Every run of pytest loads this: the rest is imported when there is such a file.
+Every run of pytest loads this module. The rest is imported when there is such a file.
 """
 
 from __future__ import annotations

@@ -1,9 +1,9 @@
 """Tests of launched systems as functions of pytest.
 
-`@launch_pytest.fixture` makes a fixture that launches what its function returns; a test with the mark
-`@pytest.mark.launch(fixture=that_fixture)` runs beside the launch, or with `shutdown=True` when it has ended.
+`@launch_pytest.fixture` makes a fixture that launches the description that its function returns; a test with the mark
+`@pytest.mark.launch(fixture=that_fixture)` runs during the launch, or with `shutdown=True` after its end.
 
-Every run of pytest imports this package to find its plugin, so that what needs `launch` is imported when it is used.
+Every run of pytest imports this package to find its plugin. Modules that need `launch` are therefore imported on use.
 """
 
 from __future__ import annotations

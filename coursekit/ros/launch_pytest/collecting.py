@@ -17,7 +17,7 @@ NO_FIXTURE = '"fixture" keyword argument is required in a pytest.mark.launch() d
 
 @dataclass
 class LaunchTest:
-    """The facts of an item: its fixture, whether it comes after the launch, and the other half of a generator."""
+    """The data of an item: its fixture, whether it runs after the launch, and the second half of a generator."""
 
     fixture: LaunchFixture
     shutdown: bool
@@ -26,7 +26,7 @@ class LaunchTest:
 
 
 def items_of(collector: Any, name: str, function: Callable[..., Any], mark: pytest.Mark) -> list[Any]:
-    """Return the items of a test; a generator beside a launch that others use too has a second one, for after it."""
+    """Return the items of a test; a generator on a shared launch has a second item, which runs after the launch."""
     known = getattr(mark.kwargs.get("fixture"), ATTRIBUTE, None)
     if known is None:
         return [_left_out(collector, name)]
@@ -40,7 +40,7 @@ def items_of(collector: Any, name: str, function: Callable[..., Any], mark: pyte
 
 
 def is_generator(function: Callable[..., Any]) -> bool:
-    """Whether a test has a part beside the launch and a part after it."""
+    """Whether a test has a part during the launch and a part after it."""
     return inspect.isgeneratorfunction(function) or inspect.isasyncgenfunction(function)
 
 
@@ -66,7 +66,7 @@ def _left_out(collector: Any, name: str) -> Any:
 
 
 def put_after(items: list[Any]) -> None:
-    """Move each test that comes after a launch behind the last one beside the same launch."""
+    """Move each test that runs after a launch behind the last test that runs during the same launch."""
     for item in [one for one in reversed(items) if _launch_of(one) is not None and getattr(one, ATTRIBUTE).shutdown]:
         at = items.index(item)
         beside = [
@@ -79,7 +79,7 @@ def put_after(items: list[Any]) -> None:
 
 
 def _launch_of(item: Any) -> tuple[Any, ...] | None:
-    """The common launch of tests; None for those that have one of their own, or none."""
+    """The shared launch of a test; None for a test with a launch of its own or without a launch."""
     test = getattr(item, ATTRIBUTE, None)
     if test is None or test.fixture.scope == "function":
         return None

@@ -15,7 +15,7 @@ SCOPES = ("function", "class", "module", "package", "session")
 
 @dataclass(frozen=True)
 class LaunchFixture:
-    """The facts of a fixture that launches."""
+    """The data of a fixture that launches."""
 
     name: str
     scope: str
@@ -30,11 +30,11 @@ def fixture(
     auto_shutdown: bool = True,
     **kwargs: Any,
 ) -> Any:
-    """Make a fixture that launches the description that its function returns, alone or as the first of several things.
+    """Make a fixture that launches the description that its function returns, alone or as the first item of a sequence.
 
-    Arguments are those of `pytest.fixture`, and `shutdown_when_idle`: whether the launch ends when all processes have, and
-    `auto_shutdown`: whether it is ended when the tests beside it have. With a scope wider than a function's, `event_loop`,
-    `launch_service` and `launch_context` get that scope in the module too.
+    The arguments are those of `pytest.fixture`, `shutdown_when_idle`: whether the launch ends when all processes have ended,
+    and `auto_shutdown`: whether it is shut down when its tests have ended. With a scope wider than a function's,
+    `event_loop`, `launch_service` and `launch_context` get that scope in the module, too.
     """
     scope = str(kwargs.get("scope", "function"))
     _provide(sys._getframe(1).f_globals, scope)
@@ -48,7 +48,7 @@ def fixture(
 
 
 def _provide(namespace: dict[str, Any], scope: str) -> None:
-    """Put the fixtures that a launch needs into a module, unless it has its own, or wide enough ones."""
+    """Add the fixtures that a launch needs to a module, unless it defines its own or has them with a sufficient scope."""
     for name, make in MAKERS.items() if scope != "function" else ():
         present = namespace.get(name)
         made_for = getattr(present, ATTRIBUTE + "_scope", None)
@@ -62,10 +62,10 @@ def _fixture(function: Callable[..., Any], scope: str) -> Any:
 
 
 def get_event_loop_fixture(*, scope: str = "function") -> Any:
-    """Return a fixture with the loop on which a launch, and coroutines that test it, run."""
+    """Return a fixture with the event loop of a launch and of the coroutines that test it."""
 
     def event_loop() -> Iterator[Any]:
-        """The loop on which the launch and tests that are coroutines run."""
+        """The event loop of the launch and of tests that are coroutines."""
         import asyncio
 
         from launch.clock_loop import ClockLoop
@@ -82,10 +82,10 @@ def get_event_loop_fixture(*, scope: str = "function") -> Any:
 
 
 def get_launch_service_fixture(*, scope: str = "function") -> Any:
-    """Return a fixture with the service that launches."""
+    """Return a fixture with the launch service."""
 
     def launch_service(event_loop: Any) -> Iterator[Any]:
-        """The service that launches."""
+        """The launch service."""
         from launch import LaunchService
         from launch_testing.session import own_domain
 
@@ -115,14 +115,14 @@ MAKERS = {
 
 
 def finalize_launch_service(launch_service: Any, eprefix: str = "", auto_shutdown: bool = True) -> None:
-    """Wait for the end of a launch, which with `auto_shutdown` is ended first.
+    """Wait for the end of a launch; with `auto_shutdown`, shut it down first.
 
     Raises:
-        AssertionError: when it failed.
+        AssertionError: when the launch failed.
     """
     from coursekit.processes.patching import patch_manager
 
-    patch_manager.renew()  # pytest may have put its own in their place since the launch began
+    patch_manager.renew()  # pytest may have replaced them since the launch began
     if auto_shutdown:
         launch_service.shutdown(force_sync=True)
     loop = launch_service.event_loop

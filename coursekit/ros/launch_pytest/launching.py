@@ -1,4 +1,4 @@
-"""Launches what a fixture returns."""
+"""The launch of the description that a fixture returns."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ def launch(
     loop: Any,
     add_finalizer: Callable[[Callable[[], None]], None],
 ) -> None:
-    """Launch the description that a fixture returned, and wait for its ReadyToTest action, added where there is none.
+    """Launch the description that a fixture returned, and wait for its ReadyToTest action, which is added if missing.
 
     Raises:
         AssertionError: when there is no description.
-        RuntimeError: when it has several such actions, or the launch ended before one was carried out.
+        RuntimeError: when it has several ReadyToTest actions, or the launch ended before the action was executed.
     """
     prefix = f"When running launch_pytest fixture '{known.name}':"
     description = _description(value, prefix)

@@ -1,6 +1,6 @@
-"""pytest's plugin: launches for fixtures of `launch_pytest.fixture`, and runs tests beside the launch or after it.
+"""pytest's plugin: launches for fixtures of `launch_pytest.fixture`, and runs tests during the launch or after it.
 
-Every run of pytest loads this: the rest is imported when a test has the mark `launch`.
+Every run of pytest loads this module. The rest is imported when a test has the mark `launch`.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ launch_context = get_launch_context_fixture()
 
 
 class LaunchTestWarning(pytest.PytestWarning):
-    """A test has the mark `launch`, but not as it should be."""
+    """A test has an invalid mark `launch`."""
 
 
 def pytest_configure(config: Any) -> None:
@@ -34,14 +34,14 @@ def pytest_configure(config: Any) -> None:
         "launch: mark the test as a launch test, it will be run using the specified launch_pad.",
     )
     if config.pluginmanager.hasplugin("pytester"):
-        # tests of tests forget the modules that they imported, but these change the interpreter and are imported only once
+        # pytester discards the modules that a test imported, but these change the interpreter and must be imported only once
         importlib.import_module("coursekit.processes.session")
         importlib.import_module("launch")
 
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_fixture_setup(fixturedef: Any, request: Any) -> Generator[None, Any, Any]:
-    """Launch what a launch fixture returns, and wait until the tests may begin."""
+    """Launch the description that a launch fixture returns, and wait until the tests may begin."""
     known = getattr(fixturedef.func, ATTRIBUTE, None)
     if known is None:
         return (yield)
@@ -71,7 +71,7 @@ def pytest_pycollect_makeitem(collector: Any, name: str, obj: Any) -> Any:
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[Any]) -> None:
-    """Put tests that come after a launch behind those beside it."""
+    """Move tests that run after a launch behind those that run during it."""
     if any(item.get_closest_marker("launch") for item in items):
         from .collecting import put_after
 
@@ -80,7 +80,7 @@ def pytest_collection_modifyitems(items: list[Any]) -> None:
 
 @pytest.hookimpl(wrapper=True, tryfirst=True)
 def pytest_pyfunc_call(pyfuncitem: Any) -> Generator[None, Any, Any]:
-    """Run a test with the mark beside its launch, or after it."""
+    """Run a test with the mark during its launch, or after it."""
     if not hasattr(pyfuncitem, ATTRIBUTE):
         return (yield)
     from .running import runner_of
@@ -90,4 +90,4 @@ def pytest_pyfunc_call(pyfuncitem: Any) -> Generator[None, Any, Any]:
     try:
         return (yield)
     finally:
-        pyfuncitem.obj = original  # another plugin may run it again
+        pyfuncitem.obj = original  # another plugin may run the test again

@@ -1,4 +1,4 @@
-"""Runs a test beside its launch, or after it: coroutines on the launch's loop, others in a thread beside it."""
+"""Runs a test during its launch, or after it: coroutines on the launch's loop, other tests in a separate thread."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Runner = Callable[..., None]
 
 def runner_of(item: Any) -> Runner:
     """Return the function that runs an item's test, with its arguments."""
-    patch_manager.renew()  # pytest has put its own in their place since the launch began
+    patch_manager.renew()  # pytest has replaced them since the launch began
     function, test = item.obj, getattr(item, ATTRIBUTE)
     stages = _Stages(function, test, item.funcargs["launch_service"], item.funcargs["event_loop"])
     if not is_generator(function):
@@ -36,7 +36,7 @@ def _not_both(**_: Any) -> None:
 
 
 class _Stages:
-    """The ways to run a test."""
+    """The modes in which a test runs."""
 
     def __init__(self, function: Callable[..., Any], test: LaunchTest, service: Any, loop: Any) -> None:
         self._function = function
@@ -80,7 +80,7 @@ class _Stages:
             self._loop.run_until_complete(self._loop.run_in_executor(None, functools.partial(function, **arguments)))
 
     def _advance(self, generator: Any) -> None:
-        """Run a generator to its next yield, or its end."""
+        """Run a generator to its next yield or its end."""
         if inspect.isasyncgen(generator):
             self._loop.run_until_complete(_next(generator))
         else:
@@ -96,7 +96,7 @@ class _Stages:
 
 
 class _Ended(Exception):
-    """A generator has no yield any more; a StopIteration cannot be the outcome of a future."""
+    """A generator has no further yield. It replaces StopIteration, which a future cannot raise."""
 
     def __init__(self) -> None:
         super().__init__("the test has ended before its yield: what is to run after the launch comes after a yield")

@@ -1,6 +1,6 @@
-"""Tests of launched systems: what is launched is described as in a launch file, tests run beside it and after it.
+"""Tests of launched systems: a launch description as in a launch file, with tests during the launch and after it.
 
-Every run of pytest imports this package to find its plugin, so that what needs `launch` is imported when it is used.
+Every run of pytest imports this package to find its plugin. Modules that need `launch` are therefore imported on use.
 """
 
 from __future__ import annotations

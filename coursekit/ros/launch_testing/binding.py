@@ -1,4 +1,4 @@
-"""Gives tests what the launch beside them is known by: attributes, and arguments of their methods."""
+"""Access of tests to their launch: attributes, and arguments of their methods."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 
 
 def iterate_tests(tests: Any) -> Iterator[Any]:
-    """Give each test of a suite, and of the suites in it."""
+    """Yield each test of a suite and of the suites in it."""
     if isinstance(tests, Iterable):
         for one in tests:
             yield from iterate_tests(one)
@@ -19,7 +19,7 @@ def iterate_tests(tests: Any) -> Iterator[Any]:
 
 
 def bind_arguments(values: Mapping[str, Any], tests: Any) -> None:
-    """Have each test, setUp, tearDown, setUpClass and tearDownClass get the values whose names it takes."""
+    """Pass each test, setUp, tearDown, setUpClass and tearDownClass the values whose names are among its parameters."""
     for test in iterate_tests(tests):
         for name in (test._testMethodName, "setUp", "tearDown"):
             setattr(test, name, _with(values, getattr(test, name)))
@@ -34,7 +34,7 @@ def _with(values: Mapping[str, Any], function: Callable[..., Any]) -> functools.
 
 
 def give_attributes(values: Mapping[str, Any], tests: Any) -> None:
-    """Give the classes of tests attributes, with a word on the first use that arguments are the better way."""
+    """Add attributes to the classes of tests, with a warning on the first use that recommends arguments."""
     for case in _classes(tests):
         for name, value in values.items():
             setattr(case, name, _attribute(name, value))

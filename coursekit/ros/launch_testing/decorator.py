@@ -9,7 +9,7 @@ Case = TypeVar("Case", bound=type)
 
 
 def post_shutdown_test() -> Callable[[Case], Case]:
-    """Have the tests of a class run after the launch has ended.
+    """Run the tests of a class after the launch has ended.
 
     >>> @post_shutdown_test()
     ... class TestExitCodes:
@@ -18,7 +18,7 @@ def post_shutdown_test() -> Callable[[Case], Case]:
     True
 
     Raises:
-        TypeError: when it decorates something that is no class.
+        TypeError: when it decorates an object that is not a class.
     """
 
     def decorate(case: Case) -> Case:

@@ -14,18 +14,18 @@ from .util import NoMatchingProcessException, resolveProcesses
 
 
 class IoHandler:
-    """The output of all processes, in the order in which it came, and of each."""
+    """The output of all processes in order of arrival, and the output of each process."""
 
     def __init__(self) -> None:
         self._all: list[ProcessIO] = []
         self._by_name: dict[str, list[ProcessIO]] = {}
 
     def track(self, process_name: str) -> None:
-        """Know a process that has not printed anything."""
+        """Register a process that has not printed anything yet."""
         self._by_name.setdefault(process_name, [])
 
     def append(self, process_io: ProcessIO) -> None:
-        """Keep a piece of output."""
+        """Store a piece of output."""
         self._all.append(process_io)
         self._by_name.setdefault(process_io.process_name, []).append(process_io)
 
@@ -37,7 +37,7 @@ class IoHandler:
         return [pieces[0].action for pieces in self._by_name.values() if pieces]
 
     def process_names(self) -> Collection[str]:
-        """Return the names of all processes that are known."""
+        """Return the names of all known processes."""
         return self._by_name.keys()
 
     def __getitem__(self, key: str | ExecuteLocal) -> list[ProcessIO]:
@@ -50,7 +50,7 @@ class IoHandler:
 
 
 class ActiveIoHandler:
-    """The output of processes that still run; may be waited for."""
+    """The output of running processes, with functions that wait for output."""
 
     def __init__(self) -> None:
         self._changed = threading.Condition()
@@ -62,13 +62,13 @@ class ActiveIoHandler:
         return self._changed
 
     def track(self, process_name: str) -> None:
-        """Know a process that has not printed anything."""
+        """Register a process that has not printed anything yet."""
         with self._changed:
             self._io_handler.track(process_name)
             self._changed.notify_all()
 
     def append(self, process_io: ProcessIO) -> None:
-        """Keep a piece of output, and wake who waits for it."""
+        """Store a piece of output, and wake waiting threads."""
         with self._changed:
             self._io_handler.append(process_io)
             self._changed.notify_all()
@@ -83,7 +83,7 @@ class ActiveIoHandler:
             return self._io_handler.processes()
 
     def process_names(self) -> list[str]:
-        """Return the names of all processes that are known."""
+        """Return the names of all known processes."""
         with self._changed:
             return list(self._io_handler.process_names())
 
@@ -93,7 +93,7 @@ class ActiveIoHandler:
             return self._io_handler[key]
 
     def assertWaitFor(self, *args: Any, **kwargs: Any) -> None:
-        """Wait as `waitFor` does, and fail when it was in vain."""
+        """Wait as `waitFor` does, and fail on a timeout."""
         if not self.waitFor(*args, **kwargs):
             raise AssertionError("Waiting for output timed out")
 
@@ -112,7 +112,7 @@ class ActiveIoHandler:
         """Wait for output, at most `timeout` seconds; return whether it came. See `assertInStream`.
 
         Raises:
-            Exception: when no process that is meant has printed anything.
+            Exception: when the wait timed out and no known process matches.
         """
 
         def has_come() -> bool:
@@ -138,5 +138,5 @@ class ActiveIoHandler:
         return success
 
     def _check_known(self, process: Any, cmd_args: Any) -> None:
-        """Raise when a process cannot have printed what was waited for, as it is not known."""
+        """Raise if no known process matches, which explains why the output did not come."""
         resolveProcesses(self, process=process, cmd_args=cmd_args, strict_proc_matching=False)

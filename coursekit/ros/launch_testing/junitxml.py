@@ -32,7 +32,7 @@ def unittestResultToXml(name: str, test_result: Any) -> Element:
 
 def unittestCaseToXml(test_result: Any, test_case: Any) -> Element:
     """Return the result of one test."""
-    method, _, values = test_case.id().partition(" ")  # with parameters there may be spaces and dots in it
+    method, _, values = test_case.id().partition(" ")  # parameter values may contain spaces and dots
     classname, _, name = method.rpartition(".")
     element = Element("testcase", classname=classname, name=f"{name} {values}".strip())
     element.set("time", str(round(test_result.testTimes[test_case], 3)))

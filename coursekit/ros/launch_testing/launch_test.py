@@ -44,7 +44,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def parse_arguments(
     argv: Sequence[str] | None = None,
 ) -> tuple[argparse.ArgumentParser, argparse.Namespace]:
-    """Return the command's parser, and what it read from `argv` (sys.argv by default)."""
+    """Return the command's parser and the arguments parsed from `argv` (sys.argv by default)."""
     parser = argparse.ArgumentParser(description="Launch integration testing tool.")
     add_arguments(parser)
     return parser, parser.parse_args(argv)
@@ -55,7 +55,7 @@ def run(
     args: argparse.Namespace,
     test_runner_cls: type[LaunchTestRunner] = LaunchTestRunner,
 ) -> int | None:
-    """Carry the command out; return its exit code."""
+    """Run the command; return its exit code."""
     if not os.path.isfile(args.launch_test_file):
         parser.error(f"Test file '{args.launch_test_file}' does not exist")
     path = os.path.abspath(args.launch_test_file)
@@ -78,7 +78,7 @@ def run(
 
 
 def _load(name: str, path: str) -> ModuleType:
-    """The file as a module, which others cannot import: it is named after its package."""
+    """Load the file as a module, which others cannot import: it is named after its package."""
     loader = SourceFileLoader(name, path)
     spec = importlib.util.spec_from_loader(name, loader)
     assert spec is not None

@@ -1,4 +1,4 @@
-"""Loads launch tests: a description of what is launched, tests beside it and tests after it."""
+"""Loading of launch tests: a launch description, tests during the launch and tests after it."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ NO_READY = (
 
 
 def find_ready_actions(entities: Iterable[Any]) -> Iterator[ReadyToTest]:
-    """Give the ReadyToTest actions among entities, and below them."""
+    """Yield the ReadyToTest actions among entities and their sub-entities."""
     for entity in entities:
         if isinstance(entity, ReadyToTest):
             yield entity
@@ -29,9 +29,9 @@ def find_ready_actions(entities: Iterable[Any]) -> Iterator[ReadyToTest]:
 
 
 class TestRun:
-    """One launch and its tests; with `param_args` they are named after these values."""
+    """One launch and its tests; with `param_args`, the tests are named after these values."""
 
-    __test__ = False  # pytest: this is no test case
+    __test__ = False  # pytest: this is not a test case
 
     def __init__(
         self,
@@ -62,7 +62,7 @@ class TestRun:
         return getattr(self._test_description_function, "__markers__", {})
 
     def normalized_test_description(self, ready_fn: Callable[[], object]) -> tuple[LaunchDescription, dict[str, Any]]:
-        """Return what is launched and what tests may use of it; `ready_fn` is called when they may begin.
+        """Return the launch description and the context for the tests; `ready_fn` is called when the tests may begin.
 
         Raises:
             Exception: when the description has no ReadyToTest action.
@@ -76,7 +76,7 @@ class TestRun:
         return description, context
 
     def get_launch_description(self) -> LaunchDescription:
-        """Return what is launched, to be looked at."""
+        """Return the launch description for inspection."""
         return self.normalized_test_description(ready_fn=lambda: None)[0]
 
     def bind(
@@ -85,12 +85,12 @@ class TestRun:
         injected_attributes: Mapping[str, Any] = {},
         injected_args: Mapping[str, Any] = {},
     ) -> None:
-        """Give tests attributes (`self.proc_info`), and arguments where they take one of the name."""
+        """Add attributes to tests (`self.proc_info`), and pass arguments to parameters of the same name."""
         give_attributes(injected_attributes, tests)
         bind_arguments(injected_args, tests)
 
     def all_cases(self) -> Iterator[Any]:
-        """Give all tests, those beside the launch first."""
+        """Yield all tests, those during the launch first."""
         yield from iterate_tests(self.pre_shutdown_tests)
         yield from iterate_tests(self.post_shutdown_tests)
 
@@ -102,7 +102,7 @@ class TestRun:
 
 
 def LoadTestsFromPythonModule(module: ModuleType, *, name: str = "launch_tests") -> list[TestRun]:
-    """Return the runs of a module with `generate_test_description`: one, or one for each of its parameters' values."""
+    """Return the runs of a module with `generate_test_description`: one, or one per parameter value."""
     describe = module.generate_test_description
     descriptions = describe() if hasattr(describe, "__parametrized__") else [(describe, {})]
     return [
@@ -118,17 +118,17 @@ def LoadTestsFromPythonModule(module: ModuleType, *, name: str = "launch_tests")
 
 
 def PreShutdownTestLoader() -> unittest.TestLoader:
-    """Return a loader of the tests that run beside the launch."""
+    """Return a loader of the tests that run during the launch."""
     return _Loader(after=False)
 
 
 def PostShutdownTestLoader() -> unittest.TestLoader:
-    """Return a loader of the tests that run when it has ended."""
+    """Return a loader of the tests that run after the launch has ended."""
     return _Loader(after=True)
 
 
 class _Loader(unittest.TestLoader):
-    """Loads either kind of tests; each time into classes of their own, as each run gives them other attributes."""
+    """Loads tests of one kind, each time into new classes, because each run gives them different attributes."""
 
     def __init__(self, *, after: bool) -> None:
         super().__init__()

@@ -12,7 +12,7 @@ Described = TypeVar("Described", bound=Callable[..., Any])
 
 
 def keep_alive(test_description: Described) -> Described:
-    """Keep the launch running when all its processes have ended, until the tests have too."""
+    """Keep the launch running after all its processes have ended, until the tests have ended, too."""
     if not hasattr(test_description, "__markers__"):
         test_description.__markers__ = {}  # type: ignore[attr-defined]
     test_description.__markers__["keep_alive"] = True  # type: ignore[attr-defined]
@@ -20,10 +20,10 @@ def keep_alive(test_description: Described) -> Described:
 
 
 def retry_on_failure(*, times: int, delay: float | None = None) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
-    """Have a test tried up to `times` times, `delay` seconds apart, until no assertion of it fails.
+    """Run a test up to `times` times, `delay` seconds apart, until none of its assertions fails.
 
     Raises:
-        AssertionError: when `times` is not positive, or what is decorated is no method.
+        AssertionError: when `times` is not positive, or the decorated object is not a method.
     """
     assert times > 0, f"'times' is {times}, but a test has to be tried at least once"
 
@@ -52,7 +52,7 @@ def retry_on_failure(*, times: int, delay: float | None = None) -> Callable[[Cal
 
 
 class _Failures:
-    """The failures of sub-tests in one attempt of a unittest case, apart from the exception that it raised."""
+    """The failures of sub-tests in one attempt of a unittest case, without the exception that it raised."""
 
     def __init__(self, case: Any) -> None:
         self.outcome = getattr(case, "_outcome", None)
@@ -65,7 +65,7 @@ class _Failures:
         assert self.outcome is None or self.outcome.success, "a sub-test has failed"
 
     def forget(self) -> None:
-        """Take back what the attempt recorded."""
+        """Remove the failures that the attempt recorded."""
         for recorded, before in self.lists:
             del recorded[before:]
         if self.outcome is not None:

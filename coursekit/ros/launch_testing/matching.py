@@ -1,4 +1,4 @@
-"""Compares text, and lines of text, with what is expected."""
+"""Comparison of text and of lines with an expected output."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ Match = Callable[..., Span | None]
 
 
 def normalize_lineseps(lines: str) -> str:
-    r"""Return text whose lines all end with '\n', also where a terminal or another system wrote it."""
+    r"""Return text whose lines all end with '\n', also if a terminal or another system wrote it."""
     return lines.replace(os.linesep, "\n").replace("\r\n", "\n")
 
 
 def build_text_match(expected_text: Any, *, strict: bool = False) -> Match:
-    """Return a function that finds `expected_text` in a text: where it begins and ends, or None.
+    """Return a function that finds `expected_text` in a text and returns its start and end, or None.
 
     A text is found anywhere, a compiled regular expression by its `search`, several of them one after the other. With
-    `strict` a text is the whole, an expression matches at the beginning, and several follow each other at once.
+    `strict`, a text must be the whole, an expression must match at the start, and several must follow without gaps.
 
     >>> build_text_match(["one", "two"])("one, two")
     (0, 8)
 
     Raises:
-        ValueError: when what is expected is neither.
+        ValueError: when the expectation is of another type.
     """
     if isinstance(expected_text, str):
 
@@ -52,16 +52,16 @@ def build_text_match(expected_text: Any, *, strict: bool = False) -> Match:
 
 
 def build_line_match(expected_lines: Any, *, strict: bool = False) -> Match:
-    """Return a function that finds `expected_lines` among lines: the first line and the one after the last, or None.
+    """Return a function that finds `expected_lines` among lines: the first index and the one past the last, or None.
 
-    A text is found in a line that has it, a compiled regular expression in one that it matches, several of them in lines
-    one after the other. With `strict` every line is the text, or matches; several follow each other at once.
+    A text is found in a line that contains it, a compiled regular expression in a line that it matches, several of them in
+    lines one after the other. With `strict`, every line must be the text or match; several must follow without gaps.
 
     >>> build_line_match(["b", "d"])(["abc", "", "cde"])
     (0, 3)
 
     Raises:
-        ValueError: when what is expected is neither.
+        ValueError: when the expectation is of another type.
     """
     if isinstance(expected_lines, str):
         same: Any = expected_lines.__eq__ if strict else lambda line: expected_lines in line

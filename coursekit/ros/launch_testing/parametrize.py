@@ -1,4 +1,4 @@
-"""The decorator that has a test description launched once for each of several values."""
+"""The decorator that launches a test description once for each of several values."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Description = Callable[..., Any]
 def parametrize(
     argnames: str, argvalues: Iterable[Any]
 ) -> Callable[[Description], Callable[[], Iterator[tuple[Description, dict[str, Any]]]]]:
-    """Launch a test description with each of `argvalues`; several names are separated by commas, their values a tuple.
+    """Launch a test description with each of `argvalues`. Several names are separated by commas; their values are a tuple.
 
     >>> @parametrize("speed, robot", [(1, "a"), (2, "b")])
     ... def generate_test_description(speed, robot):

@@ -6,13 +6,13 @@ from collections.abc import ItemsView, Iterable
 
 
 def parse_launch_arguments(launch_arguments: Iterable[str]) -> ItemsView[str, str]:
-    """Return name and value of each `name:=value`; the last one of a name wins.
+    """Return name and value of each `name:=value`; the last value of a name wins.
 
     >>> list(parse_launch_arguments(["speed:=1", "speed:=2"]))
     [('speed', '2')]
 
     Raises:
-        RuntimeError: when one has another form.
+        RuntimeError: when an argument has another form.
     """
     parsed: dict[str, str] = {}
     for argument in launch_arguments:

@@ -1,4 +1,4 @@
-"""Shows the arguments that a launch test takes."""
+"""The listing of a launch test's arguments."""
 
 from __future__ import annotations
 
@@ -7,5 +7,5 @@ from launch.utilities.arguments import arguments_text
 
 
 def print_arguments_of_launch_description(*, launch_description: LaunchDescription) -> None:
-    """Print them as `ros2 launch --show-args` does."""
+    """Print the arguments as `ros2 launch --show-args` does."""
     print(arguments_text(launch_description))

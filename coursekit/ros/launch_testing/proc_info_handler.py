@@ -1,4 +1,4 @@
-"""Which processes were started, and how they ended."""
+"""The started processes, and their exit codes."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from .util import NoMatchingProcessException, resolveProcesses
 
 
 class ProcInfoHandler:
-    """The last thing that is known of each process: its ProcessStarted or its ProcessExited."""
+    """The latest event of each process: ProcessStarted or ProcessExited."""
 
     def __init__(self) -> None:
         self._info: dict[ExecuteLocal, Any] = {}
 
     def append(self, process_info: Any) -> None:
-        """Keep the event."""
+        """Store an event."""
         self._info[process_info.action] = process_info
 
     def __iter__(self) -> Iterator[Any]:
@@ -44,7 +44,7 @@ class ProcInfoHandler:
 
 
 class ActiveProcInfoHandler:
-    """The facts of processes that still run; their start and end may be waited for."""
+    """The events of running processes, with functions that wait for their start and end."""
 
     def __init__(self) -> None:
         self._changed = threading.Condition()
@@ -56,7 +56,7 @@ class ActiveProcInfoHandler:
         return self._changed
 
     def append(self, process_info: Any) -> None:
-        """Keep the event, and wake who waits for it."""
+        """Store an event, and wake waiting threads."""
         with self._changed:
             self._proc_info_handler.append(process_info)
             self._changed.notify_all()
@@ -81,12 +81,12 @@ class ActiveProcInfoHandler:
             return self._proc_info_handler[key]
 
     def assertWaitForShutdown(self, process: Any, cmd_args: Any = None, *, timeout: float | None = 10) -> None:
-        """Wait until a process has ended, and fail when it has not after `timeout` seconds."""
+        """Wait until a process has ended; fail after `timeout` seconds."""
         if not self._wait(process, cmd_args, timeout, lambda info: isinstance(info, ProcessExited)):
             raise AssertionError(f"Timed out waiting for process '{process}' to finish")
 
     def assertWaitForStartup(self, process: Any, cmd_args: Any = None, *, timeout: float | None = 10) -> None:
-        """Wait until a process has started, and fail when it has not after `timeout` seconds."""
+        """Wait until a process has started; fail after `timeout` seconds."""
         if not self._wait(process, cmd_args, timeout, lambda info: True):
             raise AssertionError(f"Timed out waiting for process '{process}' to start")
 

@@ -1,4 +1,4 @@
-"""Waits until several parties are ready."""
+"""A callback for the readiness of several parties."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class ReadyAggregator:
         self._lock = threading.Lock()
 
     def ready_fn(self) -> None:
-        """Say that one party is ready; may be called from any thread."""
+        """Record that one party is ready; thread-safe."""
         with self._lock:
             self._missing -= 1
             complete = self._missing == 0

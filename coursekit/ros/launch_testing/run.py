@@ -1,4 +1,4 @@
-"""One launch with its tests: those beside it in a thread of their own, those after it when it has ended."""
+"""One launch with its tests: some run in a thread of their own during the launch, others after its end."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ from .proc_info_handler import ActiveProcInfoHandler
 from .test_result import TestResult
 
 READY_SECONDS = 15.0
-"""How long what is launched may take until its ReadyToTest action."""
+"""The time [s] that a launch may take until its ReadyToTest action."""
 
 
 class LaunchDied(Exception):
-    """The launch ended before the tests beside it did."""
+    """The launch ended before its tests did."""
 
 
 class RunnerWorker:
-    """Launches `preamble` and what `test_run` describes, and runs its tests."""
+    """Launches `preamble` and the description of `test_run`, and runs its tests."""
 
     def __init__(
         self,
@@ -59,7 +59,7 @@ class RunnerWorker:
         testing = threading.Thread(target=self._run_test, name="test_runner_thread", daemon=True)
         testing.start()
         self._service.run(shutdown_when_idle=not self._test_run.markers.get("keep_alive", False))
-        self._ready.set()  # who still waits for it need not
+        self._ready.set()  # a thread that still waits for it need not wait any longer
         if self._failure is not None:
             raise self._failure
         if self._results is None:
@@ -70,7 +70,7 @@ class RunnerWorker:
         return self._results
 
     def _bind(self, context: dict[str, Any]) -> None:
-        """Tests get what their names ask for; after the launch, what need not be waited for any more."""
+        """Bind tests to the objects that they name. After the launch, these are handlers that do not wait."""
         both = {"test_args": dict(self._arguments)}
         beside = {
             "launch_service": self._service,
@@ -103,7 +103,7 @@ class RunnerWorker:
         )
 
     def _run_test(self) -> None:
-        """Run the tests as soon as the launch is ready for them; they end it."""
+        """Run the tests as soon as the launch is ready, then shut the launch down."""
         try:
             if not self._ready.wait(READY_SECONDS):
                 print("Timed out waiting for processes to start up")
@@ -115,7 +115,7 @@ class RunnerWorker:
             _ = self._service.shutdown()
 
     def _print_failed_processes(self) -> None:
-        """Show how processes ended that may be the reason."""
+        """Print the exit codes and the output of failed processes, which may be the reason."""
         for info in self._proc_info:
             if isinstance(info, ProcessStarted) or info.returncode == 0:
                 continue

@@ -1,4 +1,4 @@
-"""Runs a launch test in the session, and lets programs that run outside of the session in."""
+"""Runs a launch test in the session, and connects programs outside the session to it."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ NAME = "a launch test"
 
 
 def in_session(function: Callable[[], Result]) -> Result:
-    """Return what `function` returns, or raise what it raises.
+    """Return the result of `function`, or raise its exception.
 
-    On the virtual clock it runs as a process of the session, so that its waiting takes no time.
+    On the virtual clock it runs as a process of the session; its waits then take no time.
     """
     session = current()
     if not session.clock.virtual or current_process() is not None:
@@ -47,10 +47,10 @@ def in_session(function: Callable[[], Result]) -> Result:
 
 @contextmanager
 def own_domain() -> Iterator[None]:
-    """Let `ros2` and node programs that run beside a test, or that it starts by `subprocess` or a shell, meet its nodes.
+    """Connect a test's nodes with `ros2` and node programs that run in parallel or that the test starts in a shell.
 
-    The test stays in its domain, unless a notebook or another test has that one's terminals: then it gets a domain that
-    nobody has. On the virtual clock such programs have sessions of their own.
+    The test stays in its domain, unless a notebook or another test holds the domain's terminals. It then gets a free domain.
+    On the virtual clock these programs have sessions of their own.
     """
     if current().clock.virtual or current_process() is not None:
         yield
@@ -69,7 +69,7 @@ def own_domain() -> Iterator[None]:
 
 
 def _choose(wanted: str) -> tuple[int, Any]:
-    """A domain, and the server through which its terminals reach the test; None where the commands' own session has them."""
+    """A domain, and the server that connects its terminals to the test; None if the commands' own session has them."""
     for domain in [int(wanted)] if wanted.isdecimal() else DOMAINS:
         server = load(SERVE)(current(), domain, NAME)
         if server is not None or wanted.isdecimal() or load(HOLDER)(domain) == "":

@@ -1,4 +1,4 @@
-"""The results of a run: unittest's, and which tests ran for how long."""
+"""The results of a run: unittest's results, and the duration of each test."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class FailResult(unittest.TestResult):
-    """The result of a run whose launch ended too early: all of its tests have failed, with `message`."""
+    """The result of a run whose launch ended too early: all tests have failed with `message`."""
 
     def __init__(self, test_run: TestRun, message: str) -> None:
         super().__init__()
@@ -27,7 +27,7 @@ class FailResult(unittest.TestResult):
 
     @property
     def testTimes(self) -> dict[unittest.TestCase, float]:
-        """How many seconds each test took: none."""
+        """The duration of each test: 0 seconds."""
         return dict.fromkeys(self.testCases, 0)
 
     def wasSuccessful(self) -> bool:
@@ -36,7 +36,7 @@ class FailResult(unittest.TestResult):
 
 
 class SkipResult(unittest.TestResult):
-    """The result of a run that was left out, for `skip_reason`."""
+    """The result of a run that was skipped for `skip_reason`."""
 
     def __init__(self, test_run: TestRun, skip_reason: str = "") -> None:
         super().__init__()
@@ -51,7 +51,7 @@ class SkipResult(unittest.TestResult):
 
     @property
     def testTimes(self) -> dict[unittest.TestCase, float]:
-        """How many seconds each test took: none."""
+        """The duration of each test: 0 seconds."""
         return dict.fromkeys(self.testCases, 0)
 
     def wasSuccessful(self) -> bool:
@@ -62,7 +62,7 @@ class SkipResult(unittest.TestResult):
 class TestResult(unittest.TextTestResult):
     """The result of tests that ran."""
 
-    __test__ = False  # pytest: this is no test case
+    __test__ = False  # pytest: this is not a test case
 
     def __init__(self, stream: Any = None, descriptions: Any = None, verbosity: Any = None, **options: Any) -> None:
         self.__began: dict[Any, float] = {}
@@ -71,22 +71,22 @@ class TestResult(unittest.TextTestResult):
 
     @property
     def testCases(self) -> Collection[unittest.TestCase]:
-        """The tests that began."""
+        """The tests that were started."""
         return self.__times.keys()
 
     @property
     def testTimes(self) -> dict[unittest.TestCase, float]:
-        """How many seconds each test took."""
+        """The duration of each test in seconds."""
         return dict(self.__times)
 
     def startTest(self, test: unittest.TestCase) -> None:
-        """Begin a test."""
+        """Start the timer of a test."""
         self.__began[test] = time.time()
         self.__times[test] = 0
         super().startTest(test)
 
     def stopTest(self, test: unittest.TestCase) -> None:
-        """End a test."""
+        """Stop the timer of a test."""
         self.__times[test] = time.time() - self.__began.pop(test)
         super().stopTest(test)
 

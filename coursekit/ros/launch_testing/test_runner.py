@@ -17,7 +17,7 @@ from .test_result import FailResult, SkipResult
 
 
 class LaunchTestRunner:
-    """Launches what each of `test_runs` describes, with `name:=value` arguments, and runs its tests."""
+    """Launches the description of each of `test_runs` with `name:=value` arguments, and runs its tests."""
 
     def __init__(self, test_runs: Sequence[TestRun], launch_file_arguments: Sequence[str] = (), debug: bool = False) -> None:
         self._test_runs = test_runs
@@ -25,11 +25,11 @@ class LaunchTestRunner:
         self._debug = debug
 
     def generate_preamble(self) -> list[LaunchDescriptionEntity]:
-        """Return what is launched before what a test describes; subclasses override it."""
+        """Return the entities to launch before a test's description; subclasses override it."""
         return []
 
     def run(self) -> dict[TestRun, Any]:
-        """Return the result of each run; when a launch ends before its tests, the runs after it are left out."""
+        """Return the result of each run; if a launch ends before its tests, the remaining runs are left out."""
         results: dict[TestRun, Any] = {}
         for test_run in self._test_runs:
             if len(self._test_runs) > 1:
@@ -51,10 +51,10 @@ class LaunchTestRunner:
             )
 
     def validate(self) -> None:
-        """Check that each description takes the arguments that it is given.
+        """Check that each description accepts the arguments that it is given.
 
         Raises:
-            Exception: when it does not.
+            Exception: when a description does not.
         """
         for test_run in self._test_runs:
             _check_arguments(test_run)

@@ -1,4 +1,4 @@
-"""Passes messages on to another topic."""
+"""A republisher of messages on another topic."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rclpy.node import Node
 
 
 class DataRepublisher:
-    """Publishes what `transform_fn` makes of each message of a topic on another one; where it returns None, nothing."""
+    """Applies `transform_fn` to each message of a topic and publishes the result on another topic, unless it is None."""
 
     def __init__(
         self,
@@ -27,20 +27,20 @@ class DataRepublisher:
         self._subscription = node.create_subscription(msg_type, listen_topic, self._pass_on, 10)
 
     def shutdown(self) -> None:
-        """Pass on no more."""
+        """Stop republishing."""
         self._node.destroy_subscription(self._subscription)
         self._node.destroy_publisher(self._publisher)
 
     def get_num_received(self) -> int:
-        """Return how many messages have come."""
+        """Return the number of received messages."""
         return self._received
 
     def get_num_republished(self) -> int:
-        """Return how many messages were passed on."""
+        """Return the number of republished messages."""
         return len(self._republished)
 
     def get_republished(self) -> list[Any]:
-        """Return the messages that were passed on, as they came."""
+        """Return the republished messages as they were received."""
         return self._republished
 
     def _pass_on(self, message: Any) -> None:

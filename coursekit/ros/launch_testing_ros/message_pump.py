@@ -1,4 +1,4 @@
-"""Spins a node beside a test."""
+"""A thread that spins a node during a test."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ class MessagePump:
         self._thread = threading.Thread(target=self._pump, name="message_pump_thread")
 
     def start(self) -> None:
-        """Begin; once."""
+        """Start the thread; call this only once."""
         self._running = True
         self._thread.start()
 
     def stop(self) -> None:
-        """End, and wait until the last callback has returned.
+        """Stop the thread, and wait until the last callback has returned.
 
         Raises:
-            Exception: when one has not returned after five seconds.
+            Exception: when it has not returned after five seconds.
         """
         self._running = False
         self._executor.wake()

@@ -8,7 +8,7 @@ import launch_testing.test_runner
 
 
 class LaunchTestRunner(launch_testing.test_runner.LaunchTestRunner):
-    """Runs launch tests with `rclpy` in reach, which takes the ROS arguments among the launch's."""
+    """Runs launch tests with an `rclpy` context, which receives the ROS arguments among the launch's."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         super().__init__(*args, **kwargs)

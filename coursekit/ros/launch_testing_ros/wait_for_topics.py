@@ -1,4 +1,4 @@
-"""Waits until something is published."""
+"""Waiting for messages on topics."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from rclpy.node import Node
 
 
 class WaitForTopics:
-    """Waits until a message has come on every topic, at most `timeout` seconds.
+    """Waits until a message has arrived on every topic, at most `timeout` seconds.
 
-    `with WaitForTopics([("/chatter", String)], timeout=5.0) as waiting:` raises when one is missing then;
-    `wait()` returns whether all have come, after which `shutdown()` is to be called.
+    `with WaitForTopics([("/chatter", String)], timeout=5.0) as waiting:` raises if a message is missing then.
+    `wait()` returns whether all have arrived; call `shutdown()` afterwards.
     """
 
     def __init__(self, topic_tuples: Sequence[tuple[str, Any]], timeout: float = 5.0) -> None:
@@ -35,12 +35,12 @@ class WaitForTopics:
             self._executor.spin_once(1.0)
 
     def wait(self) -> bool:
-        """Listen, and return whether all topics have had a message."""
+        """Subscribe and wait; return whether a message has arrived on all topics."""
         self._node.listen(self.topic_tuples)
         return self._node.all_received.wait(self.timeout)
 
     def shutdown(self) -> None:
-        """Listen no more."""
+        """Stop spinning and destroy the node."""
         self._running = False
         self._executor.wake()
         self._thread.join()
@@ -48,11 +48,11 @@ class WaitForTopics:
         rclpy.shutdown(context=self._context)
 
     def topics_received(self) -> set[str]:
-        """Return the topics that have had a message."""
+        """Return the topics on which a message has arrived."""
         return self._node.received
 
     def topics_not_received(self) -> set[str]:
-        """Return the topics that have had none."""
+        """Return the topics on which no message has arrived."""
         return self._node.expected - self._node.received
 
     def __enter__(self) -> WaitForTopics:

@@ -60,23 +60,23 @@ def _call(node: Any, kind: Any, name: str, request: Any) -> Any:
 
 
 def call_describe_parameters(*, node: Any, node_name: str, parameter_names: list[str] | None = None) -> Any:
-    """The response of a node's describe_parameters; RuntimeError when there is none."""
+    """The response of a node's describe_parameters; raises RuntimeError if there is none."""
     request = DescribeParameters.Request(names=parameter_names or [])
     return _call(node, DescribeParameters, f"{node_name}/describe_parameters", request)
 
 
 def call_get_parameters(*, node: Any, node_name: str, parameter_names: list[str]) -> Any:
-    """The response of a node's get_parameters; RuntimeError when there is none."""
+    """The response of a node's get_parameters; raises RuntimeError if there is none."""
     return _call(node, GetParameters, f"{node_name}/get_parameters", GetParameters.Request(names=parameter_names))
 
 
 def call_set_parameters(*, node: Any, node_name: str, parameters: list[Parameter]) -> Any:
-    """The response of a node's set_parameters; RuntimeError when there is none."""
+    """The response of a node's set_parameters; raises RuntimeError if there is none."""
     return _call(node, SetParameters, f"{node_name}/set_parameters", SetParameters.Request(parameters=parameters))
 
 
 def call_list_parameters(*, node: Any, node_name: str, prefix: str | None = None) -> list[str]:
-    """The names of a node's parameters; RuntimeError when it does not answer."""
+    """The names of a node's parameters; raises RuntimeError if the node does not respond."""
     request = ListParameters.Request(prefixes=[prefix] if prefix else [])
     return list(_call(node, ListParameters, f"{node_name}/list_parameters", request).result.names)
 

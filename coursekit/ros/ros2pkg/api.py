@@ -21,7 +21,7 @@ def get_package_names() -> list[str]:
 
 
 def get_prefix_path(package_name: str) -> str | None:
-    """The prefix of a package; None when there is no such package."""
+    """The prefix of a package; None if the package does not exist."""
     try:
         return str(executables.prefix_of(package_name))
     except executables.PackageNotFound:

@@ -28,7 +28,7 @@ from rosbag2_py._reader import SequentialReader
 from rosbag2_py._storage import StorageFilter, StorageOptions
 
 _WITHOUT_PAUSE = 64
-"""The number of messages published in a row before services and keys are handled."""
+"""The maximum number of messages published in a row before services and keys are handled."""
 
 
 class PlayerNode(Node):

@@ -69,7 +69,7 @@ def _as_idl(package: str, path: Path) -> Path | None:
 def get_interface_path(interface_name: str) -> str:
     """Return the path of a definition file.
 
-    Raises ValueError for a malformed name and LookupError when there is no such interface.
+    Raises ValueError for a malformed name and LookupError if the interface does not exist.
     """
     parts = interface_name.split("/")
     if len(parts) < 2:

@@ -20,8 +20,8 @@ def set_message_fields(
 ) -> list[Setter]:
     """Set the fields of a message from a dictionary; return functions that set times to "now".
 
-    With `expand_header_auto`, 'auto' as a header is replaced by a stamp later;
-    with `expand_time_now`, 'now' as a time is replaced later.
+    With `expand_header_auto`, 'auto' for a header defers its stamp to these functions;
+    with `expand_time_now`, 'now' defers a time.
     Raises AttributeError for an unknown field and TypeError or ValueError for a value that does not fit.
 
     >>> from geometry_msgs.msg import Vector3

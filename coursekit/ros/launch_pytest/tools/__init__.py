@@ -1,4 +1,4 @@
-"""Tools to wait for what processes do."""
+"""Tools that wait for events of processes."""
 
 from . import process
 from .process import (

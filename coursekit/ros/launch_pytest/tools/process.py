@@ -1,7 +1,7 @@
-"""Waits for what a launched process prints, for its start and for its end.
+"""Waiting for the output, the start and the end of a launched process.
 
-Each function is there twice: as a coroutine, for tests that run in the launch's loop, and with `_sync` for those that run
-beside it in a thread. `assert_...` take a function that raises AssertionError until it is content, and raise its last.
+Each function has two forms: a coroutine for tests that run in the launch's loop, and a form with `_sync` for tests in a
+separate thread. `assert_...` take a function that raises AssertionError until it is satisfied, and raise its last error.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ def _on_exit(action: ExecuteLocal, tell: Callable[[], None]) -> OnProcessExit:
 
 @contextmanager
 def _registered(context: LaunchContext, handler: Any) -> Iterator[None]:
-    context.register_event_handler(handler, append=True)  # after those that keep the output
+    context.register_event_handler(handler, append=True)  # after the handlers that store the output
     try:
         yield
     finally:
@@ -50,7 +50,7 @@ def _registered(context: LaunchContext, handler: Any) -> Iterator[None]:
 async def _wait(
     context: LaunchContext, action: ExecuteLocal, handler: Handler, condition: Condition, timeout: float | None
 ) -> Any:
-    """Return the condition's value when it holds, or after `timeout` seconds."""
+    """Return the condition's value as soon as it is true, or after `timeout` seconds."""
     happened = asyncio.Event()
     loop = asyncio.get_running_loop()
     deadline = None if timeout is None else loop.time() + timeout
@@ -70,7 +70,7 @@ async def _wait(
 def _wait_sync(
     context: LaunchContext, action: ExecuteLocal, handler: Handler, condition: Condition, timeout: float | None
 ) -> Any:
-    """Return the condition's value when it holds, or after `timeout` seconds."""
+    """Return the condition's value as soon as it is true, or after `timeout` seconds."""
     happened = threading.Event()
     deadline = None if timeout is None else time.monotonic() + timeout
     with _registered(context, handler(action, happened.set)):
@@ -111,7 +111,7 @@ async def wait_for_output(
     """Wait until `validate_output(stdout)` is true; return its last value. The action needs `cached_output=True`.
 
     Raises:
-        AssertionError: of `validate_output`, when it still raises one after `timeout` seconds.
+        AssertionError: from `validate_output`, if it still raises one after `timeout` seconds.
     """
     action = execute_process_action
     value = await _wait(launch_context, action, _on_stdout, _value(validate_output, action.get_stdout), timeout)
@@ -127,7 +127,7 @@ def wait_for_output_sync(
     """Wait until `validate_output(stdout)` is true; return its last value. The action needs `cached_output=True`.
 
     Raises:
-        AssertionError: of `validate_output`, when it still raises one after `timeout` seconds.
+        AssertionError: from `validate_output`, if it still raises one after `timeout` seconds.
     """
     action = execute_process_action
     value = _wait_sync(launch_context, action, _on_stdout, _value(validate_output, action.get_stdout), timeout)
@@ -140,7 +140,7 @@ async def assert_output(
     validate_output: Validate,
     timeout: float | None = None,
 ) -> None:
-    """Wait until `validate_output(stdout)` does not raise AssertionError; let its last one out."""
+    """Wait until `validate_output(stdout)` does not raise AssertionError; after the timeout, propagate its error."""
     action = execute_process_action
     if not await _wait(launch_context, action, _on_stdout, _asserted(validate_output, action.get_stdout), timeout):
         validate_output(action.get_stdout())
@@ -152,7 +152,7 @@ def assert_output_sync(
     validate_output: Validate,
     timeout: float | None = None,
 ) -> None:
-    """Wait until `validate_output(stdout)` does not raise AssertionError; let its last one out."""
+    """Wait until `validate_output(stdout)` does not raise AssertionError; after the timeout, propagate its error."""
     action = execute_process_action
     if not _wait_sync(launch_context, action, _on_stdout, _asserted(validate_output, action.get_stdout), timeout):
         validate_output(action.get_stdout())
@@ -167,7 +167,7 @@ async def wait_for_stderr(
     """Wait until `validate_output(stderr)` is true; return its last value. The action needs `cached_output=True`.
 
     Raises:
-        AssertionError: of `validate_output`, when it still raises one after `timeout` seconds.
+        AssertionError: from `validate_output`, if it still raises one after `timeout` seconds.
     """
     action = execute_process_action
     value = await _wait(launch_context, action, _on_stderr, _value(validate_output, action.get_stderr), timeout)
@@ -183,7 +183,7 @@ def wait_for_stderr_sync(
     """Wait until `validate_output(stderr)` is true; return its last value. The action needs `cached_output=True`.
 
     Raises:
-        AssertionError: of `validate_output`, when it still raises one after `timeout` seconds.
+        AssertionError: from `validate_output`, if it still raises one after `timeout` seconds.
     """
     action = execute_process_action
     value = _wait_sync(launch_context, action, _on_stderr, _value(validate_output, action.get_stderr), timeout)
@@ -196,7 +196,7 @@ async def assert_stderr(
     validate_output: Validate,
     timeout: float | None = None,
 ) -> None:
-    """Wait until `validate_output(stderr)` does not raise AssertionError; let its last one out."""
+    """Wait until `validate_output(stderr)` does not raise AssertionError; after the timeout, propagate its error."""
     action = execute_process_action
     if not await _wait(launch_context, action, _on_stderr, _asserted(validate_output, action.get_stderr), timeout):
         validate_output(action.get_stderr())
@@ -208,7 +208,7 @@ def assert_stderr_sync(
     validate_output: Validate,
     timeout: float | None = None,
 ) -> None:
-    """Wait until `validate_output(stderr)` does not raise AssertionError; let its last one out."""
+    """Wait until `validate_output(stderr)` does not raise AssertionError; after the timeout, propagate its error."""
     action = execute_process_action
     if not _wait_sync(launch_context, action, _on_stderr, _asserted(validate_output, action.get_stderr), timeout):
         validate_output(action.get_stderr())

@@ -1,4 +1,4 @@
-"""Runs a GTest program."""
+"""An action that runs a GTest program."""
 
 from __future__ import annotations
 
@@ -18,5 +18,5 @@ class GTest(Test):
 
     @property
     def path(self) -> SomeSubstitutionsType:
-        """Where the program is."""
+        """The path of the program."""
         return self.__path

@@ -1,4 +1,4 @@
-"""Runs pytest."""
+"""An action that runs pytest."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Says that the tests may begin."""
+"""An action that signals that the tests may begin."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _logger = logging.getLogger(__name__)
 
 
 class ReadyToTest(Action):
-    """When this action is carried out, the tests begin."""
+    """The tests begin when this action is executed."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -22,7 +22,7 @@ class ReadyToTest(Action):
         self._callbacks.append(callback)
 
     def execute(self, context: LaunchContext) -> None:
-        """Tell everyone who waits; what one of them raises does not keep the others waiting."""
+        """Call all callbacks; an exception in one of them is logged and does not affect the others."""
         for callback in self._callbacks:
             try:
                 callback()

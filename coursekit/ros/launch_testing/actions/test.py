@@ -1,4 +1,4 @@
-"""Runs a test program as a part of a launch."""
+"""An action that runs a test program as part of a launch."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from launch.some_substitutions_type import SomeSubstitutionsType
 class Test(ExecuteProcess):
     """Starts a test program, and kills it after `timeout` seconds if it still runs."""
 
-    __test__ = False  # pytest: this is no test case
+    __test__ = False  # pytest: this is not a test case
 
     def __init__(self, *, timeout: float | SomeSubstitutionsType | None = None, **kwargs: Any) -> None:
         super().__init__(**kwargs)
@@ -23,11 +23,11 @@ class Test(ExecuteProcess):
 
     @property
     def timeout(self) -> float | SomeSubstitutionsType | None:
-        """Seconds after which it is killed; None for never."""
+        """Seconds after which the program is killed; None for never."""
         return self.__timeout
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
-        """Start it, and the timer that ends it."""
+        """Start the program and the timer that kills it."""
         actions = super().execute(context)
         if not self.__timeout:
             return actions

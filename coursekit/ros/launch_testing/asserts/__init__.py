@@ -1,4 +1,4 @@
-"""Assertions on what processes printed and how they ended."""
+"""Assertions on the output and the exit codes of processes."""
 
 from ..util.proc_lookup import NO_CMD_ARGS
 from .assert_exit_codes import (

@@ -22,7 +22,7 @@ def assertExitCodes(
     *,
     strict_proc_matching: bool = True,
 ) -> None:
-    """Fail unless every process that is meant (all by default) ended with one of the codes."""
+    """Fail unless every selected process (all by default) ended with one of the codes."""
     for code in allowable_exit_codes:
         assert isinstance(code, int), f"Provided exit code {code} is not an int"
     meant = resolveProcesses(proc_info, process=process, cmd_args=cmd_args, strict_proc_matching=strict_proc_matching)

@@ -1,4 +1,4 @@
-"""Assertions on what processes printed."""
+"""Assertions on the output of processes."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ def assertInStream(
     strip_ansi_escape_sequences: bool = True,
     stream: str = "stderr",
 ) -> None:
-    """Fail unless one of the processes that are meant printed `expected_output` to `stream` ('stdout' or 'stderr').
+    """Fail unless one of the selected processes printed `expected_output` to `stream` ('stdout' or 'stderr').
 
-    It is a text, a compiled regular expression, or several of them in order; `output_filter` gets the output first.
+    `expected_output` is a text, a compiled regular expression, or several of them in order; `output_filter` comes first.
 
     Raises:
-        ValueError: when the stream, the filter or what is expected is none.
-        NoMatchingProcessException: when there is no such process.
+        ValueError: when the stream, the filter or the expected output is invalid.
+        NoMatchingProcessException: when no process matches.
     """
     meant = resolveProcesses(proc_output, process=process, cmd_args=cmd_args, strict_proc_matching=strict_proc_matching)
     if output_filter is not None and not callable(output_filter):
@@ -52,15 +52,15 @@ def assertInStream(
 
 
 def assertInStdout(proc_output: Any, expected_output: Any, process: Any, cmd_args: Any = None, **options: Any) -> None:
-    """Fail unless it was printed to standard output; see `assertInStream`."""
+    """Fail unless `expected_output` was printed to standard output; see `assertInStream`."""
     assertInStream(proc_output, expected_output, process, cmd_args, stream="stdout", **options)
 
 
 def assertInStderr(proc_output: Any, expected_output: Any, process: Any, cmd_args: Any = None, **options: Any) -> None:
-    """Fail unless it was printed to standard error; see `assertInStream`."""
+    """Fail unless `expected_output` was printed to standard error; see `assertInStream`."""
     assertInStream(proc_output, expected_output, process, cmd_args, stream="stderr", **options)
 
 
 def assertDefaultStream() -> str:
-    """Return the stream in which `assertInStream` looks by default: the one that nodes log to."""
+    """Return the stream that `assertInStream` searches by default: the stream that nodes log to."""
     return "stderr"

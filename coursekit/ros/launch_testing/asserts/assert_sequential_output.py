@@ -1,4 +1,4 @@
-"""Assertions on the order in which a process printed."""
+"""Assertions on the order of a process's output."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _LINES_AROUND = 2
 
 
 class SequentialTextChecker:
-    """Looks for texts one after the other in what was printed, given in pieces.
+    """Searches for texts in order in an output that is given in pieces.
 
     >>> checker = SequentialTextChecker(["one two\\n", "three\\n"])
     >>> checker.assertInText("two")
@@ -30,11 +30,11 @@ class SequentialTextChecker:
         self._at = 0
 
     def assertInText(self, msg: str) -> None:
-        """Fail unless `msg` comes after what was found last."""
+        """Fail unless `msg` comes after the last match."""
         self.assertInStdout(msg)
 
     def assertInStdout(self, msg: str) -> None:
-        """Fail unless `msg` comes after what was found last; one text may not lie in two pieces."""
+        """Fail unless `msg` comes after the last match; a text that spans two pieces is not found."""
         for number in range(self._piece, len(self._output)):
             found = self._output[number].find(msg, self._at if number == self._piece else 0)
             if found >= 0:
@@ -49,13 +49,13 @@ class SequentialTextChecker:
         """Return the line after the last match, with two lines before and after it."""
         whole = "".join(self._output)
         at = sum(map(len, self._output[: self._piece])) + self._at
-        line = whole.count("\n", 0, at + 1)  # a match up to the end of its line comes before the next one
+        line = whole.count("\n", 0, at + 1)  # after a match up to the end of its line, this is the next line
         return "\n".join(whole.splitlines()[max(0, line - _LINES_AROUND) : line + _LINES_AROUND + 1])
 
 
 @contextmanager
 def assertSequentialStdout(proc_output: Any, process: Any, cmd_args: Any = None) -> Iterator[SequentialTextChecker]:
-    """Give a checker of the order in which one process printed.
+    """Return a checker of the order of a process's output.
 
     with assertSequentialStdout(proc_output, "talker") as checker:
         checker.assertInStdout("Loop 1")

@@ -1,4 +1,4 @@
-"""Reacts to a text that a process prints when it is ready."""
+"""An event handler for a text that a process prints when it is ready."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from launch.some_entities_type import SomeEntitiesType
 
 
 class StdoutReadyListener(OnProcessIO):
-    """Carries `actions` out when `target_action`, or any process, prints `ready_txt` to its standard output."""
+    """Executes `actions` when `target_action`, or any process, prints `ready_txt` to its standard output."""
 
     def __init__(
         self, *, target_action: ExecuteProcess | None = None, ready_txt: str, actions: list[SomeEntitiesType]

@@ -1,6 +1,6 @@
 """pytest's plugin: a file whose `generate_test_description` has the mark `launch_test` is one test.
 
-Every run of pytest loads this: what needs `launch` is imported when there is such a file.
+Every run of pytest loads this module. Modules that need `launch` are imported when there is such a file.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ ENTRY = "generate_test_description"
 
 
 class LaunchTestFailure(Exception):
-    """Raised when tests have failed; `results` are those of each run."""
+    """Raised when tests have failed; `results` has the result of each run."""
 
     def __init__(self, message: str, results: dict[Any, Any]) -> None:
         super().__init__(message)
@@ -34,7 +34,7 @@ class LaunchTestItem(pytest.Item):
         self.runner_cls = runner_cls
 
     def runtest(self) -> None:
-        """Run them; a plugin may do so several times.
+        """Run the launches and tests; a plugin may do so several times.
 
         Raises:
             LaunchTestFailure: when a test has failed.
@@ -63,7 +63,7 @@ class LaunchTestItem(pytest.Item):
         )
 
     def reportinfo(self) -> tuple[Path, int, str]:
-        """Its place and its name."""
+        """The path and the name of the item."""
         return self.path, 0, f"launch tests: {self.name}"
 
 
@@ -78,7 +78,7 @@ class LaunchTestModule(pytest.File):
 
     @classmethod
     def from_parent(cls, parent: Any, **kwargs: Any) -> Any:
-        """Make one; plugins that were written for older ones give its path as `fspath`."""
+        """Create a module; plugins for older versions of pytest pass its path as `fspath`."""
         if "fspath" in kwargs:
             kwargs["path"] = Path(kwargs.pop("fspath"))
         return super().from_parent(parent, **kwargs)
@@ -88,7 +88,7 @@ class LaunchTestModule(pytest.File):
         return LaunchTestItem.from_parent(*args, **kwargs)
 
     def collect(self) -> Iterator[Any]:
-        """Give the file's test."""
+        """Yield the file's test."""
         from ..loader import LoadTestsFromPythonModule
 
         module = _imported(self.parent, self.path)
@@ -97,22 +97,22 @@ class LaunchTestModule(pytest.File):
 
 
 def _imported(parent: Any, path: Path) -> Any:
-    """The file as pytest imports tests."""
+    """Import the file as pytest imports tests."""
     return pytest.Module.from_parent(parent, path=path).obj
 
 
 def find_launch_test_entrypoint(path: Path, parent: Any) -> Any:
-    """Return the `generate_test_description` of a file; None where there is none, or it cannot be imported."""
+    """Return the `generate_test_description` of a file; None if there is none or the file cannot be imported."""
     if ENTRY.encode() not in path.read_bytes():
         return None
     try:
         return getattr(_imported(parent, path), ENTRY, None)
     except (Exception, pytest.skip.Exception):
-        return None  # pytest itself will import it, and say so
+        return None  # pytest itself will import the file and report the error
 
 
 def pytest_pycollect_makemodule(module_path: Path, parent: Any) -> Any:
-    """Collect a file of launch tests; leave others to pytest."""
+    """Collect a file of launch tests; leave other files to pytest."""
     entrypoint = find_launch_test_entrypoint(module_path, parent)
     if entrypoint is None:
         return None
@@ -130,7 +130,7 @@ def pytest_launch_collect_makemodule(module_path: Path, parent: Any, entrypoint:
 def marked_module(
     kind: type[LaunchTestModule], mark: str, module_path: Path, parent: Any, entrypoint: Any
 ) -> LaunchTestModule | None:
-    """Return a collector of the kind, with the description's marks; None when `mark` is not among these."""
+    """Return a collector of the kind, with the description's marks; None if `mark` is not among the marks."""
     marks = getattr(entrypoint, "pytestmark", [])
     if not any(one.name == mark for one in marks):
         return None
@@ -148,7 +148,7 @@ def pytest_addhooks(pluginmanager: Any) -> None:
 
 
 def pytest_addoption(parser: Any) -> None:
-    """Take launch arguments on the command line."""
+    """Add the option for launch arguments."""
     parser.addoption("--launch-args", action="append", nargs="*", default=[], help="One or more Launch test arguments")
 
 

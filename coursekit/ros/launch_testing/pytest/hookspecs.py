@@ -1,4 +1,4 @@
-"""The hook by which others collect launch tests of their own kind."""
+"""The hook with which other plugins collect launch tests of their own kind."""
 
 from __future__ import annotations
 

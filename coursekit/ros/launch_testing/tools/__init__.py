@@ -1,4 +1,4 @@
-"""Tools to test what processes print, and programs that are started by a test."""
+"""Tools for tests of output, and of programs that a test starts."""
 
 from .output import basic_output_filter, expect_output, expected_output_from_file
 from .process import ProcessProxy, launch_process

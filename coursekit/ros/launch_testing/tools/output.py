@@ -1,4 +1,4 @@
-"""Filters for output, and expectations of it."""
+"""Filters for output, and its comparison with expectations."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ..matching import build_line_match, build_text_match
 
 
 def get_default_filtered_prefixes() -> list[str]:
-    """Return how lines begin that are left out by default: process numbers and exit codes."""
+    """Return the prefixes of lines that are left out by default: process IDs and exit codes."""
     return ["pid", "rc"]
 
 
@@ -25,7 +25,7 @@ def get_default_filtered_patterns() -> list[str]:
 def basic_output_filter(
     filtered_prefixes: Iterable[str] | None = None, filtered_patterns: Iterable[str] | None = None
 ) -> Callable[[str], str]:
-    r"""Return a function that leaves out the lines that begin with a prefix or match a pattern.
+    r"""Return a function that removes the lines that begin with a prefix or match a pattern.
 
     >>> basic_output_filter(filtered_prefixes=["pid"], filtered_patterns=[".*secret"])("pid 7\none\na secret\n")
     'one\n'
@@ -44,7 +44,7 @@ def expected_output_from_file(path: str, encoding: str = "utf-8") -> list[Any]:
     """Return the lines of `path`.txt, or of `path`.regex as compiled expressions.
 
     Raises:
-        RuntimeError: when there is neither.
+        RuntimeError: when neither file exists.
     """
     for ending, read in ((".txt", str), (".regex", re.compile)):
         if os.path.isfile(path + ending):
@@ -62,7 +62,7 @@ def expect_output(
     strip_ansi_escape_sequences: bool = True,
     strict: bool = False,
 ) -> bool:
-    r"""Return whether a text, or lines, are as expected; see `build_text_match` and `build_line_match`.
+    r"""Return whether a text, or lines, match the expectation; see `build_text_match` and `build_line_match`.
 
     >>> expect_output("one\ntwo\n", expected_lines=["one", "two"], strict=True)
     True

@@ -1,4 +1,4 @@
-"""A program that a test starts, and ends when it has seen enough."""
+"""A program that a test starts and ends."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ OutputFilter = Callable[[str], str]
 
 
 class ProcessProxy:
-    """A process as a test sees it: its output, which `output_filter` gets first, and its end."""
+    """A test's view of a process: its output, filtered by `output_filter`, and its end."""
 
     def __init__(
         self,
@@ -40,23 +40,23 @@ class ProcessProxy:
         self._filter = output_filter or str
 
     def wait_for_shutdown(self, timeout: float | None = None) -> bool:
-        """Wait for its end, at most `timeout` seconds; return whether it has ended."""
+        """Wait until the process ends, at most `timeout` seconds; return whether it has ended."""
         event = self._proc_info.proc_event
         with event:
             return event.wait_for(lambda: self.terminated, timeout)
 
     def wait_for_output(self, condition: Callable[[str], Any] | None = None, timeout: float | None = None) -> BoolWithText:
-        """Wait until it has started and `condition` holds for its whole output, at most `timeout` seconds.
+        """Wait until the process has started and `condition` holds for its whole output, at most `timeout` seconds.
 
         Raises:
-            TypeError: when the condition is no function.
+            TypeError: when the condition is not callable.
         """
         if condition is not None and not callable(condition):
             raise TypeError(f"Expected 'condition' to be callable but got '{condition!r}'")
         seen: list[str] = []
 
         def holds() -> bool:
-            if not (self.running or self.terminated):  # a short one may have ended before anyone looked
+            if not (self.running or self.terminated):  # a short process may have ended before this check
                 return False
             seen[:] = [self.output]
             return condition is None or bool(condition(seen[0]))
@@ -67,22 +67,22 @@ class ProcessProxy:
 
     @property
     def target_process_action(self) -> ExecuteProcess:
-        """The action that starts it."""
+        """The action that starts the process."""
         return self._action
 
     @property
     def stderr(self) -> str:
-        """Its output to standard error."""
+        """The output to standard error."""
         return self._written(lambda event: event.from_stderr)
 
     @property
     def stdout(self) -> str:
-        """Its output to standard output."""
+        """The output to standard output."""
         return self._written(lambda event: event.from_stdout)
 
     @property
     def output(self) -> str:
-        """Its output to both."""
+        """The output to both streams."""
         return self._written(lambda event: True)
 
     def _written(self, wanted: Callable[[Any], bool]) -> str:
@@ -91,12 +91,12 @@ class ProcessProxy:
 
     @property
     def running(self) -> bool:
-        """Whether it has been started and has not ended."""
+        """Whether the process has started and has not ended."""
         return self._is(ProcessStarted)
 
     @property
     def terminated(self) -> bool:
-        """Whether it has ended."""
+        """Whether the process has ended."""
         return self._is(ProcessExited)
 
     def _is(self, kind: type) -> bool:
@@ -105,13 +105,13 @@ class ProcessProxy:
 
     @property
     def exit_code(self) -> int:
-        """How it ended."""
+        """The exit code of the process."""
         code: int = self._proc_info[self._action].returncode
         return code
 
 
 class BoolWithText:
-    """Whether a condition came to hold; shows the output, so that a failed assertion does."""
+    """Whether a condition became true. Its text contains the output, which a failed assertion thus shows."""
 
     def __init__(self, result: bool, output: str | None) -> None:
         self._result = result
@@ -132,7 +132,7 @@ def launch_process(
     proc_output: ActiveIoHandler,
     **kwargs: Any,
 ) -> Iterator[ProcessProxy]:
-    """Start a process in a running launch, and end it at the end of the block if it still runs then.
+    """Start a process in a running launch, and shut it down at the end of the block if it still runs.
 
     Other arguments are those of `ProcessProxy`.
     """

@@ -1,4 +1,4 @@
-"""Compares text, and lines of text, with what is expected."""
+"""Comparison of text and of lines with an expected output."""
 
 from ..matching import build_line_match, build_text_match, normalize_lineseps
 

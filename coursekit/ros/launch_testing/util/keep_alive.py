@@ -1,4 +1,4 @@
-"""A process that does nothing, so that a launch does not end."""
+"""A process that does nothing and thus keeps a launch running."""
 
 from __future__ import annotations
 
@@ -10,5 +10,5 @@ _WAIT = "import time\ntry:\n    while True:\n        time.sleep(3600)\nexcept Ke
 
 
 def KeepAliveProc() -> ExecuteProcess:
-    """Return an action that keeps a launch running while its own processes end; it ends with the launch, with 0."""
+    """Return an action that keeps a launch running after its processes end; it ends with the launch, with code 0."""
     return ExecuteProcess(cmd=[sys.executable, "-c", _WAIT])

@@ -1,4 +1,4 @@
-"""Finds the processes that a test means."""
+"""The search for the processes that a test selects."""
 
 from __future__ import annotations
 
@@ -9,25 +9,25 @@ from launch import LaunchContext
 from launch.actions import ExecuteLocal
 
 NO_CMD_ARGS = object()
-"""Stands for a process that was started without arguments."""
+"""Selects a process that was started without arguments."""
 
 
 class NoMatchingProcessException(Exception):
-    """There is nothing known of such a process."""
+    """No known process matches."""
 
 
 def resolveProcesses(
     info_obj: Any, *, process: Any = None, cmd_args: Any = None, strict_proc_matching: bool = True
 ) -> list[ExecuteLocal]:
-    """Return the processes of `info_obj` that are meant.
+    """Return the selected processes of `info_obj`.
 
-    `process` is an action, a part of a process's name, or None for all; `cmd_args` (a text, several, or NO_CMD_ARGS) tells
-    processes of one name apart. With `strict_proc_matching` a name must stand for one process only.
+    `process` is an action, a part of a process's name, or None for all. `cmd_args` (a text, several, or NO_CMD_ARGS)
+    distinguishes processes of one name. With `strict_proc_matching`, a name must match one process only.
 
     Raises:
-        NoMatchingProcessException: when there is none.
-        Exception: when there are several and one is asked for.
-        TypeError: when `process` is something else.
+        NoMatchingProcessException: when no process matches.
+        Exception: when several processes match with `strict_proc_matching`.
+        TypeError: when `process` is of another type.
     """
     known = list(info_obj.processes())
     if process is None:
@@ -64,7 +64,7 @@ def _is_meant(action: ExecuteLocal, name: str, cmd_args: Sequence[str] | object 
 
 
 def _name_and_args(action: ExecuteLocal) -> str:
-    """The facts of a process, also before it has been launched."""
+    """The name and arguments of a process, also before it has been launched."""
     if action.process_details:
         return " ".join([action.process_details["name"], *action.process_details["cmd"][1:]])
     nowhere = LaunchContext()

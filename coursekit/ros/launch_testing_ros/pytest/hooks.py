@@ -12,7 +12,7 @@ class LaunchROSTestItem(LaunchTestItem):
 
     @classmethod
     def from_parent(cls, parent: Any, **kwargs: Any) -> Any:
-        """Make one with the runner for nodes."""
+        """Create an item with the runner for nodes."""
         from ..test_runner import LaunchTestRunner
 
         return super().from_parent(parent, runner_cls=LaunchTestRunner, **kwargs)

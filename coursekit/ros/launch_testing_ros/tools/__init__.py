@@ -1,4 +1,4 @@
-"""Tools to test what nodes print."""
+"""Tools for tests of the output of nodes."""
 
 from .output import basic_output_filter, get_rmw_output_filter
 

@@ -11,7 +11,7 @@ _KINDS = ("prefixes", "patterns")
 
 
 def get_rmw_output_filter(rmw_implementation: str, filter_type: str) -> list[str]:
-    """Return the prefixes, or patterns, of lines that a middleware itself writes; it may name them in the ament index.
+    """Return the prefixes or patterns of lines that a middleware itself writes; it may list them in the ament index.
 
     Raises:
         TypeError: when `filter_type` is neither 'prefixes' nor 'patterns'.
@@ -29,7 +29,7 @@ def basic_output_filter(
     filtered_patterns: Iterable[str] | None = None,
     filtered_rmw_implementation: str | None = None,
 ) -> Callable[[str], str]:
-    """Return a function that leaves lines out, as launch_testing's does, and those of a middleware too."""
+    """Return a function that removes lines as launch_testing's does, and also those of a middleware."""
     prefixes = output.get_default_filtered_prefixes() if filtered_prefixes is None else filtered_prefixes
     patterns = output.get_default_filtered_patterns() if filtered_patterns is None else filtered_patterns
     if filtered_rmw_implementation:

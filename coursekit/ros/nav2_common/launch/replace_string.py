@@ -38,7 +38,7 @@ class ReplaceString(Substitution):
 
     @property
     def condition(self) -> Condition | None:
-        """When words are replaced; None for always."""
+        """The condition for replacing words; None for always."""
         return self.__condition
 
     def describe(self) -> str:

@@ -1,4 +1,4 @@
-"""How the underlay's nodes run: until Ctrl-C."""
+"""The execution of the underlay's nodes until Ctrl-C."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from coursekit.systems import signal_names
 
 @contextlib.contextmanager
 def to_the_end(*nodes: Node) -> Iterator[None]:
-    """Do a block until its end, or until Ctrl-C; the nodes leave the graph then."""
+    """Run a block until its end or until Ctrl-C; then destroy the nodes."""
     try:
         yield
     except (KeyboardInterrupt, ExternalShutdownException):
@@ -28,7 +28,7 @@ def to_the_end(*nodes: Node) -> Iterator[None]:
 
 
 def spin_to_the_end(*nodes: Node, executor: Executor | None = None) -> int:
-    """Spin nodes together until Ctrl-C, in one thread, or as the given executor does; the exit code."""
+    """Spin nodes together until Ctrl-C, in one thread or with the given executor. Return the exit code."""
     together = rclpy.get_global_executor() if executor is None else executor
     for node in nodes:
         together.add_node(node)
@@ -40,7 +40,7 @@ def spin_to_the_end(*nodes: Node, executor: Executor | None = None) -> int:
 def run(
     make: Callable[[], Node], args: list[str] | None = None, *, refuses: tuple[type[Exception], ...] = ()
 ) -> int:
-    """Start rclpy, and run the node that `make` gives until Ctrl-C; end as C++ does when it `refuses` to be made."""
+    """Start rclpy, and run the node that `make` returns until Ctrl-C; on an exception in `refuses`, end as C++ does."""
     rclpy.init(args=args)
     with to_the_end():
         try:
@@ -52,7 +52,7 @@ def run(
 
 
 def terminate(what: str, kind: str = "std::runtime_error") -> int:
-    """Leave the graph and end as a C++ program does that threw an exception of a `kind` which nobody caught."""
+    """Shut rclpy down and end as a C++ program does after an uncaught exception of the type `kind`."""
     print(f"terminate called after throwing an instance of '{kind}'\n  what():  {what}", file=sys.stderr)
     rclpy.try_shutdown()
     if current_process() is not None:
@@ -61,7 +61,7 @@ def terminate(what: str, kind: str = "std::runtime_error") -> int:
 
 
 def pass_on_output() -> Callable[[str, str], None]:
-    """A value for `on_output` of a process, so that this one writes all that it writes."""
+    """A value for `on_output` of a process that makes this process write that process's output."""
     mine = current_process()
 
     def pass_on(stream: str, text: str) -> None:

@@ -1,4 +1,4 @@
-"""A topic of ranges, as those of sonars and infrared sensors, as a costmap's RangeSensorLayer takes it in."""
+"""The input of a costmap's RangeSensorLayer: a topic of ranges, for example from sonars and infrared sensors."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from coursekit.nodes.nav2.scan_source import Source
 from coursekit.nodes.scanning.planar import ends_of
 
 STEP = math.radians(2.0)
-"""The beams of a cone are so far apart [rad]."""
+"""The angle between the beams of a cone [rad]."""
 
 
 class RangeSource(Source):
-    """An obstacle on the arc at which a cone of sound ended, free space before it."""
+    """Marks obstacles on the arc at the end of a sensor's cone, and clears the space before it."""
 
     kind, what = Range, "range"
 
@@ -29,7 +29,7 @@ class RangeSource(Source):
         return f"its field_of_view, min_range and max_range are {', '.join(f'{one:g}' for one in numbers)}"
 
     def see(self, msg: Range, seat: TransformStamped) -> None:
-        """Mark and clear with the range of a sensor that sits there."""
+        """Mark and clear with a range of a sensor at the pose `seat`."""
         far = msg.range >= msg.max_range
         if (far and not self.given["clear_on_max_reading"]) or not msg.range >= msg.min_range:
             return

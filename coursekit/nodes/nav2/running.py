@@ -1,4 +1,4 @@
-"""How nav2's servers run: nodes in one executor, and actions that work on one goal at a time."""
+"""The execution of nav2's servers: nodes in one executor, and actions that work on one goal at a time."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from coursekit.nodes.running import spin_to_the_end
 
 
 def run(make: Callable[[], LifecycleNode], args: list[str] | None = None) -> int:
-    """Run a node, and the `costmap` that it may bring along, until Ctrl-C."""
+    """Run a node, and its `costmap` if it has one, until Ctrl-C."""
     rclpy.init(args=args)
     node = make()
     return spin_to_the_end(node, *([node.costmap] if hasattr(node, "costmap") else []))
 
 
 class Beat:
-    """A steady rhythm for coroutines, on the node's clock: `await beat.next()`; `stop()` ends it."""
+    """A periodic timer for coroutines, on the node's clock: `await beat.next()`; `stop()` ends it."""
 
     def __init__(self, node: Any, period: float) -> None:
         self._node, self._waiting = node, Future()
@@ -32,16 +32,16 @@ class Beat:
         waiting.set_result(None)
 
     async def next(self) -> None:
-        """Wait for the next beat."""
+        """Wait for the next tick."""
         await self._waiting
 
     def stop(self) -> None:
-        """No more beats."""
+        """Destroy the timer."""
         self._node.destroy_timer(self._timer)
 
 
 async def pause(node: Any, seconds: float) -> None:
-    """Let time of the node's clock pass."""
+    """Sleep on the node's clock."""
     beat = Beat(node, seconds)
     try:
         await beat.next()
@@ -50,17 +50,17 @@ async def pause(node: Any, seconds: float) -> None:
 
 
 class SingleGoal:
-    """An action server that works on one goal at a time: a new goal takes the place of the old one.
+    """An action server that works on one goal at a time: a new goal replaces the old one.
 
-    `work(handle)` is a coroutine that returns the action's result, having said succeed, abort or canceled; it asks
-    `replaced(handle)` now and then, and ends when it is.
+    `work(handle)` is a coroutine that calls succeed, abort or canceled and returns the action's result. It polls
+    `replaced(handle)` and ends when that is true.
     """
 
     def __init__(self, node: Any, kind: Any, name: str, work: Callable[[Any], Awaitable[Any]]) -> None:
         self.node, self.active, self._work = node, False, work
         self.current: Any = None
         self.fresh = True
-        """Whether the present goal found the server at rest."""
+        """Whether the server was idle when the current goal arrived."""
         self.server = ActionServer(
             node, kind, name, self._run, goal_callback=self._asked, cancel_callback=lambda handle: CancelResponse.ACCEPT
         )  # fmt: skip
@@ -81,24 +81,24 @@ class SingleGoal:
         return result
 
     def replaced(self, handle: Any) -> bool:
-        """Whether a newer goal has come, or the server has been deactivated."""
+        """Whether a newer goal has arrived, or the server has been deactivated."""
         return self.current is not handle or not self.active
 
     def wake(self) -> None:
-        """Take goals."""
+        """Accept goals."""
         self.active = True
 
     def sleep(self) -> None:
-        """Take no goals; the present one ends."""
+        """Reject goals; the current goal ends."""
         self.active = False
 
     def destroy(self) -> None:
-        """Offer the action no more."""
+        """Destroy the action server."""
         self.server.destroy()
 
 
 class Server(LifecycleNode):
-    """A managed node with actions, which are there from configuring to cleaning up, and take goals while it is active."""
+    """A managed node with actions, which exist from configuration to cleanup and accept goals while the node is active."""
 
     def __init__(self, name: str, **options: Any) -> None:
         super().__init__(name, **options)
@@ -106,7 +106,7 @@ class Server(LifecycleNode):
         self.actions: list[SingleGoal] = []
 
     def number(self, name: str) -> float:
-        """A parameter as a real number; ValueError when it is none."""
+        """A parameter as a real number; raises ValueError if it is not a number."""
         value = self.get_parameter(name).value
         if isinstance(value, bool) or not isinstance(value, (int, float)):
             raise ValueError(f"{self.get_name()}: {name} should be a number, not {value!r}")
@@ -117,26 +117,26 @@ class Server(LifecycleNode):
         return str(self.get_parameter(name).value)
 
     def serve(self, kind: Any, name: str, work: Callable[[Any], Awaitable[Any]]) -> SingleGoal:
-        """Offer an action."""
+        """Create an action server."""
         self.actions.append(SingleGoal(self, kind, name, work))
         return self.actions[-1]
 
     def on_activate(self, state: Any) -> Any:
-        """Take goals."""
+        """Accept goals."""
         self.get_logger().info("Activating")
         for action in self.actions:
             action.wake()
         return super().on_activate(state)
 
     def on_deactivate(self, state: Any) -> Any:
-        """Take no goals."""
+        """Reject goals."""
         self.get_logger().info("Deactivating")
         for action in self.actions:
             action.sleep()
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: Any) -> Any:
-        """Offer nothing any more."""
+        """Destroy the action servers."""
         self.get_logger().info("Cleaning up")
         for action in self.actions:
             action.destroy()

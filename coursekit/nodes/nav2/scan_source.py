@@ -1,4 +1,4 @@
-"""A topic of a sensor as a costmap takes it in, and that of scans."""
+"""A costmap's input from a sensor topic, and the input from scans."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from coursekit.nodes.scanning.scan_filter import ScanFilter, lookup
 
 
 class Source:
-    """Marks and clears a layer with the messages of a topic, once tf knows where they were taken."""
+    """Marks and clears a layer with the messages of a topic, once tf has the sensor's pose at their time."""
 
     kind: Any
     what: str
-    """The type of its messages, and what a sentence calls one."""
+    """The type of its messages, and the word for one in log messages."""
 
     def __init__(self, node: Any, where: Whereabouts, frame: str, layer: ObstacleLayer, given: dict[str, Any]) -> None:
         self.node, self.layer, self.given, self._where, self._frame = node, layer, given, where, frame
@@ -32,7 +32,7 @@ class Source:
         )
 
     def close(self) -> None:
-        """Listen no more."""
+        """Destroy the subscription."""
         self.node.destroy_subscription(self._heard)
 
     def fault(self, msg: Any) -> str:
@@ -40,7 +40,7 @@ class Source:
         raise NotImplementedError
 
     def see(self, msg: Any, seat: TransformStamped) -> None:
-        """Mark and clear with a message of a sensor that sits there."""
+        """Mark and clear with a message of a sensor at the pose `seat`."""
         raise NotImplementedError
 
     def _take(self, msg: Any) -> None:
@@ -56,7 +56,7 @@ class Source:
 
 
 class ScanSource(Source):
-    """Scans: an obstacle where a beam ended, free space where it passed, if the laser is at a height that counts."""
+    """Marks obstacles where beams ended and clears the space before them, if the laser's height is within the limits."""
 
     kind, what = LaserScan, "scan"
 
@@ -65,7 +65,7 @@ class ScanSource(Source):
         return fault_of(msg)
 
     def see(self, msg: LaserScan, seat: TransformStamped) -> None:
-        """Mark and clear with a scan of a laser that sits there."""
+        """Mark and clear with a scan of a laser at the pose `seat`."""
         if not self._counts(seat.transform.translation.z):
             return
         laser = of_transform(seat)
@@ -73,7 +73,7 @@ class ScanSource(Source):
         self.layer.see((laser.x, laser.y), laser.transform(ends), hits, clearing=self.given["clearing"])
 
     def _counts(self, height: float) -> bool:
-        """Whether the height [m] is one of those that count; a robot says nothing where it is not, and sees nothing."""
+        """Whether the height [m] is within the limits. ROS 2 ignores other scans silently; here a warning explains it."""
         lowest, highest = self.given["min_obstacle_height"], self.given["max_obstacle_height"]
         if lowest <= height <= highest:
             return True
@@ -86,7 +86,7 @@ class ScanSource(Source):
         return False
 
     def _ends(self, scan: LaserScan, flipped: bool) -> tuple[np.ndarray, np.ndarray]:
-        """Where the beams that tell something end, in the laser's frame [m], and which of them are obstacles to mark."""
+        """The end points of the valid beams in the laser's frame [m], and which of them to mark as obstacles."""
         ranges = np.asarray(scan.ranges, dtype=np.float64)
         angles = (scan.angle_min + scan.angle_increment * np.arange(len(ranges))) * (-1 if flipped else 1)
         farthest = scan.range_max if scan.range_max > 0 else 1e3
@@ -100,13 +100,13 @@ class ScanSource(Source):
 
 
 def layer_of(like: Any, given: list[dict[str, Any]]) -> ObstacleLayer:
-    """An empty layer that marks and clears as far as the farthest of its sources."""
+    """An empty layer with the largest marking and clearing ranges among its sources."""
     mark = max((one["obstacle_max_range"] for one in given), default=math.inf)
     return ObstacleLayer(like, mark, max((one["raytrace_max_range"] for one in given), default=math.inf))
 
 
 def in_server_space(node: Any, topic: str) -> str:
-    """A topic as the server around a costmap means it: relative names do not begin in the costmap's own namespace.
+    """Resolve a topic in the namespace of the costmap's server: relative names do not start in the costmap's own namespace.
 
     >>> from types import SimpleNamespace
     >>> in_server_space(SimpleNamespace(get_namespace=lambda: "/robot/local_costmap"), "scan")

@@ -1,4 +1,4 @@
-"""`ros2 run nav2_smoother smoother_server`: makes paths smooth without bringing them nearer to obstacles."""
+"""`ros2 run nav2_smoother smoother_server`: smooths paths without bringing them closer to obstacles."""
 
 from __future__ import annotations
 
@@ -41,14 +41,14 @@ _KINDS = (
 
 
 class SmootherServer(Server):
-    """The action smooth_path."""
+    """Serves the action smooth_path."""
 
     def __init__(self) -> None:
         super().__init__("smoother_server")
         declare(self, _SERVER)
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Offer the action; FAILURE when a parameter cannot work."""
+        """Create the action server; return FAILURE for an invalid parameter."""
         self.get_logger().info("Configuring smoother server")
         try:
             given = declare(self, _SERVER)
@@ -64,7 +64,7 @@ class SmootherServer(Server):
         return super().on_configure(state)
 
     def _make_plugins(self) -> None:
-        """Take the parameters; ValueError when they cannot work."""
+        """Read the parameters; raises ValueError if they are invalid."""
         rounds = {}
         for name in declare(self, _SERVER)["smoother_plugins"]:
             given = declare(self, _PLUGIN, name)
@@ -74,7 +74,7 @@ class SmootherServer(Server):
         self._rounds = rounds
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Offer nothing any more."""
+        """Destroy the subscription, the publisher and the action server."""
         self._obedience.end()
         self.destroy_subscription(self._heard)
         self.destroy_lifecycle_publisher(self._plan_out)

@@ -1,4 +1,4 @@
-"""The nodes of behaviour trees that ask servers: actions and services, with nav2's names and ports."""
+"""The behaviour tree nodes that call servers: actions and services, with nav2's names and ports."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def _time(node: TreeNode, port: str, default: float) -> Any:
 
 
 class ActionNode(TreeNode):
-    """An action of a server: `kind`, its name, `goal(node)`, and `done(node, result)` for its good end."""
+    """A node that calls an action: `kind`, the server's name, `goal(node)`, and `done(node, result)` for success."""
 
     kind: Any
     server = ""
@@ -42,20 +42,20 @@ class ActionNode(TreeNode):
     again: Callable[[TreeNode], bool] = staticmethod(lambda node: False)
 
     def goal(self) -> Any:
-        """The goal of this moment."""
+        """The goal to send now."""
         raise NotImplementedError(self.server)
 
     def done(self, result: Any) -> None:
-        """Leave what came of it on the board."""
+        """Store the result on the blackboard."""
 
     def prepare(self) -> None:
-        """Have a client."""
+        """Create the client."""
         crew = self.board["crew"]
         self.client: ActionClient = crew.client(self.kind, self.ports.get("server_name") or self.server)
         self._sent: Any = None
 
     def step(self) -> str:
-        """Give the goal, and wait for its end over many ticks."""
+        """Send the goal, then poll for its end on each tick."""
         if self.status != RUNNING or self.again(self):
             if not self.client.server_is_ready():
                 name = self.ports.get("server_name") or self.server
@@ -81,24 +81,24 @@ class ActionNode(TreeNode):
         return SUCCESS
 
     def stop(self) -> None:
-        """Cancel the goal, once it has been taken."""
+        """Cancel the goal as soon as it is accepted."""
         self._sent.add_done_callback(lambda sent: sent.result().accepted and sent.result().cancel_goal_async())
 
 
 class PlanToPose(ActionNode):
-    """ComputePathToPose. While a path is driven, another way that is hardly shorter replaces it only if it is blocked."""
+    """ComputePathToPose. A different path that is hardly shorter replaces the driven path only if that is blocked."""
 
     kind: Any
     kind, server = ComputePathToPose, "compute_path_to_pose"
 
     def prepare(self) -> None:
-        """Have the clients."""
+        """Create the clients."""
         super().prepare()
         self._is_valid = self.board["crew"].service(IsPathValid, "is_path_valid")
         self._asked: Any = None
 
     def step(self) -> str:
-        """Plan; then, if need be, ask whether the way ahead is still free."""
+        """Plan; then, if necessary, check whether the rest of the driven path is still free."""
         if self._asked is None:
             status = super().step()
             ahead = self._other_way() if status == SUCCESS else None
@@ -111,12 +111,12 @@ class PlanToPose(ActionNode):
         return SUCCESS if answer is not None and answer.is_valid else self._take()
 
     def stop(self) -> None:
-        """Give up the plan, or the question."""
+        """Cancel the planning or the check."""
         self._asked = None
         super().stop()
 
     def _other_way(self) -> Any:
-        """The rest of the path that is driven, where the new one is another that is hardly shorter; else None."""
+        """The rest of the driven path, if the new path is a different one that is hardly shorter; else None."""
         old = self.get("path")
         here = self.board["crew"].pose() if old is not None and self.board.get("driven") is old else None
         if here is None or not self._is_valid.service_is_ready():
@@ -131,14 +131,14 @@ class PlanToPose(ActionNode):
         return SUCCESS
 
     def goal(self) -> Any:
-        """To the pose of `goal`; from `start`, where that is given."""
+        """Plan to the pose `goal`, from `start` if it is given."""
         asked = ComputePathToPose.Goal(goal=self.get("goal"), planner_id=self.get("planner_id", ""))
         if self.get("start") is not None:
             asked.start, asked.use_start = self.get("start"), True
         return asked
 
     def done(self, result: Any) -> None:
-        """Have a path to choose."""
+        """Keep the path as a candidate."""
         self._new = result.path
 
 
@@ -148,28 +148,28 @@ class PlanThroughPoses(PlanToPose):
     kind, server = ComputePathThroughPoses, "compute_path_through_poses"
 
     def goal(self) -> Any:
-        """Through the poses of `goals`."""
+        """Plan through the poses in `goals`."""
         return ComputePathThroughPoses.Goal(goals=self.get("goals"), planner_id=self.get("planner_id", ""))
 
 
 class Follow(ActionNode):
-    """FollowPath: a new path takes the place of the one that is driven."""
+    """FollowPath: a new path replaces the driven one."""
 
     kind, server = FollowPath, "follow_path"
     again = staticmethod(lambda node: node.get("path") is not node.path)
 
     def goal(self) -> Any:
-        """Along the path."""
+        """Follow the path, and record it as the driven path."""
         self.path = self.board["driven"] = self.get("path")
         names = {name: self.get(name, "") for name in ("controller_id", "goal_checker_id")}
         return FollowPath.Goal(path=self.path, **names)
 
     def done(self, result: Any) -> None:
-        """Nothing is driven any more."""
+        """Record that no path is driven any more."""
         self.board.pop("driven", None)
 
     def stop(self) -> None:
-        """Stop the robot, unless another goal drives it on."""
+        """Cancel the goal, unless a newer goal keeps the robot moving."""
         self.board.pop("driven", None)
         if not self.board["crew"].goes_on:
             super().stop()
@@ -181,7 +181,7 @@ class Smooth(ActionNode):
     kind, server = SmoothPath, "smooth_path"
 
     def goal(self) -> Any:
-        """The path as it is."""
+        """Smooth the path `unsmoothed_path`."""
         return SmoothPath.Goal(
             path=self.get("unsmoothed_path"), smoother_id=self.get("smoother_id", ""),
             max_smoothing_duration=_time(self, "max_smoothing_duration", 3.0),
@@ -189,37 +189,37 @@ class Smooth(ActionNode):
         )  # fmt: skip
 
     def done(self, result: Any) -> None:
-        """Leave the path."""
+        """Store the smoothed path."""
         self.put("smoothed_path", result.path)
         self.put("was_completed", result.was_completed)
 
 
 def _ordered(name: str, action: Any, by: str, make: Callable[[TreeNode], Any]) -> type[ActionNode]:
-    """A recovery that is one goal of an action."""
+    """A recovery that sends one goal to an action."""
     return type(name, (ActionNode,), {"kind": action, "server": by, "recovers": True, "goal": make})
 
 
 class CallNode(TreeNode):
-    """A service: `kind` and `request(node)`; succeeds when it answers."""
+    """A node that calls a service: `kind` and `request(node)`. It succeeds if `answered` accepts the response."""
 
     kind: Any
     server = ""
 
     def prepare(self) -> None:
-        """Have a client."""
+        """Create the client."""
         self.client = self.board["crew"].service(self.kind, self.ports.get("service_name") or self.server)
         self._sent: Any = None
 
     def request(self) -> Any:
-        """The request."""
+        """The request to send."""
         return self.kind.Request()
 
     def answered(self, answer: Any) -> bool:
-        """Whether the answer is a good one."""
+        """Whether the response means success."""
         return True
 
     def step(self) -> str:
-        """Ask, and wait for the answer over many ticks."""
+        """Call the service, then poll for the response on each tick."""
         if self.status != RUNNING:
             if not self.client.service_is_ready():
                 return FAILURE
@@ -242,7 +242,7 @@ class ClearAround(CallNode):
     kind, server = ClearCostmapAroundRobot, "local_costmap/clear_around_local_costmap"
 
     def request(self) -> Any:
-        """So far about the robot [m]."""
+        """The distance from the robot, `reset_distance` [m]."""
         return self.kind.Request(reset_distance=self.number("reset_distance", 1.0))
 
 
@@ -258,11 +258,11 @@ class PathIsValid(CallNode):
     kind, server = IsPathValid, "is_path_valid"
 
     def request(self) -> Any:
-        """The path of the moment."""
+        """Check the current path."""
         return IsPathValid.Request(path=self.get("path"))
 
     def answered(self, answer: Any) -> bool:
-        """Whether it is free."""
+        """Whether the path is free."""
         return bool(answer.is_valid)
 
 
@@ -290,4 +290,4 @@ ACTIONS: dict[str, type[TreeNode]] = {
     "ClearEntireCostmap": ClearAll, "ClearCostmapAroundRobot": ClearAround, "ClearCostmapExceptRegion": ClearExcept,
     "IsPathValid": PathIsValid, "ReinitializeGlobalLocalization": LocaliseAnew,
 }  # fmt: skip
-"""By their names in XML."""
+"""The nodes by their names in XML."""

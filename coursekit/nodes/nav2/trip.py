@@ -1,4 +1,4 @@
-"""A robot's way to a goal, as somebody's behaviour tree goes it."""
+"""Navigation to a goal with a user's behaviour tree."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ MOST_BYTES = 2**20
 
 
 class Crew:
-    """The common parts of the trees' nodes: clients, messages, and the robot's pose."""
+    """The resources that the trees' nodes share: clients, messages, and the robot's pose."""
 
     def __init__(self, node: Any, where: Callable[[], Pose2D | None], place_of: Callable[[PoseStamped], Pose2D]) -> None:
         self.node, self.pose, self._place_of = node, where, place_of
         self.goes_on = False
-        """Whether a newer goal takes the place of this one: the robot is not stopped in between."""
+        """Whether a newer goal replaces this one; the robot is then not stopped in between."""
         self._clients: dict[tuple[Any, str], Any] = {}
         self._heard: dict[str, tuple[Any, deque[Any]]] = {}
 
@@ -52,26 +52,26 @@ class Crew:
         return self._clients[kind, name]
 
     def listen(self, topic: str, kind: Any = PoseStamped, qos: Any = 10) -> deque[Any]:
-        """The newest message of a topic, or nothing."""
+        """A queue with the newest message of a topic, or empty."""
         if topic not in self._heard:
             kept: deque[Any] = deque(maxlen=1)
             self._heard[topic] = self.node.create_subscription(kind, topic, kept.append, qos), kept
         return self._heard[topic][1]
 
     def listen_to_text(self, topic: str) -> list[str]:
-        """The newest text of a topic, or nothing."""
+        """A list with the newest text of a topic, or empty."""
         return [one.data for one in self.listen(topic, String, MAP_QOS)]
 
     def error(self, text: str) -> None:
-        """Log what went wrong."""
+        """Log an error."""
         self.node.get_logger().error(text)
 
     def seconds(self) -> float:
-        """The time."""
+        """The current time [s]."""
         return float(self.node.get_clock().now().nanoseconds * 1e-9)
 
     def gap(self, goal: PoseStamped) -> float:
-        """How far the robot is from a pose [m]; endlessly, where tf does not know."""
+        """The distance from the robot to a pose [m]; infinite if the transform is missing."""
         here = self.pose()
         try:
             return math.inf if here is None else here.distance(self._place_of(goal))
@@ -79,7 +79,7 @@ class Crew:
             return math.inf
 
     def destroy(self) -> None:
-        """Ask nobody any more."""
+        """Destroy the clients and subscriptions."""
         for client in self._clients.values():
             client.destroy() if isinstance(client, ActionClient) else self.node.destroy_client(client)
         for subscription, _ in self._heard.values():
@@ -89,7 +89,7 @@ class Crew:
 
 
 def load_tree(file: str, crew: Crew, goals: list[PoseStamped]) -> TreeNode:
-    """The tree of a file, for these goals; TreeError with the file, the fault and its cure."""
+    """Load the tree of a file for these goals; raises TreeError with the file, the fault and its remedy."""
     try:
         with Path(file).open("rb") as stream:
             text = stream.read(MOST_BYTES).decode()
@@ -103,9 +103,9 @@ def load_tree(file: str, crew: Crew, goals: list[PoseStamped]) -> TreeNode:
 
 
 class Trip:
-    """One goal, gone by a tree: `await run()` tells 'succeeded', 'failed' or 'stopped' (when `stop()` said so).
+    """Navigation to one goal with a tree: `await run()` returns 'succeeded', 'failed' or 'stopped' (when `stop()` is true).
 
-    `tell(trip)` is called ten times a second, `goes_on()` when it was stopped: whether a newer goal drives the robot on.
+    `tell(trip)` is called ten times a second, `goes_on()` at the end: whether a newer goal keeps the robot moving.
     """
 
     def __init__(
@@ -117,24 +117,24 @@ class Trip:
 
     @property
     def goals(self) -> list[PoseStamped]:
-        """The goals that are left."""
+        """The remaining goals."""
         return list(self.tree.board["goals"])
 
     @property
     def recoveries(self) -> int:
-        """How often something was tried to get free."""
+        """The number of recoveries."""
         return int(self.tree.board.get("number_recoveries", 0))
 
     @property
     def distance(self) -> float:
-        """The rest of the path [m]."""
+        """The remaining length of the path [m]."""
         here, path = self.crew.pose(), self.tree.board.get("path")
         if here is None or path is None or not path.poses:
             return 0.0
         return length(remaining(points_of(path), here.x, here.y))
 
     async def run(self) -> str:
-        """Go: 'succeeded', 'failed' or 'stopped'."""
+        """Run the tree to its end: 'succeeded', 'failed' or 'stopped'."""
         beat, told, abandoned = Beat(self.crew.node, self._period), -math.inf, False
         try:
             while not self._stop():
@@ -146,7 +146,7 @@ class Trip:
                     self._tell(self)
                 await beat.next()
             return "stopped"
-        except GeneratorExit:  # collected long after its node has gone: nothing is left to stop, and nobody to hear of it
+        except GeneratorExit:  # collected long after its node was destroyed: there is nothing left to stop or to report to
             abandoned = True
             raise
         finally:

@@ -1,4 +1,4 @@
-"""`ros2 run nav2_velocity_smoother velocity_smoother`: cmd_vel in, cmd_vel_smoothed out, with gentle changes."""
+"""`ros2 run nav2_velocity_smoother velocity_smoother`: cmd_vel in, cmd_vel_smoothed out, with limited accelerations."""
 
 from __future__ import annotations
 
@@ -30,14 +30,14 @@ _STILL = [0.0, 0.0, 0.0]
 
 
 class VelocitySmoother(Server):
-    """Repeats what it hears on `cmd_vel`, changed gently; stops when it hears nothing for `velocity_timeout`."""
+    """Republishes `cmd_vel` with limited accelerations; stops when no message arrives for `velocity_timeout`."""
 
     def __init__(self) -> None:
         super().__init__("velocity_smoother")
         declare(self, _SERVER)
 
     def _read(self) -> None:
-        """Take the parameters; ValueError when they cannot work."""
+        """Read the parameters; raises ValueError if they are invalid."""
         given = declare(self, _SERVER)
         axes = ("max_velocity", "min_velocity", "max_accel", "max_decel", "deadband_velocity")
         if any(len(given[name]) != 3 for name in axes):
@@ -56,7 +56,7 @@ class VelocitySmoother(Server):
     # -- states
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Listen; FAILURE when a parameter cannot work."""
+        """Subscribe; return FAILURE for an invalid parameter."""
         self.get_logger().info("Configuring velocity smoother")
         try:
             self._read()
@@ -73,17 +73,17 @@ class VelocitySmoother(Server):
         return super().on_configure(state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Speak."""
+        """Start publishing."""
         self._timer = self.create_timer(1.0 / self._given["smoothing_frequency"], self._work)
         return super().on_activate(state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Be silent."""
+        """Stop publishing."""
         self.destroy_timer(self._timer)
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Listen no more."""
+        """Destroy the subscriptions and the publisher."""
         self._obedience.end()
         for heard in self._heard:
             self.destroy_subscription(heard)

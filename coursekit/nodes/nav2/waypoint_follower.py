@@ -22,14 +22,14 @@ _KINDS, _BASE = ("nav2_waypoint_follower::WaitAtWaypoint",), "nav2_core::Waypoin
 
 
 class WaypointFollower(Server):
-    """The action follow_waypoints."""
+    """Serves the action follow_waypoints."""
 
     def __init__(self) -> None:
         super().__init__("waypoint_follower")
         declare(self, _SERVER)
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Offer the action; FAILURE when a parameter cannot work."""
+        """Create the action server; return FAILURE for an invalid parameter."""
         self.get_logger().info("Configuring")
         try:
             self._given = declare(self, _SERVER)
@@ -46,12 +46,12 @@ class WaypointFollower(Server):
         return super().on_configure(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Offer nothing any more."""
+        """Destroy the client and the action server."""
         self._go.destroy()
         return super().on_cleanup(state)
 
     async def _follow(self, handle: Any) -> Any:
-        """Go to all; missed ones are named, and end it where `stop_on_failure` is set."""
+        """Go to all poses and report missed ones; with `stop_on_failure`, the first missed pose aborts the goal."""
         result, log = FollowWaypoints.Result(), self.get_logger()
         poses, missed = handle.request.poses, []
         log.info(f"Received follow waypoint request with {len(poses)} waypoints.")

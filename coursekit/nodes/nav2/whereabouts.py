@@ -1,4 +1,4 @@
-"""Where the robot is, and poses of other frames, seen from above."""
+"""The robot's pose, and poses of other frames, in the plane."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ from coursekit.nodes.scanning.scan_filter import WakingBuffer
 
 
 class Whereabouts:
-    """tf as a node of nav2 asks it; all raise TransformException where a transform is missing."""
+    """The transforms that a node of nav2 needs; lookups raise TransformException if a transform is missing."""
 
     def __init__(self, node: Any, base: str, listener: Any = None) -> None:
-        """`listener` is the node that hears tf, if it is another one: remappings of tf are meant for its namespace."""
+        """`listener` is the node that subscribes to tf, if it is another node: remappings of tf apply to its namespace."""
         self.node, self.base = node, base
         self.buffer = WakingBuffer(node=node)
         self._space = (listener or node).get_namespace()
         self._listener = TransformListener(self.buffer, listener or node)
 
     def close(self) -> None:
-        """Listen no more."""
+        """Destroy the subscriptions to tf."""
         self._listener.unregister()
 
     def wait_for_robot(self, frame: str, tell: Callable[[str], None]) -> None:
-        """Come back when the robot's pose in a frame is known; until then `tell` hears twice a second why it is not.
+        """Wait until the robot's pose in a frame is known; until then, call `tell` twice a second with the reason.
 
-        Meant for a callback: the node's own executor rests meanwhile, so tf is heard by ears of its own.
+        This is for callbacks: they block the node's own executor, so a temporary node subscribes to tf.
         """
         name = f"{self.node.get_name()}_waits_for_tf"
         names = ["--ros-args", "-r", f"__node:={name}", "-r", f"__ns:={self._space}"]
@@ -68,7 +68,7 @@ class Whereabouts:
         return Pose2D() if target == source else of_transform(self.buffer.lookup_transform_core(target, source, Time()))
 
     def pose_in(self, frame: str, msg: PoseStamped) -> Pose2D:
-        """A pose of a message in a frame; without a frame of its own it is taken as being in that one."""
+        """Transform a message's pose to a frame; a pose without a frame ID counts as given in that frame."""
         here = plane(msg.pose.position, msg.pose.orientation)
         return self.between(frame, msg.header.frame_id or frame) @ here
 

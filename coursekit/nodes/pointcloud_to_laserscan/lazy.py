@@ -1,4 +1,4 @@
-"""Hearing a topic only while somebody hears what is made of it."""
+"""A subscription that exists only while the node's output has subscribers."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ LOOK_SECONDS = 0.1
 
 
 class LazyEar:
-    """Subscribes, best effort, while `out` has subscribers; tells when that changes."""
+    """Subscribes, best effort, while `out` has subscribers; logs when that changes."""
 
     def __init__(self, node: Node, out: Any, kind: Any, topic: str, hear: Callable[[Any], None], depth: int = 5) -> None:
         self._node, self._out = node, out
@@ -23,7 +23,7 @@ class LazyEar:
         node.create_timer(LOOK_SECONDS, self.look)
 
     def look(self) -> None:
-        """Begin or end to hear."""
+        """Create or destroy the subscription, as needed."""
         wanted = self._out.get_subscription_count() > 0
         if wanted == (self._ear is not None):
             return

@@ -34,7 +34,7 @@ _LARGEST = float(np.finfo(np.float32).max)
 
 
 class Converter(Node):
-    """Hears one kind of message while somebody hears the other; both may be in different frames."""
+    """Subscribes to one type of message while its output of the other has subscribers; both may be in different frames."""
 
     def __init__(
         self, name: str, given: dict[str, Any], kinds: tuple[Any, Any], topics: tuple[str, str], names: tuple[str, str]
@@ -54,7 +54,7 @@ class Converter(Node):
         raise NotImplementedError
 
     def moved(self, cloud: PointCloud2) -> PointCloud2 | None:
-        """A cloud in the target frame; None, and a word, when its transform is missing."""
+        """A cloud in the target frame; None, with an error in the log, if its transform is missing."""
         if not self._frame or self._frame == cloud.header.frame_id:
             return cloud
         stamp, wait = Time.from_msg(cloud.header.stamp), Duration(seconds=self.given["transform_tolerance"])

@@ -1,1 +1,1 @@
-"""A robot to practise with, on the wall clock like a real one: what its computer runs."""
+"""The nodes of a practice robot, which run on the wall clock as on a real robot."""

@@ -1,7 +1,7 @@
 """`ros2 run coursekit_robots practice_base`: the driver of a robot with wheels and a LiDAR.
 
-Its world is simulated, all else is as on a real robot: it stamps with its computer's clock, cuts velocities that are too
-fast, and stops when no command comes.
+Its world is simulated; everything else is as on a real robot. It stamps messages with its computer's clock, limits
+velocities, and stops when no command arrives.
 """
 
 from __future__ import annotations
@@ -29,14 +29,14 @@ DESCRIPTION = Path(__file__).parents[2] / "share" / "coursekit_robots" / "urdf" 
 KINDS: dict[type, type[SensorPublisher]] = {**PUBLISHERS, OdometryDevice: OdometryPublisher}
 TICK_SECONDS = 0.01
 JUMP_NS = 500_000_000
-"""A clock that is farther off than this was set; time itself did not pass [ns]."""
+"""A difference above this [ns] means that the clock was set, not that time passed."""
 
 
 class PracticeBase(Node):
     """Drives on /cmd_vel; publishes /scan, /odom, /joint_states and the frame odom -> base_footprint.
 
     Parameters that can be set while it runs: max_speed [m/s], max_turn [rad/s], command_timeout [s], and clock_error [s],
-    by which its computer's clock is wrong.
+    the error of its computer's clock.
     """
 
     def __init__(self) -> None:
@@ -106,7 +106,7 @@ class PracticeBase(Node):
         self._commanded_ns = self.get_clock().now().nanoseconds if forward or turn else None
 
     def _stop_if_silent(self) -> None:
-        """Without a command for so long there is nobody who drives."""
+        """Stop the robot if no command has arrived for `command_timeout`."""
         timeout = self._told("command_timeout")
         if self._commanded_ns is not None and self.get_clock().now().nanoseconds - self._commanded_ns > timeout * 1e9:
             self._commanded_ns = None

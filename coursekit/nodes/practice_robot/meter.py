@@ -1,6 +1,6 @@
-"""`ros2 run coursekit_robots practice_meter`: counts what arrives on the robot, with each quality of service.
+"""`ros2 run coursekit_robots practice_meter`: counts the messages that arrive on the robot with each QoS.
 
-`/meter/read` tells how many messages have come on `/meter/best_effort` and `/meter/reliable`.
+The service `/meter/read` returns the number of messages on `/meter/best_effort` and `/meter/reliable`.
 """
 
 from __future__ import annotations

@@ -1,1 +1,1 @@
-"""The packages quality_of_service_demo_*: what deadline, lifespan and liveliness do, and what does not match."""
+"""The packages quality_of_service_demo_*: the effects of deadline, lifespan and liveliness, and incompatible profiles."""

@@ -13,7 +13,7 @@ from coursekit.nodes.running import to_the_end
 
 
 class Talker(Node):
-    """Publishes twice a second, `publish_count` times, or, where that is 0, without end."""
+    """Publishes twice a second, `publish_count` times; 0 means without end."""
 
     def __init__(
         self,
@@ -43,7 +43,7 @@ class Talker(Node):
         self._publisher.publish(msg)
 
     def pause_for(self, seconds: float) -> None:
-        """Be silent that long; a pause that has begun is not made longer."""
+        """Stop publishing for that time; a pause in progress is not extended."""
         if self._pause is None:
             self._timer.cancel()
             self._pause = self.create_timer(seconds, self._go_on)
@@ -55,14 +55,14 @@ class Talker(Node):
         self._timer.reset()
 
     def stop(self) -> None:
-        """Publish no more, and assert no more that it lives."""
+        """Stop publishing and asserting liveliness."""
         self._timer.cancel()
         if self._asserting:
             self._asserting.cancel()
 
 
 class Listener(Node):
-    """Logs what it hears, from the time it is told to listen."""
+    """Logs received messages; with `later`, only after `start_listening`."""
 
     def __init__(self, topic: str, qos: QoSProfile, *, events: Any = None, later: bool = False) -> None:
         super().__init__("qos_listener")
@@ -74,7 +74,7 @@ class Listener(Node):
             self.start_listening()
 
     def start_listening(self) -> None:
-        """Subscribe, unless that was done before."""
+        """Subscribe, unless already subscribed."""
         if self._made is None:
             self._made = self._make()
             self.get_logger().info("Subscription created")

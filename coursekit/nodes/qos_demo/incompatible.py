@@ -1,4 +1,4 @@
-"""A talker that offers less than the listener asks for: nothing is heard, and both are told why."""
+"""A talker that offers less than the listener requests: no message arrives, and both get an event with the reason."""
 
 import argparse
 import sys
@@ -75,7 +75,7 @@ def _tell(name: str, what: str) -> Callable[[Any], None]:
 
 
 def main(args: list[str] | None = None) -> int:
-    """Publish five messages that the listener does not get."""
+    """Publish five messages that the listener does not receive."""
     parser = argparse.ArgumentParser()
     parser.add_argument("incompatible_qos_policy_name", choices=list(POLICIES), help="The policy that shall not match")
     pair = POLICIES[parser.parse_args(remove_ros_args(sys.argv)[1:]).incompatible_qos_policy_name]

@@ -1,4 +1,4 @@
-"""Large images, and a listener that is told how many were lost."""
+"""Large images, and a listener that logs how many were lost."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class MessageLostTalker(Node):
 
 
 class MessageLostListener(Node):
-    """Logs how long each image took, and each loss, in the words of C++'s or Python's demo."""
+    """Logs the latency of each image, and each loss, with the texts of the C++ or the Python demo."""
 
     def __init__(self, name: str, qos: QoSProfile | int, told: str) -> None:
         super().__init__(name)
@@ -66,13 +66,13 @@ def talker(args: list[str] | None = None) -> int:
 
 
 def listener(args: list[str] | None = None) -> int:
-    """Listen as the Python demo does."""
+    """Run the listener of the Python demo."""
     told = "I heard an Image. Message single trip latency: [{nanoseconds}]\n---"
     return run(lambda: MessageLostListener("message_lost_listener", 1, told), args)
 
 
 def listener_cpp(args: list[str] | None = None) -> int:
-    """Listen as the C++ demo does."""
+    """Run the listener of the C++ demo."""
     qos = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
     told = "I heard an image. Message single trip latency: [{seconds:f}]"
     return run(lambda: MessageLostListener("MessageLostListener", qos, told), args)

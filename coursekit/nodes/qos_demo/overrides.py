@@ -1,4 +1,4 @@
-"""A talker and a listener whose QoS is theirs to change by parameters: qos_overrides./TOPIC.publisher.depth and so on."""
+"""A talker and a listener whose QoS can be set with parameters: qos_overrides./TOPIC.publisher.depth and so on."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from coursekit.nodes.running import run
 
 TOPIC = "qos_overrides_chatter"
 MEBIBYTE = 1024 * 1024
-MOST = 10  # messages that may be kept
+MOST = 10  # the largest depth that is allowed
 IN_CPP = (QoSPolicyKind.DEPTH, QoSPolicyKind.DURABILITY, QoSPolicyKind.HISTORY, QoSPolicyKind.RELIABILITY)
 
 
 def options(reason: str, kinds: Iterable[QoSPolicyKind] = ()) -> QoSOverridingOptions:
-    """The policies that may be overridden: these, or the usual ones; a depth of more than ten is refused."""
+    """The policies that may be overridden: these, or the default ones; a depth of more than ten is rejected."""
 
     def judge(qos: QoSProfile) -> QosCallbackResult:
         return QosCallbackResult(successful=qos.depth <= MOST, reason="" if qos.depth <= MOST else reason)
@@ -35,7 +35,7 @@ _CPP = "expected history depth less or equal than 10"
 
 
 class TextTalker(Node):
-    """Greets each second, as the Python demo does."""
+    """Publishes a greeting each second, as the Python demo does."""
 
     def __init__(self) -> None:
         super().__init__("qos_overrides_talker")
@@ -80,7 +80,7 @@ class ImageTalker(Node):
 
 
 class ImageListener(Node):
-    """Logs how long each image took, as the C++ demo does."""
+    """Logs the latency of each image, as the C++ demo does."""
 
     def __init__(self) -> None:
         super().__init__("qos_overrides_listener")
@@ -92,20 +92,20 @@ class ImageListener(Node):
 
 
 def talker(args: list[str] | None = None) -> int:
-    """The Python demo's talker."""
+    """Run the talker of the Python demo."""
     return run(TextTalker, args)
 
 
 def listener(args: list[str] | None = None) -> int:
-    """The Python demo's listener."""
+    """Run the listener of the Python demo."""
     return run(TextListener, args)
 
 
 def talker_cpp(args: list[str] | None = None) -> int:
-    """The C++ demo's talker."""
+    """Run the talker of the C++ demo."""
     return run(ImageTalker, args, refuses=(InvalidQosOverridesError,))
 
 
 def listener_cpp(args: list[str] | None = None) -> int:
-    """The C++ demo's listener."""
+    """Run the listener of the C++ demo."""
     return run(ImageListener, args, refuses=(InvalidQosOverridesError,))

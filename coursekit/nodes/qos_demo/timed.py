@@ -31,7 +31,7 @@ def _parsed(parser: argparse.ArgumentParser) -> argparse.Namespace:
 
 
 def deadline(args: list[str] | None = None) -> int:
-    """A talker that pauses misses its deadline, which both ends are told."""
+    """A talker that pauses misses its deadline; both ends get an event."""
     options = _parsed(
         _arguments(
             "deadline",
@@ -51,7 +51,7 @@ def deadline(args: list[str] | None = None) -> int:
 
 
 def lifespan(args: list[str] | None = None) -> int:
-    """A listener that comes late gets what has not outlived its lifespan."""
+    """A late listener receives the messages whose lifespan has not expired."""
     options = _parsed(
         _arguments(
             "lifespan",
@@ -75,7 +75,7 @@ def lifespan(args: list[str] | None = None) -> int:
 
 
 def liveliness(args: list[str] | None = None) -> int:
-    """A talker that dies, or no longer asserts that it lives, is noticed."""
+    """A talker ends, or no longer asserts its liveliness; events report this."""
     parser = _arguments(
         "liveliness_lease_duration",
         "Lease of the liveliness [ms]",

@@ -1,1 +1,1 @@
-"""robot_localization: where a robot is, from several sensors together."""
+"""robot_localization: the estimation of a robot's pose from several sensors."""

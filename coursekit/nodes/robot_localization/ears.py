@@ -1,4 +1,4 @@
-"""Subscriptions of a filter: what its sensors say becomes measurements."""
+"""The subscriptions of a filter, which convert its sensors' messages to measurements."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _KINDS: dict[str, Any] = {
 
 
 class Ears:
-    """Hears sources; messages that go back in time, or are not after `deaf_until_ns`, are ignored with a word."""
+    """Subscribes to sources. Messages that go back in time, or are not after `deaf_until_ns`, are ignored with a warning."""
 
     def __init__(
         self, node: Node, preparing: Preparing, estimator: Estimator, sources: list[Source], health: Health | None
@@ -40,7 +40,7 @@ class Ears:
                 node.create_subscription(_KINDS[source.kind], source.topic, self._hearing(source), qos)
 
     def forget(self) -> None:
-        """As if nothing had been heard yet."""
+        """Reset to the state before the first message."""
         self._last.clear()
         self._preparing.forget()
         self._estimator.forget()
@@ -61,7 +61,7 @@ class Ears:
             return True
         self._last[source.name] = before
         if self._node.get_clock().now().nanoseconds <= self.deaf_until_ns:
-            return False  # a simulation begins: its first messages are of time 0
+            return False  # a simulation begins: its first messages have time 0
         late = "equal to or before the last filter reset"
         if stamp_ns < before:
             late = "before that of the previous message received"
@@ -78,7 +78,7 @@ class Ears:
         self._node.get_logger().warning(text, throttle_duration_sec=5.0)
 
     def _add(self, source: Source, make: Callable[[], Measurement | None]) -> None:
-        """Let a measurement wait for its turn; say which transform is missing for it."""
+        """Queue a measurement; warn if a transform for it is missing."""
         try:
             made = make()
         except TransformException as fault:
@@ -108,7 +108,7 @@ class Ears:
             self._add(source, lambda: self._preparing.twist(source, frame, stamp, twist, covariance, state))
 
     def _take_imu(self, source: Source, stamp: int, msg: Imu) -> None:
-        """Parts whose first covariance is -1 are not measured."""
+        """Add the measurements of an IMU; parts whose first covariance is -1 are not measured."""
         frame, state = msg.header.frame_id, self._estimator.filter.now.state
         if source.part("pose").any() and msg.orientation_covariance[0] != -1:
             q, doubt = msg.orientation, msg.orientation_covariance

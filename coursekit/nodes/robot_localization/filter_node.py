@@ -31,7 +31,7 @@ from coursekit.nodes.running import run
 
 
 class FilterNode(Node):
-    """Estimates where the robot is, `frequency` times a second, from the sensors that its parameters name."""
+    """Estimates the robot's pose, `frequency` times a second, from the sensors in its parameters."""
 
     def __init__(self, kind: type[Ekf] = Ekf, name: str = "ekf_filter_node") -> None:
         super().__init__(name)
@@ -48,7 +48,7 @@ class FilterNode(Node):
         self._make_topics()
 
     def _begin(self, kind: type[Ekf]) -> None:
-        """The filter, from the parameters."""
+        """Create the filter from the parameters."""
         given = self._given
         self._control = parameters.control(self, given, self._sources)
         more = declare(self, {"alpha": 0.001, "kappa": 0.0, "beta": 2.0}) if kind is Ukf else {}
@@ -60,7 +60,7 @@ class FilterNode(Node):
         self._reset()
 
     def _reset(self) -> None:
-        """As the parameters say it begins."""
+        """Reset the estimate to the initial values in the parameters."""
         first = Estimate()
         covariance = parameters.covariance(self, "initial_estimate_covariance")
         if covariance is not None:
@@ -71,7 +71,7 @@ class FilterNode(Node):
         self._estimator.filter.now = first
 
     def _make_topics(self) -> None:
-        """Topics, services, the transform and the timer."""
+        """Create the topics, the services, the transform and the timer."""
         self._broadcaster = TransformBroadcaster(self)
         self._out = self.create_publisher(Odometry, "odometry/filtered", 10)
         if self._given["publish_acceleration"]:
@@ -118,7 +118,7 @@ class FilterNode(Node):
         return self._estimator.filter.now
 
     def _start_again(self) -> None:
-        """Time went back, as when a bag or a simulation starts anew."""
+        """Reset after time went back, as when a bag or a simulation restarts."""
         self.get_logger().warning("Detected jump back in time. Resetting the filter.")
         self._ears.forget()
         self._ears.deaf_until_ns, self._published_ns = 0, -1
@@ -135,7 +135,7 @@ class FilterNode(Node):
             self._accelerations.publish(messages.acceleration(estimate, given["base_link_frame_output"]))
 
     def _send_transform(self, estimate: Estimate) -> None:
-        """odom → base_link; or, where something else tells that, map → odom."""
+        """Publish odom → base_link; or, if another node publishes that, map → odom."""
         given, pose = self._given, messages.pose_of(estimate)
         stamp = estimate.time_ns + round(given["transform_time_offset"] * 1e9)
         child = given["base_link_frame_output"]
@@ -148,10 +148,10 @@ class FilterNode(Node):
             child = given["odom_frame"]
         self._broadcaster.sendTransform(messages.transform(pose, stamp, given["world_frame"], child))
 
-    # -- orders
+    # -- requests
 
     def _set_pose(self, msg: PoseWithCovarianceStamped) -> None:
-        """Be there, standing."""
+        """Set the pose, with zero velocity."""
         stamp, world = Time.from_msg(msg.header.stamp).nanoseconds, self._given["world_frame"]
         try:
             seat = self._frames.pose(world, msg.header.frame_id or world, stamp)

@@ -1,4 +1,4 @@
-"""Transforms as a filter asks them: at a time, or the newest where that time is not known."""
+"""Transforms for a filter: at a time, or the newest if there is none for that time."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from coursekit.nodes.robot_localization.geometry import pose_of
 
 
 class Frames:
-    """The tf that a node hears."""
+    """The transforms that a node receives."""
 
     def __init__(self, node: Node) -> None:
         self._buffer = Buffer(node=node)
         self._listener = TransformListener(self._buffer, node)
 
     def pose(self, target: str, source: str, stamp_ns: int) -> Pose:
-        """The pose of a frame in another; TransformException when it is not known."""
+        """The pose of a frame in another; raises TransformException if it is not known."""
         if target == source:
             return IDENTITY
         try:

@@ -1,4 +1,4 @@
-"""Between messages, poses as tuples, and the filter's numbers."""
+"""Conversion between messages, poses as tuples, and the filter's arrays."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def quaternion(angles: Iterable[float]) -> Quaternion:
 
 
 def unit(q: Any) -> Quaternion:
-    """A message's quaternion, made a unit one; one of four zeros, or none, means no turn."""
+    """A message's quaternion, normalized; a quaternion of zeros or with non-finite values means no rotation."""
     length = math.sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w)
     if not length > 0 or not math.isfinite(length):
         return (0.0, 0.0, 0.0, 1.0)
@@ -54,13 +54,13 @@ def square(numbers: Any) -> Array:
 
 
 def turned(covariance: Array, rotation: Array) -> Array:
-    """A covariance of one or two vectors in other axes."""
+    """Rotate the covariance of one or two vectors."""
     full = np.kron(np.eye(len(covariance) // 3), rotation)
     made: Array = full @ covariance @ full.T
     return made
 
 
 def turned_mask(used: Mask, rotation: Array) -> Mask:
-    """Which of three numbers say something, in other axes: those into which one goes that did."""
+    """Rotate the mask of a vector: a rotated component is used if a used component contributes to it."""
     made: Mask = np.linalg.norm(rotation * used, axis=1) >= 1e-6
     return made

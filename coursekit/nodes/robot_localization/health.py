@@ -7,11 +7,11 @@ from diagnostic_updater import DiagnosticStatusWrapper, FrequencyStatusParam, He
 from rclpy.node import Node
 
 SLACK = 2.0
-"""By how much the estimates may come more often or more rarely [Hz]."""
+"""The tolerance of the rate of estimates, in both directions [Hz]."""
 
 
 class Health:
-    """How often estimates come, and what was wrong with messages since the last report."""
+    """Reports the rate of estimates, and the problems with messages since the last report."""
 
     def __init__(self, node: Node, frequency: float) -> None:
         self._complaints: dict[str, str] = {}
@@ -22,11 +22,11 @@ class Health:
         self._rhythm = HeaderlessTopicDiagnostic("odometry/filtered", updater, bounds)
 
     def tick(self) -> None:
-        """An estimate was published."""
+        """Record that an estimate was published."""
         self._rhythm.tick()
 
     def complain(self, about: str, text: str) -> None:
-        """Tell this in the next report."""
+        """Add a problem to the next report."""
         self._complaints[about] = text
 
     def _tell(self, status: DiagnosticStatusWrapper) -> DiagnosticStatusWrapper:

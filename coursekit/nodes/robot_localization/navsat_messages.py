@@ -13,7 +13,7 @@ from coursekit.nodes.robot_localization.geometry import square, turned, turning
 
 
 def odometry(where: Point, fix: NavSatFix, bridge: Bridge, frame: str) -> Odometry:
-    """A fix as a position in the world, as sure as the receiver is."""
+    """A fix as a position in the world, with the receiver's covariance."""
     msg, sure = Odometry(), np.zeros((6, 6))
     msg.header.frame_id, msg.header.stamp = frame, fix.header.stamp
     msg.pose.pose.position = where
@@ -23,7 +23,7 @@ def odometry(where: Point, fix: NavSatFix, bridge: Bridge, frame: str) -> Odomet
 
 
 def filtered(heard: Odometry, bridge: Bridge) -> NavSatFix:
-    """Where on the Earth the filter thinks that the robot is."""
+    """The filter's estimate of the robot's position on the Earth."""
     where, msg = heard.pose.pose.position, NavSatFix()
     msg.latitude, msg.longitude, msg.altitude = bridge.to_earth((where.x, where.y, where.z))
     back = turning(inverse(bridge.pose))

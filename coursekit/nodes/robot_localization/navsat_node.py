@@ -1,4 +1,4 @@
-"""`ros2 run robot_localization navsat_transform_node`: places of the Earth become odometry of a robot's world, and back."""
+"""`ros2 run robot_localization navsat_transform_node`: converts positions on the Earth to odometry, and back."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ DEFAULTS: dict[str, Any] = {
 
 
 class NavsatTransform(Node):
-    """Learns from the first fix, pose and heading where the world lies on the Earth; then each fix is a robot's pose."""
+    """Derives the world's pose on the Earth from the first fix, pose and heading; then converts each fix to a pose."""
 
     def __init__(self) -> None:
         super().__init__("navsat_transform_node")
@@ -71,7 +71,7 @@ class NavsatTransform(Node):
         self.create_service(SetUTMZone, "setUTMZone", self._serve_zone)
         self.create_timer(1.0 / given["frequency"], self._work)
 
-    # -- what is heard
+    # -- subscriptions
 
     def _hear_odometry(self, msg: Odometry) -> None:
         self._world_frame, self._base_frame, self._odometry = msg.header.frame_id, msg.child_frame_id, msg
@@ -93,7 +93,7 @@ class NavsatTransform(Node):
         self._fix = msg
 
     def _hear_imu(self, msg: Imu) -> None:
-        """The heading, until the world's place is known."""
+        """Store the heading, until the world's pose is known."""
         if self._bridge is not None or self._world is None:
             return
         try:
@@ -124,7 +124,7 @@ class NavsatTransform(Node):
             self._publish(self._bridge)
 
     def _learn(self) -> None:
-        """Where the plane lies in the world, once a fix, a pose and a heading are known."""
+        """Compute the plane's pose in the world, once a fix, a pose and a heading are known."""
         if self._plane is None or self._first is None or self._world is None or self._heading is None:
             return
         given, (roll, pitch, yaw) = self._given, rpy_of(self._heading)
@@ -144,7 +144,7 @@ class NavsatTransform(Node):
             self._tell_plane(self._bridge)
 
     def _tell_plane(self, bridge: Bridge) -> None:
-        """The plane's frame, for whoever wants it."""
+        """Broadcast the plane's frame."""
         frames, pose, given = (self._world_frame, bridge.plane.frame), bridge.pose, self._given
         if given["broadcast_cartesian_transform_as_parent_frame"] or given["broadcast_utm_transform_as_parent_frame"]:
             frames, pose = (frames[1], frames[0]), inverse(pose)
@@ -153,7 +153,7 @@ class NavsatTransform(Node):
         self._static.sendTransform(messages.transform(pose, self.get_clock().now().nanoseconds, *frames))
 
     def _arm(self) -> Vector:
-        """Where on the robot the receiver is."""
+        """The receiver's position on the robot."""
         try:
             return self._frames.pose(self._base_frame, self._gps_frame, 0)[:3]
         except TransformException:
@@ -174,7 +174,7 @@ class NavsatTransform(Node):
             self._odometry = None
 
     def _publish_pose(self, bridge: Bridge, fix: NavSatFix) -> None:
-        """Where the robot's own origin is, as its receiver tells."""
+        """Publish the position of the robot's origin, from the receiver's fix."""
         stamp = Time.from_msg(fix.header.stamp).nanoseconds
         x, y, z = bridge.to_world((fix.latitude, fix.longitude, fix.altitude))
         try:
@@ -193,7 +193,7 @@ class NavsatTransform(Node):
         x, y, z = point
         return Point(x=x, y=y, z=0.0 if self._given["zero_altitude"] else z)
 
-    # -- orders
+    # -- services
 
     def _serve_datum(self, request: Any, response: Any) -> Any:
         place = request.geo_pose.position
@@ -222,7 +222,7 @@ class NavsatTransform(Node):
         return response
 
     def _serve_zone(self, request: Any, response: Any) -> Any:
-        """Count in that zone from now on."""
+        """Use that UTM zone from now on."""
         try:
             plane = plane_at((0.0, 0.0, 0.0), local=False, zone=request.utm_zone)
         except ValueError as fault:

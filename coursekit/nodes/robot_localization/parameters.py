@@ -43,7 +43,7 @@ _CONTROL = ("acceleration_limits", "acceleration_gains", "deceleration_limits", 
 
 
 def read(node: Node) -> dict[str, Any]:
-    """Declare and read those that every filter has; ValueError when frames or the frequency cannot work."""
+    """Declare and read the parameters of every filter; raises ValueError if the world frame or the frequency is invalid."""
     given = declare(node, DEFAULTS)
     odom, base = given["odom_frame"], given["base_link_frame"]
     if not given["frequency"] > 0:
@@ -61,7 +61,7 @@ def read(node: Node) -> dict[str, Any]:
 
 
 def optional(node: Node, name: str) -> list[float] | None:
-    """A list of numbers that has no default."""
+    """A parameter that is a list of numbers without a default; None if it is not given."""
     if not node.has_parameter(name):
         node.declare_parameter(name, descriptor=ParameterDescriptor(dynamic_typing=True))
     value = node.get_parameter(name).value
@@ -81,7 +81,7 @@ def covariance(node: Node, name: str) -> Array | None:
 
 
 def control(node: Node, given: dict[str, Any], sources: list[Source]) -> Control | None:
-    """The commanded speeds; None without use_control, or when its parameters cannot work."""
+    """The commanded velocity; None without use_control, or if its parameters are unusable."""
     if not given["use_control"]:
         return None
     log, config = node.get_logger(), optional(node, "control_config")
@@ -90,7 +90,7 @@ def control(node: Node, given: dict[str, Any], sources: list[Source]) -> Control
         return None
     used = np.array(config, bool)
     for source in sources:
-        used[:3] &= ~source.part("acceleration")[12:15]  # what is measured needs no guess
+        used[:3] &= ~source.part("acceleration")[12:15]  # a measured acceleration needs no prediction
     if not used.any():
         log.error(f"{_SET}, but control_config has only false values. No control term will be used.")
         return None

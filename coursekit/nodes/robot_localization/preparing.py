@@ -1,4 +1,4 @@
-"""From a sensor's message to a measurement in the filter's frames."""
+"""Conversion of a sensor's message to a measurement in the filter's frames."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from coursekit.nodes.robot_localization.sources import Source
 
 
 class Preparing:
-    """Turns poses, twists and accelerations into measurements; remembers what differential and relative sources said.
+    """Converts poses, twists and accelerations to measurements; stores earlier poses of differential and relative sources.
 
-    All raise TransformException where a transform is missing.
+    The methods raise TransformException if a transform is missing.
     """
 
     def __init__(self, frames: Frames, world: str, base: str, *, flat: bool, gravity: float) -> None:
@@ -27,7 +27,7 @@ class Preparing:
         self._first: dict[str, Pose] = {}
 
     def forget(self) -> None:
-        """As if nothing had been said yet."""
+        """Discard the stored poses."""
         self._before.clear()
         self._first.clear()
 
@@ -39,7 +39,7 @@ class Preparing:
     # -- poses
 
     def pose(self, source: Source, frame: str, stamp_ns: int, pose: Pose, covariance: Any) -> Measurement | None:
-        """A pose in a fixed frame; None for the first of a differential source."""
+        """A pose in a fixed frame; None for the first pose of a differential source."""
         used, own = source.part("pose"), square(covariance)
         if source.differential:
             return self._difference(source, stamp_ns, pose, own, used)
@@ -48,7 +48,7 @@ class Preparing:
         return self._absolute(source, stamp_ns, here, own, used, turning(seat))
 
     def heading(self, source: Source, frame: str, stamp_ns: int, q: Any, covariance: Any) -> Measurement | None:
-        """How an IMU is turned; its message's frame tells how it sits on the robot."""
+        """The orientation of an IMU; its message's frame gives its mounting on the robot."""
         seat = self._frames.pose(self._base, frame or self._base, stamp_ns)
         pose = compose((0.0, 0.0, 0.0, *unit(q)), inverse((0.0, 0.0, 0.0, *seat[3:])))
         own = np.zeros((6, 6))
@@ -69,7 +69,7 @@ class Preparing:
         return self._made(source, "pose", stamp_ns, values, covariance, used)
 
     def _difference(self, source: Source, stamp_ns: int, pose: Pose, own: Array, used: Mask) -> Measurement | None:
-        """The speeds from the pose before to this one."""
+        """The velocity between the previous pose and this one."""
         before = self._before.get(source.name)
         self._before[source.name] = (pose, own, stamp_ns)
         if before is None or stamp_ns <= before[2]:
@@ -84,7 +84,7 @@ class Preparing:
     # -- speeds and accelerations
 
     def twist(self, source: Source, frame: str, stamp_ns: int, twist: Any, covariance: Any, state: Array) -> Measurement:
-        """Speeds of a frame of the robot; `state` is the filter's: a sensor off the middle moves when the robot turns."""
+        """A velocity of a frame of the robot. `state` is the filter's: an off-centre sensor moves when the robot rotates."""
         seat = self._frames.pose(self._base, frame or self._base, stamp_ns)
         rotation, used = turning(seat), source.part("twist")
         values, own = np.zeros(SIZE), np.zeros((SIZE, SIZE))
@@ -95,7 +95,7 @@ class Preparing:
         return self._made(source, "twist", stamp_ns, values, own, used)
 
     def acceleration(self, source: Source, frame: str, stamp_ns: int, imu: Any, state: Array) -> Measurement:
-        """The accelerations of an IMU, without the floor's push if its source says so; at rest 9.8 m/s² upwards."""
+        """The acceleration of an IMU, which at rest measures 9.8 m/s² upwards; without gravity if its source says so."""
         seat = self._frames.pose(self._base, frame or self._base, stamp_ns)
         rotation, used, felt = turning(seat), source.part("acceleration"), vector(imu.linear_acceleration)
         if source.remove_gravity:
@@ -108,7 +108,7 @@ class Preparing:
 
     @staticmethod
     def _attitude(imu: Any, seat: Pose, state: Array) -> Pose:
-        """How an IMU is turned in the world: by its message, or by the filter when it does not tell."""
+        """The orientation of an IMU in the world: from its message or, if that has none, from the filter."""
         if abs(imu.orientation_covariance[0] + 1) < 1e-9:
             body = (0.0, 0.0, 0.0, *quaternion(state[ANGLES]))
             return compose(body, (0.0, 0.0, 0.0, *seat[3:]))

@@ -19,7 +19,7 @@ THRESHOLDS = {
     "twist": ("rejection_threshold",),
     "imu": ("pose_rejection_threshold", "twist_rejection_threshold", "linear_acceleration_rejection_threshold"),
 }
-"""Parameters that say how far off a message may be, by what is measured."""
+"""The parameters that limit how far a message may deviate, by kind of sensor."""
 MEASURES = {"odom": ("pose", "twist"), "pose": ("pose",), "twist": ("twist",), "imu": ("pose", "twist", "acceleration")}
 PLACES = {"pose": slice(0, 6), "twist": slice(6, 12), "acceleration": slice(12, 15)}
 _NO_LIMIT = sys.float_info.max
@@ -27,7 +27,7 @@ _NO_LIMIT = sys.float_info.max
 
 @dataclass(frozen=True)
 class Source:
-    """One sensor: its name (odom0), its topic, which of the 15 numbers count, and how they are taken."""
+    """One sensor: its name (odom0), its topic, which of the 15 state variables it measures, and how they are used."""
 
     name: str
     kind: str
@@ -40,7 +40,7 @@ class Source:
     remove_gravity: bool = False
 
     def part(self, measure: str) -> Mask:
-        """Which of the 15 numbers count of its pose, twist or acceleration."""
+        """Which of the 15 state variables are used from its pose, twist or acceleration."""
         made = np.zeros(SIZE, bool)
         if measure in MEASURES[self.kind]:
             made[PLACES[measure]] = self.used[PLACES[measure]]
@@ -48,7 +48,7 @@ class Source:
 
 
 def sources(node: Node) -> list[Source]:
-    """All sensors that a node's parameters name: odom0, odom1 and so on without a gap, then poses, twists and IMUs."""
+    """All sensors in a node's parameters: odom0, odom1 and so on without a gap, then poses, twists and IMUs."""
     return [one for kind in MEASURES for one in _of_kind(node, kind)]
 
 
@@ -60,7 +60,7 @@ def _of_kind(node: Node, kind: str) -> list[Source]:
 
 
 def _given(node: Node, name: str) -> Any:
-    """A parameter that has no default; None, and undeclared again, when it is not given."""
+    """A parameter without a default; if it is not given, undeclare it again and return None."""
     value = node.declare_parameter(name, descriptor=ParameterDescriptor(dynamic_typing=True)).value
     if value is None:
         node.undeclare_parameter(name)

@@ -1,4 +1,4 @@
-"""Which joint_state_publisher_gui nodes run in a session, for whoever draws their sliders."""
+"""The joint_state_publisher_gui nodes that run in a session, for the code that draws their sliders."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From joint positions to frames, as robot_state_publisher tells them."""
+"""Conversion of joint positions to frames, as robot_state_publisher publishes them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from coursekit.urdf.kinematics import joint_motion
 from coursekit.urdf.model import Joint
 
 MOST_PLANS = 64
-"""So many lists of joint names are remembered at most."""
+"""The maximum number of cached lists of joint names."""
 
 
 class Edge(NamedTuple):
@@ -26,7 +26,7 @@ class Edge(NamedTuple):
 
 
 class Source(NamedTuple):
-    """Where a joint's position comes from: a place in the message, times a factor, plus an offset."""
+    """The source of a joint's position: an index in the message, times a factor, plus an offset."""
 
     place: int
     factor: float
@@ -39,7 +39,7 @@ class JointFrames:
     def __init__(self, robot: Robot, prefix: str) -> None:
         joints = [robot.joints[name] for name in sorted(robot.joints)]
         self._moving = [one for one in joints if one.moves]
-        self._still = [one for one in joints if one.type in ("fixed", "planar")]  # a floating one others publish
+        self._still = [one for one in joints if one.type in ("fixed", "planar")]  # other nodes publish floating joints
         self._mimics = [one for one in robot.joints.values() if one.mimic is not None]
         self._motions = {one.name: joint_motion(one) for one in (*self._moving, *self._still)}
         self._plans: dict[tuple[str, ...], list[tuple[Edge, Source]]] = {}
@@ -56,13 +56,13 @@ class JointFrames:
         self._plans.clear()
 
     def fixed(self, stamp_ns: int) -> list[TransformStamped]:
-        """The frames that no joint state moves."""
+        """The frames that do not depend on joint states."""
         edges = [self._edge(joint) for joint in self._still]
         return [stamped(edge.parent, edge.child, stamp_ns, edge.motion(0.0)) for edge in edges]
 
     def moving(self, names: Sequence[str], positions: Sequence[float], stamp_ns: int) -> list[TransformStamped]:
-        """The frames of the joints with these names and positions [rad, m], and of those that mimic them."""
-        key = tuple(names)  # a robot tells the same joints again and again
+        """The frames of the joints with these names and positions [rad, m], and of the joints that mimic them."""
+        key = tuple(names)  # a robot publishes the same joints again and again
         plan = self._plans.get(key)
         if plan is None:
             if len(self._plans) >= MOST_PLANS:

@@ -1,4 +1,4 @@
-"""The joints that joint_state_publisher moves: which are free, which follow, and between what limits."""
+"""The joints that joint_state_publisher moves: free joints, followers, and their limits."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from coursekit.urdf import Joint
 
 @dataclass
 class FreeJoint:
-    """A joint with a position of its own; None is not published."""
+    """A joint with a position of its own; values that are None are not published."""
 
     name: str
     least: float
@@ -26,7 +26,7 @@ class FreeJoint:
     forward: bool = True
 
     def step(self, delta: float) -> None:
-        """Move on by `delta`: to and fro, or round and round."""
+        """Move by `delta`: back and forth, or round and round for a continuous joint."""
         if self.position is None:
             return
         self.position += delta if self.forward else -delta
@@ -57,7 +57,7 @@ class JointModel:
     def resolve(self, name: str) -> tuple[FreeJoint, float, float] | None:
         """The free joint behind a joint, with factor and offset; None if there is none.
 
-        Raises ValueError for joints that follow each other in a ring.
+        Raises ValueError for joints that follow each other in a cycle.
         """
         way, factor, offset = [name], 1.0, 0.0
         while name in self.followers:

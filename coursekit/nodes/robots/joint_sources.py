@@ -1,4 +1,4 @@
-"""The joints of a description for joint_state_publisher: URDF, and, as on a robot, SDF and COLLADA."""
+"""The joints of a description for joint_state_publisher: URDF and, as in ROS 2, SDF and COLLADA."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ from coursekit.urdf.xml_tree import Element, read
 _ENDED = ("revolute", "prismatic")
 """Types of URDF joints that need limits."""
 _SKIPPED = ("gearbox", "revolute2", "ball", "screw", "universal", "fixed")
-"""Types of SDF joints that no single number describes."""
+"""Types of SDF joints that a single number does not describe."""
 _CURE = "Give both limits as numbers."
 _OLDEST_COLLADA = [1, 5, 0]
 
 _Text = Callable[[str], str | None]
-"""The value of a description for 'lower' or 'upper'; None where it has none."""
+"""The value of a description for 'lower' or 'upper'; None if it has none."""
 
 
 def joints_of(description: str) -> list[Joint]:
-    """The joints of a description, in its order; UrdfError when they cannot be read.
+    """The joints of a description, in its order; raises UrdfError if they cannot be read.
 
     >>> joints_of('<robot name="ball"><link name="base_link"/></robot>')
     []
@@ -42,7 +42,7 @@ def _of_urdf(root: Element, description: str) -> list[Joint]:
         if element.get("type") in _ENDED:
             limit = element.first("limit")
             _limit(element, str(element.get("type")), ("lower", "upper"), None if limit is None else limit.get)
-    if robot is not root:  # joint_state_publisher looks for the element; urdfdom would refuse
+    if robot is not root:  # joint_state_publisher searches for the element; urdfdom would reject it
         return [read_joint(element) for element in robot.all("joint")]
     return list(parse(description, "robot_description").joints.values())
 
@@ -78,7 +78,7 @@ def _check_version(root: Element) -> None:
 
 
 def _needed(element: Element, tag: str, form: str) -> Element:
-    """The element, or the first below it, of that name."""
+    """The element, or the first element below it, with that tag."""
     found = next(_all_below(element, tag), None)
     if found is None:
         raise element.error(f'{form} must have a "{tag}" tag', f"There is no <{tag}> in it.")
@@ -95,7 +95,7 @@ def _all_below(element: Element, tag: str) -> Iterator[Element]:
 
 
 def _below(element: Element, tag: str) -> _Text | None:
-    """The texts of the elements below the first one of that name; None when there is none."""
+    """The texts of the children of the first element with that tag, by tag; None if there is none."""
     limits = next(_all_below(element, tag), None)
     if limits is None:
         return None
@@ -122,5 +122,5 @@ def _number(joint: Element, kind: str, tag: str, text: str | None) -> float:
 
 
 def _ended(limit: Limit) -> Limit:
-    """SDF writes infinity for a joint that turns without an end; half a turn either way is shown then."""
+    """Clamp limits to half a turn in each direction if one is infinite, as SDF writes for a joint without end stops."""
     return Limit(max(limit.lower, -math.pi), min(limit.upper, math.pi)) if math.inf in (-limit.lower, limit.upper) else limit

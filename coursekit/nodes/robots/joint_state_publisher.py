@@ -72,12 +72,12 @@ class JointStatePublisher(Node):
         )
 
     def configure(self, description: str) -> None:
-        """Take a description; raises UrdfError."""
+        """Read a description; raises UrdfError."""
         self.model = read(description, self._options)
         self.changed()
 
     def changed(self) -> None:
-        """Joints were read, or moved by another node; for subclasses."""
+        """Called when joints were read, or moved by another node; subclasses override it."""
 
     def _described(self, msg: String) -> None:
         try:
@@ -130,7 +130,7 @@ class JointStatePublisher(Node):
 
 
 def run(make: type[JointStatePublisher], args: list[str] | None) -> int:
-    """Run one until Ctrl-C; 1 for a description or parameters that are wrong."""
+    """Run a node until Ctrl-C; return 1 for an invalid description or invalid parameters."""
     parser = argparse.ArgumentParser()
     parser.add_argument("description_file", help="Robot description file to use", nargs="?", default=None)
     file = parser.parse_args(remove_ros_args(sys.argv if args is None else args)[1:]).description_file
@@ -141,7 +141,7 @@ def run(make: type[JointStatePublisher], args: list[str] | None) -> int:
         rclpy.spin(node)
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
-    except ValueError as error:  # a bad description, dependent joints in a ring
+    except ValueError as error:  # an invalid description, or dependent joints in a cycle
         if node is not None:
             node.get_logger().error(str(error))
         else:

@@ -11,7 +11,7 @@ from coursekit.urdf.errors import close
 
 
 class JointStatePublisherGui(JointStatePublisher):
-    """A joint_state_publisher whose positions somebody sets by hand.
+    """A joint_state_publisher whose positions are set by hand.
 
     The sliders are drawn by `joint_sliders()` of coursekit.lab; without a notebook it publishes the zero positions.
     """
@@ -29,12 +29,12 @@ class JointStatePublisherGui(JointStatePublisher):
         boards.add(self)
 
     def changed(self) -> None:
-        """Have the sliders follow."""
+        """Update the sliders."""
         if self._entered:
             boards.tell(self)
 
     def _say(self, text: str) -> None:
-        """Log from the node's own thread: buttons are pressed in the notebook's."""
+        """Log from the node's own thread: buttons are handled in the notebook's."""
         self._said.append(text)
         self._speak.trigger()
 
@@ -43,7 +43,7 @@ class JointStatePublisherGui(JointStatePublisher):
             self.get_logger().info(self._said.pop(0))
 
     def move(self, name: str, position: float) -> None:
-        """Put a joint to a position (rad or m), within its limits; LookupError if it has no slider."""
+        """Set the position of a joint (rad or m), within its limits; raises LookupError if it has no slider."""
         joint = self.model.free.get(name)
         if joint is None:
             raise LookupError(f"There is no slider for joint '{name}'. {close(name, self.model.free)}")
@@ -51,21 +51,21 @@ class JointStatePublisherGui(JointStatePublisher):
         self.changed()
 
     def center(self) -> None:
-        """Put all joints to their zero positions."""
+        """Set all joints to their zero positions."""
         self._say("Centering")
         for joint in self.model.free.values():
             joint.position = joint.zero
         self.changed()
 
     def randomize(self) -> None:
-        """Put all joints anywhere within their limits."""
+        """Set all joints to random positions within their limits."""
         self._say("Randomizing")
         for joint in self.model.free.values():
             joint.position = self._chance.uniform(joint.least, joint.greatest)
         self.changed()
 
     def destroy_node(self) -> None:
-        """End it, and its sliders."""
+        """Destroy the node and its sliders."""
         self.running = False
         boards.remove(self)
         super().destroy_node()

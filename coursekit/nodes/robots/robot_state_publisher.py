@@ -1,4 +1,4 @@
-"""`ros2 run robot_state_publisher robot_state_publisher`: from joint states and a URDF to frames on /tf and /tf_static."""
+"""`ros2 run robot_state_publisher robot_state_publisher`: joint states and a URDF in, frames on /tf and /tf_static out."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ _TYPES = {
 
 
 class RobotStatePublisher(Node):
-    """Publishes where a robot's links are.
+    """Publishes the frames of a robot's links.
 
-    Raises UrdfError for a bad description, RuntimeError for other bad parameters, OSError for a missing file.
+    Raises UrdfError for an invalid description, RuntimeError for other invalid parameters, OSError for a missing file.
     """
 
     def __init__(self, file: str | None = None) -> None:
@@ -116,7 +116,7 @@ class RobotStatePublisher(Node):
             self._tf.publish(TFMessage(transforms=self._frames.moving(names, positions, sent)))
 
     def _is_due(self, names: Sequence[str], sent: int) -> bool:
-        """Whether the interval since the joint that was published longest ago is over."""
+        """Whether the interval has elapsed since the joint that was published longest ago."""
         now = self.get_clock().now().nanoseconds
         if self._last_call > now:
             self.get_logger().warning("Moved backwards in time, re-publishing joint transforms!")
@@ -140,7 +140,7 @@ class RobotStatePublisher(Node):
         return SetParametersResult(successful=True)
 
     def _change(self, parameter: Parameter) -> str:
-        """Take a changed parameter; the reason if it is refused, else ''."""
+        """Apply a changed parameter. Return the reason if it is rejected, else ''."""
         kind, reason = _TYPES.get(parameter.name, (parameter.type_, ""))
         if parameter.type_ != kind:
             return reason
@@ -177,7 +177,7 @@ class RobotStatePublisher(Node):
 
 
 def main(args: list[str] | None = None) -> int:
-    """Run the node until Ctrl-C; a bad description ends it as it ends the real one."""
+    """Run the node until Ctrl-C; an invalid description ends it as in ROS 2."""
     words = remove_ros_args(sys.argv if args is None else args)[1:]
     rclpy.init(args=args)
     try:
@@ -188,7 +188,7 @@ def main(args: list[str] | None = None) -> int:
 
 
 def _complaint(error: Exception) -> str:
-    """Say what is wrong with a description; what the exception says."""
+    """Print the fault of a description. Return the text of the exception."""
     if not isinstance(error, UrdfError):
         return str(error)
     print(error_text(error), end="", file=sys.stderr)

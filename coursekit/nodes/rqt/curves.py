@@ -1,4 +1,4 @@
-"""Numbers of topics over time: which fields of a message a path means, and the curves that its messages make."""
+"""Values of topics over time: the fields of a message that a path selects, and the curves of their values."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from itertools import islice
 from typing import Any
 
 KEPT = 9000
-"""Points of a curve that are remembered: five minutes at 30 Hz."""
+"""The number of points kept per curve: five minutes at 30 Hz."""
 
 
 def paths(words: Sequence[str]) -> list[str]:
-    """The paths to be plotted, one for each curve.
+    """The paths to plot, one for each curve.
 
     >>> paths(["/turtle1/pose/x:y", "/speed/data"])
     ['/turtle1/pose/x', '/turtle1/pose/y', '/speed/data']
@@ -30,7 +30,7 @@ def paths(words: Sequence[str]) -> list[str]:
 
 
 def topic_of(path: str, topics: Iterable[str]) -> str:
-    """The topic that a path begins with, the longest if there are several; '' where there is none.
+    """The topic that a path begins with, the longest if there are several; '' if there is none.
 
     >>> topic_of("/odom.twist.twist.linear.x", ["/odom", "/od"])
     '/odom'
@@ -40,7 +40,7 @@ def topic_of(path: str, topics: Iterable[str]) -> str:
 
 
 def numbers(value: Any, name: str) -> Iterator[tuple[str, float]]:
-    """The numbers of a message's field; of a message all that it has at the top."""
+    """Yield the number in a message's field; for a nested message, the numbers in its top-level fields."""
     if isinstance(value, (bool, int, float)):
         yield name, float(value)
     elif hasattr(value, "get_fields_and_field_types"):
@@ -51,7 +51,7 @@ def numbers(value: Any, name: str) -> Iterator[tuple[str, float]]:
 
 
 def part(message: Any, fields: str) -> Any:
-    """A part of a message, such as `pose/x`, `pose.x` or `ranges[3]`; None when it has none such."""
+    """A part of a message, such as `pose/x`, `pose.x` or `ranges[3]`; None if it has no such part."""
     found = message
     for word in filter(None, re.split(r"[/.]", fields)):
         name, _, index = word.rstrip("]").partition("[")
@@ -62,16 +62,16 @@ def part(message: Any, fields: str) -> Any:
 
 
 class Curve:
-    """The values that one path had, and when [s]; the oldest are forgotten."""
+    """The values of one path with their times [s]; the oldest are discarded."""
 
     def __init__(self) -> None:
         self.times: deque[float] = deque(maxlen=KEPT)
         self.values: deque[float] = deque(maxlen=KEPT)
         self.total = 0
-        """How many there have been, those that are forgotten included."""
+        """The number of values so far, including discarded ones."""
 
     def add(self, time: float, value: float) -> None:
-        """One more; times never go back but with a clock that does, and then all begins anew."""
+        """Add a value. If the time goes back, as after a clock was reset, the curve begins again."""
         if self.times and time < self.times[-1]:
             self.times.clear()
             self.values.clear()
@@ -80,7 +80,7 @@ class Curve:
         self.total += 1
 
     def newer(self, than: int) -> list[tuple[float, float]]:
-        """The values after the first `than`, as far as they are remembered."""
+        """The values after the first `than`, as far as they are kept."""
         count = min(self.total - than, len(self.times))
         begin = len(self.times) - count
         return list(zip(islice(self.times, begin, None), islice(self.values, begin, None), strict=True))
@@ -93,19 +93,19 @@ class Curve:
 
 
 class Curves:
-    """The curves of some words such as `paths` reads, by name."""
+    """The curves of words in the form that `paths` reads, by name."""
 
     def __init__(self, words: Sequence[str]) -> None:
         self.wanted = paths(words)
         self.curves: dict[str, Curve] = {}
 
     def take(self, path: str, topic: str, message: Any, time: float) -> None:
-        """A message of a topic came: what the path means in it is a point of its curve, or of several."""
+        """Add a message of a topic: each number that the path selects in it becomes a point of a curve."""
         for name, number in numbers(part(message, path[len(topic) :]), path):
             self.curves.setdefault(name, Curve()).add(time, number)
 
     def span(self) -> tuple[float, float]:
-        """From when to when there are values [s]."""
+        """The times of the first and the last value [s]."""
         ends = [(one.times[0], one.times[-1]) for one in self.curves.values() if one.times]
         return (min(start for start, _ in ends), max(end for _, end in ends)) if ends else (0.0, 0.0)
 

@@ -1,4 +1,4 @@
-"""`ros2 run rqt_plot rqt_plot /turtle1/pose/x:y`: numbers of topics over the last seconds, in a window."""
+"""`ros2 run rqt_plot rqt_plot /turtle1/pose/x:y`: values of topics over the last seconds, in a window."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from .curves import Curves, topic_of
 from .rqt import Rqt, name_of_process
 
 SECONDS = 20.0
-"""The part of the past that is shown."""
+"""The length of the time window that is shown [s]."""
 
 
 class Plot(Rqt):
-    """Subscribes to the topics of its paths as soon as they are there, and draws twice a second."""
+    """Subscribes to the topics of its paths as soon as they appear, and draws twice a second."""
 
     def __init__(self, curves: Curves) -> None:
         self.title = name_of_process().replace("rqt_gui_py_node", "rqt_plot")

@@ -1,4 +1,4 @@
-"""`ros2 run rqt_graph rqt_graph`, and its sisters: a panel in the notebook, if there is one; else what to type instead."""
+"""`ros2 run rqt_graph rqt_graph`, and others: a panel in the notebook, if there is one; else the commands to use."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ INSTEAD = {
     "rqt_console": "`ros2 topic echo /rosout`, or the terminals that the nodes run in",
     "rqt_gui": "`ros2 service call`, `ros2 topic echo` and `ros2 param set`",
 }
-"""By window: what does the same in a terminal."""
+"""The commands that replace a window in a terminal, by window."""
 
 
 def name_of_process() -> str:
-    """The name of rqt's node: it has its process's number."""
+    """The name of rqt's node, which contains the process ID."""
     process = current_process()
     return f"rqt_gui_py_node_{process.pid if process is not None else os.getpid()}"
 
@@ -45,7 +45,7 @@ class Rqt(Node):
 
 
 def main(kind: str) -> int:
-    """Show until Ctrl-C; 1 where no notebook shows it."""
+    """Show the window until Ctrl-C; return 1 if no notebook shows it."""
     rclpy.init()
     node = Rqt(kind)
     if node.drawn:

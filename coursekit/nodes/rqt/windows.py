@@ -1,4 +1,4 @@
-"""Which windows of rqt run in a session, for whoever draws them."""
+"""The windows of rqt that run in a session, for the code that draws them."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ class RqtWindow:
     """`rqt_graph`, `rqt_console`, `rqt_plot` or `rqt_gui`."""
     session: Any
     picture: str = ""
-    """The name of the OpenCV window in which it draws; empty where it is a panel."""
+    """The name of the OpenCV window in which it draws; empty for a panel."""
     running: bool = True
 
 

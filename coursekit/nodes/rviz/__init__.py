@@ -1,1 +1,1 @@
-"""RViz: its configuration, and the node that a launch file starts. What it shows is drawn by coursekit.view and lab."""
+"""RViz: its configuration, and the node that a launch file starts. Its content is drawn by coursekit.view and lab."""

@@ -1,4 +1,4 @@
-"""A configuration of RViz: the fixed frame, the displays, the point of view. Small YAML files hold it."""
+"""A configuration of RViz: the fixed frame, the displays, the point of view. It is stored in small YAML files."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _WORDS = {"reliability": RELIABILITIES, "durability": DURABILITIES}
 VIEW: dict[str, Any] = {"distance": 10.0, "yaw": 0.785, "pitch": 0.785, "target": [0.0, 0.0, 0.0]}
 FLAT = "TopDownOrtho"
 VIEW_TYPES = ("Orbit", "ThirdPersonFollower", FLAT)
-"""RViz's cameras that are known here: the second turns with its target frame, the third looks straight down as a map."""
+"""The known cameras of RViz: the second rotates with its target frame, the third looks straight down, as on a map."""
 VIEWS = (*VIEW, "target_frame", "type")
 
 
@@ -28,14 +28,14 @@ class DisplayConfig:
     name: str = ""
     enabled: bool = True
     options: dict[str, Any] = field(default_factory=dict)
-    """All options of its kind, those not given at their defaults"""
+    """All options of its kind; options that were not given have their defaults"""
 
 
 @dataclass
 class Config:
-    """A whole view; `view` holds distance [m], yaw and pitch [rad] and target [m, m, m], None: what fits.
+    """A complete view; `view` holds distance [m], yaw and pitch [rad] and target [m, m, m]; None fits it to the content.
 
-    With `target_frame` the target is in that frame and follows it; of `type` ThirdPersonFollower the yaw does, too.
+    With `target_frame` the target is in that frame and follows it; with `type` ThirdPersonFollower the yaw does, too.
     """
 
     fixed_frame: str = ""
@@ -44,13 +44,13 @@ class Config:
     skipped: list[str] = field(default_factory=list)
     """Displays of an .rviz file that are not known here"""
     views: dict[str, dict[str, Any]] = field(default_factory=dict)
-    """Points of view that were saved, by name"""
+    """Saved points of view, by name"""
 
 
 def display_config(given: str | Mapping[str, Any] | DisplayConfig) -> DisplayConfig:
     """A display from 'LaserScan', 'LaserScan /scan' or {'type': 'LaserScan', 'topic': '/scan', 'size': 0.05}.
 
-    Raises ValueError for kinds and options that there are not.
+    Raises ValueError for unknown kinds and options.
 
     >>> display_config("LaserScan /front/scan").topic
     '/front/scan'
@@ -110,7 +110,7 @@ def make_config(
 
 
 def make_view(given: Any) -> dict[str, Any] | None:
-    """A point of view with all that it needs, None of nothing; raises ValueError."""
+    """A complete point of view; None for an empty one. Raises ValueError."""
     if not given:
         return None
     if not isinstance(given, Mapping) or any(key not in VIEWS for key in given):
@@ -131,7 +131,7 @@ def make_view(given: Any) -> dict[str, Any] | None:
 
 
 def going_with(frame: str, kind: str) -> dict[str, Any]:
-    """The target frame and the camera of a view; an Orbit that goes with nothing needs no word.
+    """The target frame and the camera of a view; empty for an Orbit without a target frame.
 
     >>> going_with("base_link", "Orbit"), going_with("", "Orbit")
     ({'target_frame': 'base_link', 'type': 'Orbit'}, {})

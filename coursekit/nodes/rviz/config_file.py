@@ -1,4 +1,4 @@
-"""Files that hold a view: small YAML of ours, or what RViz saved."""
+"""Files with a view: small YAML files of our own, or files that RViz saved."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from .rviz_saving import to_rviz
 
 
 def read(path: str | Path, rooted: bool = True) -> Config:
-    """The view in a file: ours, or one that RViz saved. Raises OSError, and ValueError which names the file.
+    """The view in a file of our own, or in a file that RViz saved. Raises OSError, and ValueError with the file's name.
 
-    With `rooted` topics are absolute; else those of an .rviz file stay as written, for a node to resolve.
+    With `rooted`, topics are absolute; else those of an .rviz file stay as written, for a node to resolve.
     """
     file = Path(path)
     try:
@@ -39,7 +39,7 @@ def read(path: str | Path, rooted: bool = True) -> Config:
 
 
 def save(config: Config, path: str | Path) -> None:
-    """Write a view: to a file that ends in .rviz as RViz does, else as small YAML of what differs from the defaults."""
+    """Write a view: to an .rviz file as RViz does, else as small YAML with the differences from the defaults."""
     if Path(path).suffix == ".rviz":
         write_whole(path, yaml.safe_dump(to_rviz(config), sort_keys=False))
         return

@@ -1,4 +1,4 @@
-"""The kinds of displays: which messages each shows, from which topic unless told, and its options."""
+"""The kinds of displays: the type of their messages, their default topic, and their options."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from coursekit.suggestions import did_you_mean
 
 @dataclass(frozen=True)
 class Kind:
-    """The options of a display in a configuration; they have RViz's names in small letters with underscores."""
+    """The options of a display in a configuration; they have RViz's names in lower case with underscores."""
 
     type: str = ""
-    """The type of its messages, '' if it needs no topic"""
+    """The type of its messages; '' if it needs no topic"""
     topic: str = ""
     options: dict[str, Any] = field(default_factory=dict)
     lasting: bool = False
-    """Whether it asks for the last message of before it came (transient local)"""
+    """Whether it requests the last message from before it subscribed (transient local)"""
 
 
 _ARROW: dict[str, Any] = {"color": [255, 25, 0], "alpha": 1.0, "shape": "Arrow", "shaft_length": 1.0, "head_length": 0.3,
@@ -37,7 +37,7 @@ def _reading(low: float, high: float) -> dict[str, Any]:
 
 
 QOS: dict[str, Any] = {"reliability": "", "durability": "", "depth": 5}
-"""The options of every display with a topic; '' is what fits every publisher of its kind"""
+"""The options of every display with a topic; '' is compatible with every publisher of its kind"""
 RELIABILITIES = ("", "Reliable", "Best Effort", "System Default")
 DURABILITIES = ("", "Volatile", "Transient Local", "System Default")
 
@@ -103,11 +103,11 @@ KINDS: dict[str, Kind] = {
 
 ALIASES = {"PoseStamped": "Pose", "OccupancyGrid": "Map", "Robot": "RobotModel", "Camera": "Image",
            "PoseWithCovarianceStamped": "PoseWithCovariance", "PolygonStamped": "Polygon", "WrenchStamped": "Wrench"}
-"""Other names that are understood: those of the messages."""
+"""Other names that are accepted: those of the messages."""
 
 
 def kind_name(name: str) -> str:
-    """RViz's name of a kind; ValueError, which names those that there are.
+    """RViz's name of a kind; raises ValueError, which lists the known kinds.
 
     >>> kind_name("rviz_default_plugins/LaserScan"), kind_name("PoseStamped")
     ('LaserScan', 'Pose')

@@ -1,4 +1,4 @@
-"""The properties of a display that can be changed, under RViz's names, and how a page edits them."""
+"""The properties of a display that can be changed, under RViz's names, with their editors on a page."""
 
 from __future__ import annotations
 
@@ -52,12 +52,12 @@ ABOUT = {
     "FluidPressure": "a pressure sensor's reading",
     "Illuminance": "a light sensor's reading",
 }
-"""The content of each kind, in a few words."""
+"""A short description of the content of each kind."""
 
 
 @dataclass(frozen=True)
 class Property:
-    """One thing that may be changed."""
+    """A property that can be changed."""
 
     key: str
     """Its name in our configurations"""

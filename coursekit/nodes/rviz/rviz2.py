@@ -1,4 +1,4 @@
-"""`ros2 run rviz2 rviz2 -d FILE`: the viewer, in the notebook if there is one; else a node that tells what it would show."""
+"""`ros2 run rviz2 rviz2 -d FILE`: the viewer, in the notebook if there is one; else a node that logs its displays."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ from .kinds import KINDS
 from .windows import windows
 
 LOOK_SECONDS = 2.0
-"""How long it waits before it says which topics nobody publishes."""
+"""The time before it warns of topics without publishers [s]."""
 BEST_EFFORT = ReliabilityPolicy.BEST_EFFORT
 LOG = get_logger("rviz2")
-"""RViz logs under this name, whatever its node (of itself `rviz`) is called."""
+"""RViz logs under this name, whatever the name of its node (`rviz` by default)."""
 
 
 class Rviz(Node):
@@ -52,7 +52,7 @@ class Rviz(Node):
         self._listen()
 
     def _settle_topic(self, display: DisplayConfig) -> None:
-        """Its topic as the node's namespace and remappings make it; one that cannot be turns it off."""
+        """Resolve a display's topic with the node's namespace and remappings; an invalid topic disables the display."""
         if not display.topic:
             return
         try:
@@ -63,7 +63,7 @@ class Rviz(Node):
             LOG.error(f"{display.name}: Error subscribing: {error}")
 
     def _listen(self) -> None:
-        """Subscribe to what is shown, so that the graph tells it; the pictures are made from the viewer's own topics."""
+        """Subscribe to the shown topics, for the graph only; the pictures are made from the viewer's own subscriptions."""
         shown = [(one.topic, KINDS[one.kind].type) for one in self.config.displays if one.enabled]
         frames = [("/tf", "tf2_msgs/msg/TFMessage"), ("/tf_static", "tf2_msgs/msg/TFMessage")]
         for topic, kind in dict.fromkeys([*frames, *shown]):
@@ -90,7 +90,7 @@ class Rviz(Node):
 
 
 def describe(display: DisplayConfig) -> str:
-    """A display in a line.
+    """A display as one line of text.
 
     >>> from coursekit.nodes.rviz.config import display_config
     >>> describe(display_config("LaserScan /scan"))
@@ -121,7 +121,7 @@ def _config(argv: list[str]) -> Config:
 
 
 def main(args: list[str] | None = None) -> int:
-    """Run until Ctrl-C."""
+    """Run the node until Ctrl-C."""
     words = sys.argv if args is None else args
     try:
         config = _config(remove_ros_args(words)[1:])

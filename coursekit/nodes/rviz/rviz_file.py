@@ -1,4 +1,4 @@
-"""Files that RViz 2 saved: the displays that are known here are taken over, the names of the others kept."""
+"""Files that RViz 2 saved: known displays are imported, the names of the others are kept."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def from_rviz(data: Mapping[str, Any]) -> Config:
 
 
 def _flat(entries: Any) -> list[Mapping[str, Any]]:
-    """The displays, those in groups too; those of a group that is off are off."""
+    """The displays, including those in groups; displays in a disabled group are disabled."""
     found: list[Mapping[str, Any]] = []
     waiting, count = [(entry, True) for entry in reversed(entries)], 0
     while waiting:
@@ -71,7 +71,7 @@ def _display(entry: Mapping[str, Any]) -> DisplayConfig | None:
 
 
 def _options(entry: Mapping[str, Any]) -> Iterator[tuple[Any, Any]]:
-    """Names and values; Odometry has those of its shape one level deeper."""
+    """Yield names and values; Odometry has those of its shape one level deeper."""
     for key, value in entry.items():
         if key == "Shape" and isinstance(value, Mapping):
             yield "shape", value.get("Value")
@@ -83,7 +83,7 @@ def _options(entry: Mapping[str, Any]) -> Iterator[tuple[Any, Any]]:
 
 
 def _take_quality(given: dict[str, Any], kind: str, topic: Mapping[str, Any]) -> None:
-    """The QoS of a topic; a RobotModel asks for the last description whatever the file says, as RViz does."""
+    """Import the QoS of a topic; a RobotModel always requests the last description, as in RViz."""
     _take(given, kind, "depth", topic.get("Depth"))
     if kind != "RobotModel":
         _take(given, kind, "reliability", topic.get("Reliability Policy"))
@@ -91,7 +91,7 @@ def _take_quality(given: dict[str, Any], kind: str, topic: Mapping[str, Any]) ->
 
 
 def _take(given: dict[str, Any], kind: str, key: str, value: Any) -> None:
-    """Take over an option, if it is known and can be read."""
+    """Import an option, if it is known and valid."""
     key = _RENAMED.get(key, key)
     like = {**QOS, **KINDS[kind].options}.get(key)
     if like is None or value is None:
@@ -108,7 +108,7 @@ def _take(given: dict[str, Any], kind: str, key: str, value: Any) -> None:
 
 
 def _view(current: Mapping[str, Any]) -> dict[str, Any] | None:
-    """Numbers that are none, and cameras that are not known, give no view."""
+    """Convert a point of view; None if values are missing or invalid."""
     try:
         focus = current.get("Focal Point") or {}
         kind = str(current.get("Class", "")).rpartition("/")[2]

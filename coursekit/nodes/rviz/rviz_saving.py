@@ -1,4 +1,4 @@
-"""A view as RViz 2 saves it: the displays, the fixed frame and the points of view of an .rviz file."""
+"""A view in RViz 2's file format: the displays, the fixed frame and the points of view of an .rviz file."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ _STEEPEST = math.pi / 2 - 0.001
 _SHAPED = ("alpha", "color", "axes_length", "axes_radius", "head_length", "head_radius", "shaft_length", "shaft_radius")
 FIXED = "<Fixed Frame>"
 SCALE = 600.0
-"""Pixels of a metre that is one metre away: RViz's window is about 500 high, and the cameras here see 45 degrees."""
+"""Pixels per metre at a distance of one metre: RViz's window is about 500 pixels high, the cameras here cover 45 degrees."""
 
 
 def to_rviz(config: Config) -> dict[str, Any]:
-    """The content of the file; `rviz2 -d` of Humble reads it, and `config_file.read` here."""
+    """The content of the file, which Humble's `rviz2 -d` and `config_file.read` can read."""
     frame = {"Fixed Frame": config.fixed_frame or "map", "Frame Rate": 30}
     views = {"Current": _view(config.view or {}, "Current View"),
              "Saved": [_view(view, name) for name, view in config.views.items()] or None}  # fmt: skip
@@ -59,12 +59,12 @@ def _display(one: DisplayConfig) -> dict[str, Any]:
     if "reference_frame" in options:
         options["reference_frame"] = options["reference_frame"] or FIXED
     if not options.get("color_transformer", "set"):
-        del options["color_transformer"]  # whatever the cloud brings: RViz's own choice
+        del options["color_transformer"]  # RViz chooses by the cloud's fields
     return made | {rviz_name(key): _value(value) for key, value in options.items()}
 
 
 def _topic(one: DisplayConfig) -> dict[str, Any]:
-    """With the quality of service that is asked for where none was told."""
+    """A topic with its QoS; where none was given, the QoS that is requested by default."""
     lasting = KINDS[one.kind].lasting
     return {
         "Value": one.topic,
@@ -76,7 +76,7 @@ def _topic(one: DisplayConfig) -> dict[str, Any]:
 
 
 def _value(value: Any) -> Any:
-    """Colours as RViz writes them: three numbers in a text."""
+    """A colour in RViz's format: three numbers in a text; other values unchanged."""
     return "; ".join(f"{round(one)}" for one in value) if isinstance(value, list | tuple) else value
 
 

@@ -1,4 +1,4 @@
-"""Which rviz2 nodes run in a session, for whoever draws their windows."""
+"""The rviz2 nodes that run in a session, for the code that draws their windows."""
 
 from __future__ import annotations
 

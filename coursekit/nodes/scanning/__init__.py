@@ -1,1 +1,1 @@
-"""The common parts of nodes that take scans and work in the plane: poses, the sensor, scans with their transforms."""
+"""Common parts of nodes that process scans in the plane: poses, the sensor, scans with their transforms."""

@@ -12,7 +12,7 @@ from coursekit.slam.scan import Laser
 
 
 class Lasers:
-    """Where each laser sits, looked up once; and complaints about scans that are not what they say."""
+    """The mounting of each laser, looked up once; logs errors about inconsistent scans."""
 
     def __init__(self, node: Node, buffer: Buffer, base: str, farthest: float) -> None:
         self._node, self._buffer, self._base, self._farthest = node, buffer, base, farthest
@@ -21,7 +21,7 @@ class Lasers:
         self._complained: set[str] = set()
 
     def of(self, scan: LaserScan) -> Laser | None:
-        """The laser of a scan; None, and a word about it, when the scan cannot be used."""
+        """The laser of a scan; None, with an error in the log, if the scan cannot be used."""
         fault = fault_of(scan)
         if fault:
             self._complain(f"A scan in frame '{scan.header.frame_id}' cannot be used: {fault}")
@@ -39,7 +39,7 @@ class Lasers:
         return self._known[key]
 
     def _make(self, scan: LaserScan) -> Laser | None:
-        """A laser, from its scan and the transform base → laser."""
+        """Create a laser from its scan and the transform base → laser."""
         try:
             seat = self._buffer.lookup_transform_core(self._base, scan.header.frame_id, Time())
         except TransformException as fault:
@@ -51,7 +51,7 @@ class Lasers:
         return laser_of(scan, seat, self._farthest)
 
     def _greet(self, scan: LaserScan) -> None:
-        """Tell of a laser that is seen for the first time."""
+        """Log the registration of a new laser."""
         if scan.header.frame_id in self._frames:
             return
         self._frames.add(scan.header.frame_id)
@@ -64,7 +64,7 @@ class Lasers:
         log.info("Registering sensor: [Custom Described Lidar]")
 
     def _complain(self, text: str) -> None:
-        """Say it once."""
+        """Log an error once."""
         if text not in self._complained and len(self._complained) < 100:
             self._complained.add(text)
             self._node.get_logger().error(text)

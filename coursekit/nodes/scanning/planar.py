@@ -1,4 +1,4 @@
-"""Between messages and the plane: poses, the laser's seat on the robot."""
+"""Conversion between messages and the plane: poses, the laser's mounting on the robot."""
 
 from __future__ import annotations
 
@@ -15,24 +15,24 @@ from coursekit.slam.scan import Laser
 
 
 def plane(position: Any, orientation: Any) -> Pose2D:
-    """A position and a quaternion, seen from above."""
+    """A position and a quaternion as a pose in the plane."""
     return Pose2D(position.x, position.y, yaw_of((orientation.x, orientation.y, orientation.z, orientation.w)))
 
 
 def of_transform(msg: TransformStamped) -> Pose2D:
-    """A transform, seen from above."""
+    """A transform as a pose in the plane."""
     return plane(msg.transform.translation, msg.transform.rotation)
 
 
 def put(pose: Pose2D, position: Any, orientation: Any) -> None:
-    """Write a pose of the plane into a position and a quaternion."""
+    """Write a pose in the plane to a position and a quaternion."""
     position.x, position.y, position.z = pose.x, pose.y, 0.0
     orientation.x = orientation.y = 0.0
     orientation.z, orientation.w = math.sin(pose.theta / 2), math.cos(pose.theta / 2)
 
 
 def to_pose(pose: Pose2D) -> Pose:
-    """As geometry_msgs/Pose."""
+    """Convert a pose in the plane to geometry_msgs/Pose."""
     msg = Pose()
     put(pose, msg.position, msg.orientation)
     return msg
@@ -44,7 +44,7 @@ def points_of(path: Any) -> Array:
 
 
 def ends_of(ranges: Array, angles: Any) -> Array:
-    """Where beams of a flat sensor end, in its own frame, (n, 3) [m].
+    """The end points of the beams of a planar sensor in its own frame, shape (n, 3) [m].
 
     >>> ends_of(np.array([2.0]), np.array([0.0])).tolist()
     [[2.0, 0.0, 0.0]]
@@ -58,7 +58,7 @@ def upside_down(q: Any) -> bool:
 
 
 def laser_of(scan: LaserScan, seat: TransformStamped, farthest: float) -> Laser:
-    """The sensor of a scan: its fields, and the transform base → laser; hits beyond `farthest` [m] do not count."""
+    """The sensor of a scan: its fields, and the transform base → laser; hits beyond `farthest` [m] are ignored."""
     return Laser(
         angle_min=scan.angle_min,
         angle_increment=scan.angle_increment,
@@ -81,7 +81,7 @@ def fault_of(scan: LaserScan) -> str:
 
 
 def expected_beams(scan: LaserScan) -> int:
-    """How many ranges the scan's angles announce; 0 when they do not tell."""
+    """The number of ranges that follows from the scan's angles; 0 if it is undefined."""
     span = scan.angle_max - scan.angle_min
     if not scan.angle_increment or not math.isfinite(span):
         return 0

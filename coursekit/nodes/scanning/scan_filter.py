@@ -1,4 +1,4 @@
-"""Scans wait until their transform is known, as behind tf2_ros's MessageFilter; what is dropped is told, with the reason."""
+"""A queue of scans that wait for their transform, like tf2_ros's MessageFilter; dropped scans are logged with the reason."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ FULL = "discarding message because the queue is full"
 EARLY = "the timestamp on the message is earlier than all the data in the transform cache"
 EMPTY_FRAME = "the frame id of the message is empty"
 QUIET_NS = 1_000_000_000
-"""The same reason is told at most once in this time."""
+"""The minimum time between two logs of the same reason [ns]."""
 
 
 class WakingBuffer(Buffer):
     """A buffer that calls back after every transform."""
 
     def call_after_each(self, callback: Callable[[], None]) -> None:
-        """Call `callback()` after every transform, as well as whatever was to be called before."""
+        """Call `callback()` after every transform, in addition to earlier callbacks."""
         self._new_data_callbacks.append(callback)
 
 
 class ScanFilter:
-    """Hands scans on, in their order, once `buffer` can transform them to `target`; keeps at most `size` waiting."""
+    """Passes scans on, in order, once `buffer` can transform them to `target`; at most `size` scans wait."""
 
     def __init__(
         self, node: Node, buffer: WakingBuffer, target: str, size: int, callback: Callable[[LaserScan], None]
@@ -40,7 +40,7 @@ class ScanFilter:
         buffer.call_after_each(self.try_waiting)
 
     def add(self, scan: LaserScan) -> None:
-        """Take a scan."""
+        """Add a scan."""
         if not scan.header.frame_id:
             self._drop(scan, EMPTY_FRAME)
             return
@@ -51,13 +51,13 @@ class ScanFilter:
         self.try_waiting()
 
     def clear(self) -> bool:
-        """Forget those that wait; whether there were any."""
+        """Discard the waiting scans. Return whether there were any."""
         some = bool(self._waiting)
         self._waiting.clear()
         return some
 
     def try_waiting(self) -> None:
-        """Hand on what can be transformed by now."""
+        """Pass on the scans that can be transformed now."""
         while self._waiting:
             scan = self._waiting[0]
             ready, why = self._ask(scan)
@@ -70,13 +70,13 @@ class ScanFilter:
                 return
 
     def _ask(self, scan: LaserScan) -> tuple[bool, str]:
-        """Whether a scan's transform is known, and if not, why."""
+        """Whether a scan's transform is known, and the reason if it is not."""
         stamp = Time.from_msg(scan.header.stamp, self._node.get_clock().clock_type)
         ready, why = self._buffer.can_transform_core(self._target, scan.header.frame_id, stamp)
         return bool(ready), why
 
     def _drop(self, scan: LaserScan, reason: str) -> None:
-        """Tell that a scan is lost, and which transform is missing."""
+        """Log that a scan was dropped, and which transform is missing."""
         frame = scan.header.frame_id
         at = scan.header.stamp.sec + scan.header.stamp.nanosec * 1e-9
         why = self._ask(scan)[1] if frame else "set header.frame_id in the node that publishes the scan"
@@ -87,7 +87,7 @@ class ScanFilter:
         log.warning(f"{self._missing(frame, why)}")
 
     def _missing(self, frame: str, why: str) -> str:
-        """The transform that is missing, and how to look at it."""
+        """A text with the missing transform, and the command that shows it."""
         if not frame:
             return why
         return (
@@ -96,7 +96,7 @@ class ScanFilter:
         )
 
     def _quiet(self, key: str) -> bool:
-        """Whether this has been told a moment ago."""
+        """Whether this was logged less than QUIET_NS ago; otherwise record it."""
         now = self._node.get_clock().now().nanoseconds
         if key in self._told and 0 <= now - self._told[key] < QUIET_NS:
             return True

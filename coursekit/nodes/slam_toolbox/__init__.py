@@ -1,1 +1,1 @@
-"""Mapping and localising under slam_toolbox's names: the nodes, their parameters, topics and services."""
+"""Mapping and localisation under slam_toolbox's names: the nodes, their parameters, topics and services."""

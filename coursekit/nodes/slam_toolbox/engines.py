@@ -1,4 +1,4 @@
-"""The target of a scan: a session that maps, or one that localises in a finished map."""
+"""The engines that process scans: one maps, the other localises in a finished map."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ from coursekit.slam.scan import Scan
 from coursekit.slam.slam import Result, Slam
 
 NEAR, TURN = 1.5, 0.7
-"""A pose that someone gives is right within this much [m], [rad]."""
+"""The tolerance of a given pose [m], [rad]."""
 
 
 class Engine(Protocol):
-    """Takes scans, knows the pose, has a map."""
+    """Processes scans, and provides the pose and the map."""
 
     @property
     def pose(self) -> Pose2D: ...
@@ -31,18 +31,18 @@ class Engine(Protocol):
 
 
 class Mapping:
-    """Adds to a map."""
+    """Extends a map."""
 
     def __init__(self, slam: Slam) -> None:
         self.slam = slam
 
     @property
     def pose(self) -> Pose2D:
-        """In the map."""
+        """The robot's pose in the map."""
         return self.slam.pose
 
     def add(self, scan: Scan, odometry: Pose2D) -> Result:
-        """Take a scan; with the first one the map's frame is that of the odometry, as in slam_toolbox."""
+        """Process a scan; with the first one, the map's frame is that of the odometry, as in slam_toolbox."""
         if not self.slam.keyframes:
             self.slam.begin_at(odometry)
         return self.slam.add(scan, odometry)
@@ -58,7 +58,7 @@ class Mapping:
 
 
 class Localizing:
-    """Finds itself in a map that stays as it is; `near` None looks through the whole map first."""
+    """Localises in a map that does not change; with `near` None, it searches the whole map first."""
 
     def __init__(self, localizer: Localizer, cells: GridMap, near: Pose2D | None) -> None:
         self.localizer, self._cells = localizer, cells
@@ -66,15 +66,15 @@ class Localizing:
 
     @property
     def pose(self) -> Pose2D:
-        """In the map."""
+        """The robot's pose in the map."""
         return self.localizer.pose
 
     def look_near(self, pose: Pose2D) -> None:
-        """Begin anew at a pose that someone gave."""
+        """Start again near a given pose."""
         self._wanted, self._near = True, pose
 
     def add(self, scan: Scan, odometry: Pose2D) -> Result:
-        """Take a scan; after a new start, look around first."""
+        """Process a scan; after a restart, search for the pose first."""
         if self._wanted and len(scan.points):
             self._find(scan)
         return self.localizer.add(scan, odometry)
@@ -92,18 +92,18 @@ class Localizing:
         return self._cells
 
     def markers(self, last: Result | None, frame: str, stamp: Any) -> Any:
-        """Words about the last match."""
+        """A text about the last match."""
         return status_markers(last, self.pose, frame, stamp)
 
 
 def localizing(slam: Slam, near: Pose2D | None) -> Localizing:
-    """Localise in the map of a session."""
+    """An engine that localises in the map of a session."""
     localizer = Localizer.from_keyframes(slam.keyframes, slam.graph.poses, slam.params)
     return Localizing(localizer, grid_map(slam.map()), near)
 
 
 def load_slam(name: str, at: Pose2D | None, params: SlamParameters) -> Slam:
-    """A kept session, to go on from its first pose, or from `at`; OSError or ValueError when there is none."""
+    """Load a saved session, to continue from its first pose or from `at`; raises OSError or ValueError if there is none."""
     slam = storage.load(name)
     slam.params = slam.tracker.params = slam.search.params = params
     if slam.keyframes:
@@ -112,7 +112,7 @@ def load_slam(name: str, at: Pose2D | None, params: SlamParameters) -> Slam:
 
 
 def load_localizing(name: str, near: Pose2D | None, params: SlamParameters) -> Localizing:
-    """Localise in a kept session, or in a map's .yaml; OSError or ValueError when there is none."""
+    """An engine that localises in a saved session or in a map's .yaml; raises OSError or ValueError if there is none."""
     if Path(name).suffix != ".yaml":
         return localizing(load_slam(name, near, params), near)
     cells = load_map(name)

@@ -1,4 +1,4 @@
-"""The map as topics and services give it."""
+"""The map on topics and services."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from coursekit.slam import grid as slam_grid
 
 
 class MapTopic:
-    """Publishes a grid on `name` and its size on `name`_metadata; late subscribers get the last one."""
+    """Publishes a grid on `name` and its size on `name`_metadata; late subscribers receive the last map."""
 
     def __init__(self, node: Node, name: str, frame: str) -> None:
         self._grid_publisher = node.create_publisher(OccupancyGrid, name, MAP_QOS)
@@ -23,7 +23,7 @@ class MapTopic:
         self.latest: OccupancyGrid | None = None
 
     def publish(self, grid: GridMap, stamp: Any) -> None:
-        """Publish a map that is as of `stamp`."""
+        """Publish a map with its stamp."""
         msg = OccupancyGrid()
         msg.header.frame_id, msg.header.stamp = self._frame, stamp
         msg.info.resolution = grid.resolution
@@ -36,5 +36,5 @@ class MapTopic:
 
 
 def grid_map(grid: slam_grid.OccupancyGrid) -> GridMap:
-    """The library's grid as nav2 knows maps: -1 unknown, 0 free, 100 wall."""
+    """The library's grid as a nav2 map: -1 unknown, 0 free, 100 wall."""
     return GridMap(grid.trinary(), grid.resolution, (*grid.origin, 0.0))

@@ -1,4 +1,4 @@
-"""A picture of mapping: keyframes, edges, loops kept and loops left aside, and how well the last scan fitted."""
+"""Markers of mapping: keyframes, edges, accepted and rejected loops, and the quality of the last match."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from coursekit.nodes.scanning.planar import to_pose
 from coursekit.slam.slam import Result, Slam
 
 DOUBTED = 0.1
-"""Loops trusted less than this are shown as left aside."""
+"""Loops with a trust below this are shown as rejected."""
 RED, GREEN, BLUE, WHITE = (1.0, 0.1, 0.1), (0.1, 0.8, 0.2), (0.2, 0.4, 1.0), (1.0, 1.0, 1.0)
 
 
@@ -35,12 +35,12 @@ def graph_markers(slam: Slam, last: Result | None, frame: str, stamp: Any) -> Ma
 
 
 def status_markers(last: Result | None, pose: Pose2D, frame: str, stamp: Any) -> MarkerArray:
-    """The words alone, for a map that does not change."""
+    """The status text alone, for a map that does not change."""
     return _array([status_marker(last, pose, "localising")], frame, stamp)
 
 
 def status_marker(last: Result | None, pose: Pose2D, more: str) -> Marker:
-    """Words above the robot."""
+    """A status text above the robot."""
     marker = _marker("status", Marker.TEXT_VIEW_FACING, 0.25, WHITE)
     marker.pose = to_pose(pose)
     marker.pose.position.z = 1.0
@@ -49,7 +49,7 @@ def status_marker(last: Result | None, pose: Pose2D, more: str) -> Marker:
 
 
 def _words(last: Result | None) -> str:
-    """The last match in words."""
+    """The last match as text."""
     if last is None:
         return "waiting for scans"
     fits = f"match {100 * last.score:.0f} %" if last.accepted else "no match: odometry alone"
@@ -66,7 +66,7 @@ def _marker(space: str, kind: int, size: float, color: tuple[float, float, float
 
 
 def _list(space: str, kind: int, size: float, color: tuple[float, float, float], points: Array) -> Marker:
-    """A marker of points; without any it is taken away."""
+    """A marker of points; without points it deletes the marker."""
     marker = _marker(space, kind, size, color)
     marker.points = [Point(x=x, y=y, z=0.0) for x, y in points.tolist()]
     if not marker.points:

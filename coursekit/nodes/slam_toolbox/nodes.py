@@ -1,4 +1,4 @@
-"""slam_toolbox's executables: how each of them uses scans."""
+"""slam_toolbox's executables, which differ in their use of scans."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from coursekit.nodes.slam_toolbox.toolbox import SlamToolbox
 
 
 def start_pose(node: SlamToolbox) -> tuple[Pose2D | None, bool]:
-    """Where a loaded map is to be entered (None: at its first pose), and whether that was said at all."""
+    """The start pose in a loaded map (None: its first pose), and whether the parameters specify it."""
     given = node.get_parameter("map_start_pose").value
     if given is not None and len(given):
         if len(given) == 3:
@@ -50,21 +50,21 @@ def load_by_parameters(node: SlamToolbox, services: Services, *, localize: bool)
 
 
 def make_async() -> SlamToolbox:
-    """Skips scans rather than lag behind."""
+    """Create a node that skips scans rather than lag behind."""
     node = SlamToolbox()
     load_by_parameters(node, Services(node), localize=False)
     return node
 
 
 def make_sync() -> SlamToolbox:
-    """Uses every scan, even if that takes longer than the drive."""
+    """Create a node that uses every scan, even if processing takes longer than the drive."""
     node = SlamToolbox(keep_all=True)
     load_by_parameters(node, Services(node, queue=True), localize=False)
     return node
 
 
 def make_lifelong() -> SlamToolbox:
-    """Goes on with a kept map for good; scans that newer ones cover are not forgotten, though."""
+    """Create a node that continues a saved map indefinitely; unlike in ROS 2, it keeps scans that newer ones cover."""
     node = SlamToolbox()
     declare_lifelong(node)
     node.get_logger().warning("LifelongSlamToolbox: all scans are kept, so that lifelong_* parameters have no effect")
@@ -73,7 +73,7 @@ def make_lifelong() -> SlamToolbox:
 
 
 def make_localization() -> SlamToolbox:
-    """Stays in the map of map_file_name; /initialpose moves the robot."""
+    """Create a node that localises in the map of map_file_name; /initialpose sets the robot's pose."""
     node = SlamToolbox()
     services = Services(node, localize=True)
     _listen_for_poses(node)
@@ -83,7 +83,7 @@ def make_localization() -> SlamToolbox:
 
 
 def make_map_and_localization() -> SlamToolbox:
-    """Maps, and localises while slam_toolbox/set_localization_mode says so."""
+    """Create a node that maps, or localises if slam_toolbox/set_localization_mode is on."""
     node = SlamToolbox()
     services = Services(node)
     _listen_for_poses(node)
@@ -101,7 +101,7 @@ def make_map_and_localization() -> SlamToolbox:
 
 
 def _listen_for_poses(node: SlamToolbox) -> None:
-    """Let /initialpose move the robot in a map."""
+    """Set the robot's pose in a map on /initialpose."""
 
     def move(msg: PoseWithCovarianceStamped) -> None:
         if msg.header.frame_id not in ("", node.map_frame):
@@ -136,25 +136,25 @@ def _run(make: Callable[[], SlamToolbox], args: list[str] | None) -> int:
 
 
 def main_async(args: list[str] | None = None) -> int:
-    """async_slam_toolbox_node."""
+    """Run async_slam_toolbox_node."""
     return _run(make_async, args)
 
 
 def main_sync(args: list[str] | None = None) -> int:
-    """sync_slam_toolbox_node."""
+    """Run sync_slam_toolbox_node."""
     return _run(make_sync, args)
 
 
 def main_lifelong(args: list[str] | None = None) -> int:
-    """lifelong_slam_toolbox_node."""
+    """Run lifelong_slam_toolbox_node."""
     return _run(make_lifelong, args)
 
 
 def main_localization(args: list[str] | None = None) -> int:
-    """localization_slam_toolbox_node."""
+    """Run localization_slam_toolbox_node."""
     return _run(make_localization, args)
 
 
 def main_map_and_localization(args: list[str] | None = None) -> int:
-    """map_and_localization_slam_toolbox_node."""
+    """Run map_and_localization_slam_toolbox_node."""
     return _run(make_map_and_localization, args)

@@ -1,4 +1,4 @@
-"""slam_toolbox's parameters with their defaults, and what they mean to coursekit.slam."""
+"""slam_toolbox's parameters with their defaults, and their conversion for coursekit.slam."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ DEFAULTS: dict[str, Any] = {
     "minimum_travel_heading": 0.5,
     "loop_search_maximum_distance": 3.0,
 }
-"""Those that this node acts on."""
+"""The parameters that this node uses."""
 
 ACCEPTED: dict[str, Any] = {
     "solver_plugin": "solver_plugins::CeresSolver",
@@ -79,7 +79,7 @@ ACCEPTED: dict[str, Any] = {
     "min_pass_through": 2,
     "occupancy_threshold": 0.1,
 }
-"""Those of the Karto matcher and its solver: taken, shown, without effect, because ours has no such part."""
+"""The parameters of the Karto matcher and its solver: accepted and shown, but without effect, as ours has no such part."""
 
 
 LIFELONG: dict[str, Any] = {
@@ -92,24 +92,24 @@ LIFELONG: dict[str, Any] = {
     "lifelong_nearby_penalty": 0.001,
     "lifelong_candidates_scale": 0.03,
 }
-"""Those of the lifelong node: taken, shown, without effect, because ours keeps all scans."""
+"""The parameters of the lifelong node: accepted and shown, but without effect, because ours keeps all scans."""
 
 
 def declare(node: Node) -> None:
-    """Declare all of them; whole numbers may stand for real ones, as people write them in files."""
+    """Declare all parameters; integers are accepted for real numbers, because people write them in files."""
     loose = ParameterDescriptor(dynamic_typing=True)
     for name, default in {**DEFAULTS, **ACCEPTED}.items():
         node.declare_parameter(name, default, loose)
 
 
 def declare_lifelong(node: Node) -> None:
-    """Declare those of the lifelong node too."""
+    """Declare the parameters of the lifelong node, too."""
     for name, default in LIFELONG.items():
         node.declare_parameter(name, default, ParameterDescriptor(dynamic_typing=True))
 
 
 def number(node: Node, name: str, *, least: float = -math.inf) -> float:
-    """A real parameter; one that is no number, or too small, is replaced by its default, with a warning."""
+    """A real parameter; an invalid or too small value is replaced by the default, with a warning."""
     value = node.get_parameter(name).value
     if isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value) and value >= least:
         return float(value)
@@ -120,7 +120,7 @@ def number(node: Node, name: str, *, least: float = -math.inf) -> float:
 
 
 def slam_parameters(node: Node) -> SlamParameters:
-    """The library's parameters, from the node's."""
+    """Convert the node's parameters to the library's."""
     matching = bool(node.get_parameter("use_scan_matching").value)
     loops = matching and bool(node.get_parameter("do_loop_closing").value)
     usual = SlamParameters()

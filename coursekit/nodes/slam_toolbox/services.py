@@ -31,7 +31,7 @@ ENDING = ".posegraph"
 
 
 class Services:
-    """Answers for a node; `localize` makes deserialize_map start to localise."""
+    """The services of a node; with `localize`, deserialize_map starts localisation."""
 
     def __init__(self, node: SlamToolbox, *, localize: bool = False, queue: bool = False) -> None:
         self._node, self._localize = node, localize
@@ -61,7 +61,7 @@ class Services:
         return response
 
     def _save(self, request: Any, response: Any) -> Any:
-        """Write the map as nav2 keeps it."""
+        """Save the map in nav2's format."""
         log, name = self._node.get_logger(), request.name.data
         self._node.publish_map()
         grid = self._node.map_topic.latest
@@ -73,7 +73,7 @@ class Services:
         log.info(f"SlamToolbox: Saving map as {name}." if name else "SlamToolbox: Saving map in current directory.")
         name = name or f"map_{self._node.get_clock().now().nanoseconds // 10**9}"
         try:
-            files = save_map(name, from_message(grid), free_thresh=FREE_DEFAULT)  # it asks nav2's map saver, in Humble
+            files = save_map(name, from_message(grid), free_thresh=FREE_DEFAULT)  # Humble calls nav2's map saver
         except (OSError, ValueError) as fault:
             log.error(f"The map cannot be saved: {fault}")
             response.result = SaveMap.Response.RESULT_UNDEFINED_FAILURE
@@ -85,7 +85,7 @@ class Services:
     # -- the session
 
     def _serialize(self, request: Any, response: Any) -> Any:
-        """Write the pose graph with its scans."""
+        """Save the pose graph with its scans."""
         log, engine = self._node.get_logger(), self._node.engine
         response.result = SerializePoseGraph.Response.RESULT_FAILED_TO_WRITE_FILE
         if not request.filename or not isinstance(engine, Mapping):
@@ -111,7 +111,7 @@ class Services:
         return response
 
     def load(self, name: str, at: Pose2D | None, *, localize: bool, anywhere: bool = False) -> bool:
-        """Go on with a kept session, at a pose, or at its first one; or, with `anywhere`, wherever the robot is."""
+        """Continue a saved session at a pose or at its first one; with `anywhere`, search for the robot's pose."""
         log, params = self._node.get_logger(), self._node.slam_params
         if not name:
             log.warning("DeserializePoseGraph: Failed to read file: no name was given")
@@ -128,7 +128,7 @@ class Services:
         return True
 
     def set_localization(self, on: bool) -> str:
-        """Localise in the map made so far, or go on mapping; says what has been done."""
+        """Localise in the current map, or resume mapping. Return the reason if that is not possible, else ''."""
         engine = self._node.engine
         if on and isinstance(engine, Mapping):
             if not engine.slam.keyframes:
@@ -145,7 +145,7 @@ class Services:
         return ""
 
     def _reset(self, request: Any, response: Any) -> Any:
-        """Forget everything."""
+        """Start an empty map."""
         self._node.use(Mapping(Slam(self._node.slam_params)))
         self._set("paused_new_measurements", bool(request.pause_new_measurements))
         self._node.get_logger().info("SlamToolbox: Reset")
@@ -153,7 +153,7 @@ class Services:
         return response
 
     def _close_loops(self, _request: Any, response: Any) -> Any:
-        """Settle the graph with all loops found so far."""
+        """Optimize the graph with all loops found so far."""
         if isinstance(self._node.engine, Mapping):
             self._node.engine.slam.finish()
             self._node.publish_map()
@@ -179,7 +179,7 @@ class Services:
         return response
 
     def _clear(self, _request: Any, response: Any) -> Any:
-        """Forget what was moved by hand: nothing can be, the markers are drawn anew."""
+        """Redraw the markers. There are no manual changes to discard, because nothing can be moved by hand."""
         self._node.publish_map()
         return response
 

@@ -1,4 +1,4 @@
-"""The node behind `async_slam_toolbox_node`, `sync_slam_toolbox_node` and their kin."""
+"""The node behind `async_slam_toolbox_node`, `sync_slam_toolbox_node` and the others."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ from coursekit.slam.slam import Result, Slam
 from coursekit.slam.warm import warm
 
 EVERY_SCAN = 1000
-"""Scans that a synchronous node keeps while it is busy."""
+"""The number of scans that a synchronous node queues while it is busy."""
 
 
 class SlamToolbox(Node):
     """Scans and odometry in; /map, /pose and map → odom out.
 
-    `keep_all` works through every scan, however late it gets; otherwise scans that come while it is busy are skipped.
+    With `keep_all` it processes every scan, however late; otherwise it skips scans that arrive while it is busy.
     """
 
     def __init__(self, *, keep_all: bool = False) -> None:
@@ -49,7 +49,7 @@ class SlamToolbox(Node):
         self.get_logger().info("Using solver plugin " + str(self.get_parameter("solver_plugin").value))
 
     def _read_parameters(self) -> None:
-        """Parameters that are read once."""
+        """Read the parameters that are used at the start only."""
         self.map_frame, self.odom_frame, self.base_frame = (
             str(self.get_parameter(f"{name}_frame").value) for name in ("map", "odom", "base")
         )
@@ -63,7 +63,7 @@ class SlamToolbox(Node):
         self._throttle = throttle
 
     def _make_topics(self, keep_all: bool) -> None:
-        """Topics, transforms and the two timers."""
+        """Create the topics, the transforms and the two timers."""
         self.buffer = WakingBuffer(Duration(seconds=number(self, "tf_buffer_duration", least=0.1)), self)
         self._listener = TransformListener(self.buffer, self)
         self._broadcaster = TransformBroadcaster(self)
@@ -85,19 +85,19 @@ class SlamToolbox(Node):
 
     @property
     def paused(self) -> bool:
-        """Whether new scans are left aside."""
+        """Whether new scans are ignored."""
         return bool(self.get_parameter("paused_new_measurements").value)
 
     def use(self, engine: Engine) -> None:
-        """Go on with another session."""
+        """Switch to another engine."""
         self.engine, self.last = engine, None
 
     def forget_waiting(self) -> bool:
-        """Drop the scans that wait for their transform; whether there were any."""
+        """Discard the scans that wait for their transform. Return whether there were any."""
         return self._filter.clear()
 
     def _take(self, msg: LaserScan) -> None:
-        """A scan whose transform is known."""
+        """Process a scan whose transform is known."""
         self._count += 1
         if self.paused or self._count % self._throttle:
             return
@@ -112,7 +112,7 @@ class SlamToolbox(Node):
             self._scan_publisher.publish(msg)
 
     def _odometry_at(self, msg: LaserScan) -> Pose2D | None:
-        """The robot's pose by its odometry when the scan was taken."""
+        """The robot's pose from odometry at the time of the scan."""
         try:
             return of_transform(lookup(self.buffer, self.odom_frame, self.base_frame, msg.header.stamp))
         except TransformException as fault:
@@ -122,7 +122,7 @@ class SlamToolbox(Node):
             return None
 
     def _settle(self, result: Result, odometry: Pose2D, stamp: Time) -> None:
-        """Publish what a scan has told."""
+        """Store and publish the result of a scan."""
         self.last, self._stamp, self.odometry = result, stamp, odometry
         self._map_to_odom = result.pose @ odometry.inverse()
         if not result.accepted:
@@ -130,7 +130,7 @@ class SlamToolbox(Node):
             self.get_logger().warning(why, throttle_duration_sec=5.0)
         self._publish_pose(result, stamp)
 
-    # -- what is published
+    # -- publishing
 
     def _publish_pose(self, result: Result, stamp: Time) -> None:
         msg = PoseWithCovarianceStamped()
@@ -145,7 +145,7 @@ class SlamToolbox(Node):
         self._pose_publisher.publish(msg)
 
     def _publish_transform(self) -> None:
-        """map → odom, valid a little into the future."""
+        """Publish map → odom, valid a little into the future."""
         if self.last is None:
             return
         restamp = self.get_parameter("restamp_tf").value
@@ -157,7 +157,7 @@ class SlamToolbox(Node):
         self._broadcaster.sendTransform(msg)
 
     def publish_map(self) -> None:
-        """The map and the markers as they are now."""
+        """Publish the current map and markers."""
         grid = self.engine.grid()
         if grid is not None:
             self.map_topic.publish(grid, self._stamp.to_msg())

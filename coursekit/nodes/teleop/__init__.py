@@ -1,1 +1,1 @@
-"""Driving by keys: the node of teleop_twist_keyboard."""
+"""Teleoperation with the keyboard: the node of teleop_twist_keyboard."""

@@ -1,4 +1,4 @@
-"""`ros2 run teleop_twist_keyboard teleop_twist_keyboard`: keys of its standard input become velocities."""
+"""`ros2 run teleop_twist_keyboard teleop_twist_keyboard`: converts keys on its standard input to velocities."""
 
 from __future__ import annotations
 
@@ -43,15 +43,15 @@ MOVES: dict[str, tuple[int, int, int, int]] = {
     "O": (1, -1, 0, 0), "I": (1, 0, 0, 0), "J": (0, 1, 0, 0), "L": (0, -1, 0, 0), "U": (1, 1, 0, 0),
     "<": (-1, 0, 0, 0), ">": (-1, -1, 0, 0), "M": (-1, 1, 0, 0), "t": (0, 0, 1, 0), "b": (0, 0, -1, 0),
 }  # fmt: skip
-"""Keys: forward, left, up, turning left."""
+"""The direction of each key: forward, left, up, rotation to the left."""
 SPEEDS = {"q": (1.1, 1.1), "z": (0.9, 0.9), "w": (1.1, 1.0), "x": (0.9, 1.0), "e": (1.0, 1.1), "c": (1.0, 0.9)}
-"""Keys: by what the linear and the angular speed are multiplied."""
+"""The factors of each key for the linear and the angular speed."""
 REMIND = 15
-"""After so many changes of speed the keys are shown again."""
+"""The number of speed changes after which the keys are shown again."""
 
 
 class TeleopTwistKeyboard(Node):
-    """Turns keys into Twist, or TwistStamped where the parameter `stamped` says so."""
+    """Converts keys to Twist, or to TwistStamped if the parameter `stamped` is set."""
 
     def __init__(self) -> None:
         super().__init__("teleop_twist_keyboard")
@@ -66,11 +66,11 @@ class TeleopTwistKeyboard(Node):
         self._changes = 0
 
     def told(self) -> str:
-        """The line that tells the speeds."""
+        """The line that shows the speeds."""
         return f"currently:\tspeed {self.speed}\tturn {self.turn} "
 
     def press(self, key: str, direction: tuple[int, int, int, int]) -> tuple[int, int, int, int]:
-        """Do what a key means, going in a direction until then; the new direction."""
+        """Execute a key, given the direction so far. Return the new direction."""
         if key in MOVES:
             direction = MOVES[key]
         elif key in SPEEDS:
@@ -88,7 +88,7 @@ class TeleopTwistKeyboard(Node):
         self._changes = (self._changes + 1) % REMIND
 
     def publish(self, direction: tuple[int, int, int, int]) -> None:
-        """Tell the robot a direction."""
+        """Publish the velocity for a direction."""
         message: Any = TwistStamped() if self._stamped else Twist()
         twist = message
         if self._stamped:

@@ -26,7 +26,7 @@ def _defaults() -> dict[str, Any]:
 
 
 class TeleopTwistJoy(Node):
-    """Joy in, Twist (TwistStamped where `publish_stamped_twist` says so) out; one stop when the button is let go."""
+    """Joy in, Twist (TwistStamped if `publish_stamped_twist` is set) out; one stop when the button is released."""
 
     def __init__(self) -> None:
         super().__init__("teleop_twist_joy_node")
@@ -43,7 +43,7 @@ class TeleopTwistJoy(Node):
         self._given = declare(self, _defaults())
 
     def _tell(self) -> None:
-        """The number of each axis."""
+        """Log the buttons, and the number and scale of each axis."""
         log, given = self.get_logger(), self._given
         if given["require_enable_button"]:
             log.info(f"Teleop enable button {given['enable_button']}.")

@@ -1,4 +1,4 @@
-"""`buffer_server`: a buffer that other nodes ask by the action tf2_buffer_server."""
+"""`buffer_server`: a buffer that other nodes query with the action tf2_buffer_server."""
 
 from __future__ import annotations
 

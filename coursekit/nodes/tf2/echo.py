@@ -1,4 +1,4 @@
-"""`tf2_echo`: print a transform again and again."""
+"""`tf2_echo`: print a transform periodically."""
 
 from __future__ import annotations
 

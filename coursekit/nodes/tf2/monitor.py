@@ -1,4 +1,4 @@
-"""`tf2_monitor`: how late and how often transforms come."""
+"""`tf2_monitor`: the delay and the frequency of transforms."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ from coursekit.processes.session import current
 
 PERIOD_SECONDS = 0.5
 PERIODS = 20
-"""Results come every ten seconds."""
+"""The number of periods between two reports: ten seconds."""
 KEPT = 1000
 NOBODY = "<no authority available>"
 
 
 class Monitor(Node):
-    """Measures the age of what arrives on /tf and /tf_static."""
+    """Measures the age of the transforms that arrive on /tf and /tf_static."""
 
     def __init__(self, chain_ends: tuple[str, str] | None) -> None:
         super().__init__("tf2_monitor_main")
@@ -54,7 +54,7 @@ class Monitor(Node):
         self.arrivals.append(self.get_clock().now().nanoseconds * 1e-9)
 
     def measure(self) -> None:
-        """Take the age of the whole chain."""
+        """Measure the age of the whole chain."""
         if self.ends is None:
             return
         stamp = self.buffer.lookup_transform(*self.ends, Time()).header.stamp
@@ -70,7 +70,7 @@ class Monitor(Node):
         return self.buffer._chain(second, Time(), first, Time(), second)
 
     def report(self, chain: list[str]) -> str:
-        """The results."""
+        """The results as text."""
         lines = ["", "", "", f"RESULTS: for {'all Frames' if self.ends is None else ' to '.join(self.ends)}"]
         if self.ends is not None:
             lines.append(f"Chain is: {' -> '.join(chain)}")

@@ -47,22 +47,22 @@ _LETTERS = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
 
 
 class BadArguments(Exception):
-    """The command line is wrong; the text says how."""
+    """The command line is invalid; the text gives the reason."""
 
 
 @dataclass
 class Wanted:
-    """The transform that the command line asks for."""
+    """The transform that the command line specifies."""
 
     numbers: dict[str, float] = field(default_factory=dict)
     frames: dict[str, str] = field(default_factory=dict)
 
     def seen(self, names: tuple[str, ...]) -> bool:
-        """Whether any of these was given."""
+        """Whether any of these options was given."""
         return any(name in self.numbers or name in self.frames for name in names)
 
     def number(self, name: str, text: str) -> None:
-        """Take a number."""
+        """Store a number; raises BadArguments."""
         try:
             self.numbers[name] = float(text)
         except ValueError:
@@ -79,7 +79,7 @@ class Wanted:
 
 
 def parse(args: list[str]) -> Wanted | None:
-    """Understand the arguments, new or old; None for --help. Raises BadArguments."""
+    """Parse new-style or old-style arguments; None for --help. Raises BadArguments."""
     wanted, bare = Wanted(), []
     words = iter(args)
     for word in words:
@@ -106,7 +106,7 @@ def parse(args: list[str]) -> Wanted | None:
 
 
 def _take_old_style(wanted: Wanted, bare: list[str]) -> None:
-    """x y z yaw pitch roll frame child, or x y z qx qy qz qw frame child."""
+    """Parse x y z yaw pitch roll frame child, or x y z qx qy qz qw frame child."""
     if not bare:
         return
     if len(bare) not in (8, 9):
@@ -125,7 +125,7 @@ class SameFrame(RuntimeError):
 
 
 class StaticTransformPublisher(Node):
-    """Publishes one transform, which its parameters hold."""
+    """Publishes the transform in its parameters."""
 
     def __init__(self, wanted: Wanted) -> None:
         place = [wanted.numbers.get(name, 0.0) for name in _TRANSLATION]
@@ -157,7 +157,7 @@ class StaticTransformPublisher(Node):
 
 
 def _suffix() -> str:
-    """Sixteen letters that no other publisher has."""
+    """Sixteen characters that are unique to this publisher."""
     number = int.from_bytes(current().new_uuid(), "big")
     return "".join(_LETTERS[number // 62**place % 62] for place in range(16))
 
@@ -192,7 +192,7 @@ def main() -> int:
 
 
 def component() -> int:
-    """Publish what the parameters say, as the component does that a container loads."""
+    """Publish the transform in the parameters, as the component in a container does."""
     rclpy.init()
     unnamed = dict(zip(_FRAMES, ("/frame", "/child"), strict=True))
     try:

@@ -1,1 +1,1 @@
-"""topic_monitor: how much of what is published arrives."""
+"""topic_monitor: the share of published messages that arrive."""

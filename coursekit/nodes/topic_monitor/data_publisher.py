@@ -1,4 +1,4 @@
-"""`ros2 run topic_monitor data_publisher [NAME]`: counts, with a payload and a QoS of one's choice."""
+"""`ros2 run topic_monitor data_publisher [NAME]`: publishes a counter with a configurable payload and QoS."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from std_msgs.msg import Header
 from coursekit.nodes.running import to_the_end
 
 LAST = -1
-"""The last message, so that monitors know that the topic has gone."""
+"""The number of the last message, which announces the end of the topic to monitors."""
 
 
 class DataPublisher(Node):
@@ -80,9 +80,9 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def main(args: list[str] | None = None) -> int:
-    """Count until Ctrl-C, or as far as was asked; say at the end that it is the end."""
+    """Count until Ctrl-C or the requested number; announce the end with a last message."""
     options = _parser().parse_args(remove_ros_args(sys.argv if args is None else args)[1:])
-    rclpy.init(args=args, signal_handler_options=SignalHandlerOptions.NO)  # Ctrl-C leaves time for a last word
+    rclpy.init(args=args, signal_handler_options=SignalHandlerOptions.NO)  # after Ctrl-C, a last message can be published
     node = DataPublisher(options)
     with to_the_end(node):
         try:

@@ -1,4 +1,4 @@
-"""`ros2 run topic_monitor topic_monitor`: how much arrives of every topic called NAME_data or NAME_data_best_effort."""
+"""`ros2 run topic_monitor topic_monitor`: the reception rates of all topics named NAME_data or NAME_data_best_effort."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _NUMBER = re.compile(r"-?\d+")
 
 
 class TopicMonitor(Node):
-    """Hears the topics as they come, logs when one comes, goes or gets stale, and publishes reception_rate/TOPIC."""
+    """Subscribes to topics as they appear, logs when they come, go or get stale, and publishes reception_rate/TOPIC."""
 
     def __init__(self, options: argparse.Namespace) -> None:
         super().__init__("topic_monitor")

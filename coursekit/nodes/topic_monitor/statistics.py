@@ -1,4 +1,4 @@
-"""The statistics of one monitored topic: whether it is alive, and how much of it arrives."""
+"""The statistics of one monitored topic: whether it is alive, and the share of messages that arrive."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from coursekit.nodes.topic_monitor.data_publisher import LAST
 
 
 class TopicStatistics:
-    """Counts what was heard against what should have been, over the last `window` numbers. Times in seconds.
+    """Compares the received with the expected numbers, over the last `window` numbers. Times are in seconds.
 
     >>> topic = TopicStatistics(window=4, depth=10, period=1.0, latency=1.0, stale=1.5)
     >>> for at in range(4):
@@ -25,7 +25,7 @@ class TopicStatistics:
         self._last = 0.0
 
     def heard(self, number: int, now: float) -> None:
-        """Take a number; the last of all ends the counting."""
+        """Record a number; LAST ends the counting."""
         self._last = now
         if number == LAST:
             self._began = None
@@ -42,7 +42,7 @@ class TopicStatistics:
         return "Stale" if now - self._last > self._stale else "Alive"
 
     def rate(self, now: float) -> float:
-        """The share of the expected numbers that was heard, 0 ... 1; 0 for a topic that is offline."""
+        """The share of the expected numbers that was received, 0 ... 1; 0 for a topic that is offline."""
         if self._began is None:
             return 0.0
         first, since = self._began

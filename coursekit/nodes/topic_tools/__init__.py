@@ -1,1 +1,1 @@
-"""topic_tools: messages of any type handed on."""
+"""topic_tools: programs that republish messages of any type."""

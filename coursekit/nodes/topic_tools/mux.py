@@ -1,4 +1,4 @@
-"""`ros2 run topic_tools mux OUTTOPIC INTOPIC1 [INTOPIC2...]`: one of several topics is handed on, chosen by a service."""
+"""`ros2 run topic_tools mux OUTTOPIC INTOPIC1 [INTOPIC2...]`: republishes one of several topics, selected by a service."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ NONE = "__none"
 
 
 class Mux(Node):
-    """Hears the selected topic; ~/select, ~/add, ~/delete and ~/list change and show which there are."""
+    """Subscribes to the selected topic; ~/select, ~/add, ~/delete and ~/list change and show the topics."""
 
     def __init__(self, words: list[str]) -> None:
         super().__init__("mux")
@@ -42,7 +42,7 @@ class Mux(Node):
         self.create_service(MuxList, "~/list", self._list)
 
     def _choose(self, topic: str) -> None:
-        """Hear another topic from now on."""
+        """Select another topic."""
         self.selected = topic
         if self._ear is not None:
             self.destroy_subscription(self._ear)
@@ -51,7 +51,7 @@ class Mux(Node):
         self._look()
 
     def _look(self) -> None:
-        """Begin to hear the selected topic once somebody publishes on it."""
+        """Subscribe to the selected topic once it has a publisher."""
         if self._ear is not None or self.selected == NONE:
             return
         found = source_of(self, self.selected)

@@ -1,4 +1,4 @@
-"""The common parts of the tools: hearing a topic of any type as bytes, and publishing them again."""
+"""The common parts of the tools: subscription to a topic of any type as bytes, and publication of these bytes."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.running import spin_to_the_end
 
 DISCOVERY_SECONDS = 0.1
-"""How often a topic is looked for that is not there yet."""
+"""The period of the search for a topic that does not exist yet."""
 
 
 class Tool(Node):
-    """Hears `input_topic` once somebody publishes on it, with the type and the QoS of who does; `take` gets the bytes.
+    """Subscribes to `input_topic` once it has publishers, with their type and QoS; `take` gets the bytes.
 
-    With `lazy` it hears only while somebody listens to what it says.
+    With `lazy` it is subscribed only while its output has subscribers.
     """
 
     def __init__(self, name: str, given: dict[str, Any]) -> None:
@@ -38,19 +38,19 @@ class Tool(Node):
         self.create_timer(DISCOVERY_SECONDS, self._look)
 
     def wanted(self, name: str, default: Any) -> Any:
-        """A parameter; a word of the command line stands for its default."""
+        """A parameter; a word on the command line replaces its default."""
         return declare(self, {name: self._words.get(name, default)})[name]
 
     def take(self, data: bytes) -> None:
-        """Do with a message what the tool is for."""
+        """Process a message; subclasses override it."""
         self.say(data)
 
     def say(self, data: bytes) -> None:
-        """Hand a message on."""
+        """Publish a message."""
         self._mouth.publish(data)
 
     def _look(self) -> None:
-        """Begin to hear, or to be silent, as topics and listeners come and go."""
+        """Create or destroy the subscription as topics and subscribers come and go."""
         if self._mouth is None:
             self._open()
         elif self.lazy and self._ear is not None and not self._mouth.get_subscription_count():
@@ -68,7 +68,7 @@ class Tool(Node):
 
 
 def source_of(node: Node, topic: str) -> tuple[Any, QoSProfile] | None:
-    """The type of a topic that somebody publishes on, and the QoS that hears all of them; None without a publisher."""
+    """The type of a topic, and a QoS that is compatible with all its publishers; None without a publisher."""
     about = node.get_publishers_info_by_topic(node.resolve_topic_name(topic))
     if not about:
         return None
@@ -84,7 +84,7 @@ def source_of(node: Node, topic: str) -> tuple[Any, QoSProfile] | None:
 
 
 def run_tool(make: Callable[[list[str]], Node], args: list[str] | None) -> int:
-    """Run the tool that `make` gives from the words of the command line, until Ctrl-C; 1 when they cannot work."""
+    """Run the tool that `make` creates from the command line until Ctrl-C; return 1 for invalid arguments."""
     rclpy.init(args=args)
     try:
         node = make(remove_ros_args(args=sys.argv if args is None else args)[1:])

@@ -12,7 +12,7 @@ from coursekit.nodes.topic_tools.tool import Tool, run_tool
 
 
 class Throttle(Tool):
-    """At most so many messages, or bytes, a second."""
+    """Limits the number of messages, or bytes, per second."""
 
     def __init__(self, given: dict[str, Any]) -> None:
         super().__init__("throttle", given)
@@ -31,7 +31,7 @@ class Throttle(Tool):
         self._sent: deque[tuple[int, int]] = deque()
 
     def take(self, data: bytes) -> None:
-        """Hand it on when it is not too much."""
+        """Publish a message if the limit permits it."""
         now = self._clock_used.now().nanoseconds
         if self._may_go(now):
             self.say(data)
@@ -60,14 +60,14 @@ class Drop(Tool):
             raise ValueError(f"X is {self._dropped} and Y {self._of}: of every Y messages X are dropped, for example 1 of 2")
 
     def take(self, data: bytes) -> None:
-        """The first X of a round are dropped."""
+        """Drop a message if it is among the first X of Y."""
         if self._count >= self._dropped:
             self.say(data)
         self._count = (self._count + 1) % self._of
 
 
 class Delay(Tool):
-    """Hands messages on some seconds later."""
+    """Publishes messages some seconds later."""
 
     def __init__(self, given: dict[str, Any]) -> None:
         super().__init__("delay", given)
@@ -76,7 +76,7 @@ class Delay(Tool):
         self._alarm: Any = None
 
     def take(self, data: bytes) -> None:
-        """Keep it until its time has come."""
+        """Store a message until it is due."""
         self._waiting.append((self.get_clock().now().nanoseconds + round(self._seconds * 1e9), data))
         if self._alarm is None:
             self._wait()
@@ -95,7 +95,7 @@ class Delay(Tool):
 
 
 def _named(words: list[str], *names: str) -> dict[str, Any]:
-    """Words of the command line by the names of the parameters they stand for."""
+    """Words on the command line by the names of their parameters."""
     return dict(zip(names, words, strict=False))
 
 

@@ -1,1 +1,1 @@
-"""turtle_tf2_py: turtles that tell where they are, and one that follows another."""
+"""turtle_tf2_py: turtles that publish their poses, and one that follows another."""

@@ -1,4 +1,4 @@
-"""Frames around the turtles: of a turtle, fixed to one, circling one, or given on the command line."""
+"""Frames around the turtles: of a turtle, fixed to a turtle, circling a turtle, or given on the command line."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from coursekit.nodes.running import run
 
 
 def quaternion_from_euler(ai: float, aj: float, ak: float) -> Any:
-    """A turn by roll, pitch and yaw as an array of x, y, z and w.
+    """A rotation by roll, pitch and yaw as an array of x, y, z and w.
 
     >>> quaternion_from_euler(0, 0, math.pi).round(3)
     array([0., 0., 1., 0.])
@@ -26,7 +26,7 @@ def quaternion_from_euler(ai: float, aj: float, ak: float) -> Any:
 
 
 def transform(node: Node, parent: str, child: str, x: float, y: float, z: float = 0.0) -> TransformStamped:
-    """A transform of now, without a turn."""
+    """A transform stamped now, without rotation."""
     msg = TransformStamped(child_frame_id=child)
     msg.header.stamp = node.get_clock().now().to_msg()
     msg.header.frame_id = parent
@@ -36,14 +36,14 @@ def transform(node: Node, parent: str, child: str, x: float, y: float, z: float 
 
 
 def turn(msg: TransformStamped, roll: float, pitch: float, yaw: float) -> TransformStamped:
-    """The same transform with a turn."""
+    """Set the rotation of a transform and return it."""
     q = msg.transform.rotation
     q.x, q.y, q.z, q.w = map(float, quaternion_from_euler(roll, pitch, yaw))
     return msg
 
 
 class FramePublisher(Node):
-    """Tells the pose of the turtle `turtlename` in the frame world."""
+    """Broadcasts the pose of the turtle `turtlename` in the frame world."""
 
     def __init__(self) -> None:
         super().__init__("turtle_tf2_frame_publisher")
@@ -57,7 +57,7 @@ class FramePublisher(Node):
 
 
 class FixedFrameBroadcaster(Node):
-    """The frame carrot1, two metres beside turtle1, ten times a second."""
+    """Broadcasts the frame carrot1, two metres beside turtle1, ten times a second."""
 
     def __init__(self) -> None:
         super().__init__("fixed_frame_tf2_broadcaster")
@@ -69,7 +69,7 @@ class FixedFrameBroadcaster(Node):
 
 
 class DynamicFrameBroadcaster(Node):
-    """The frame carrot1, ten metres from turtle1, going round it."""
+    """Broadcasts the frame carrot1, which circles turtle1 at ten metres."""
 
     def __init__(self) -> None:
         super().__init__("dynamic_frame_tf2_broadcaster")
@@ -83,7 +83,7 @@ class DynamicFrameBroadcaster(Node):
 
 
 class StaticFramePublisher(Node):
-    """One transform that never changes: child x y z roll pitch yaw, in the frame world."""
+    """Broadcasts one static transform: child x y z roll pitch yaw, in the frame world."""
 
     def __init__(self, child: str, numbers: list[float]) -> None:
         super().__init__("static_turtle_tf2_broadcaster")

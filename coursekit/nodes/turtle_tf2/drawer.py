@@ -1,4 +1,4 @@
-"""Points of turtle3, told in the frame of another turtle as soon as the frames of their time are known."""
+"""Points of turtle3, logged in the frame of another turtle as soon as the transform at their time is known."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from tf2_ros import Buffer, TransformException, TransformListener
 
 from coursekit.nodes.running import run
 
-QUEUE = 100  # points that wait for their frames at most
+QUEUE = 100  # the maximum number of points that wait for their transform
 
 
 class PoseDrawer(Node):
-    """The role of tf2_ros::MessageFilter in C++: a point waits until it can be transformed."""
+    """Logs transformed points; as with tf2_ros::MessageFilter in C++, a point waits until it can be transformed."""
 
     def __init__(self) -> None:
         super().__init__("turtle_tf2_pose_drawer")

@@ -1,4 +1,4 @@
-"""turtle2 follows a frame: it looks up where that is, and drives there."""
+"""turtle2 follows a frame: it looks up the frame's position and drives there."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""turtle3 goes round, and each of its places is told as a point with time and frame."""
+"""turtle3 drives in a circle, and each of its positions is published as a point with time and frame."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from coursekit.nodes.running import run
 
 
 class PointPublisher(Node):
-    """Asks once a second for turtle3 until it is there; then drives it and publishes turtle3/turtle_point_stamped."""
+    """Tries once a second to spawn turtle3; then drives it and publishes turtle3/turtle_point_stamped."""
 
     def __init__(self) -> None:
         super().__init__("turtle_tf2_message_broadcaster")

@@ -1,4 +1,4 @@
-"""The node `draw_square`: drives turtle1 round a square of 2 m, by watching its pose."""
+"""The node `draw_square`: drives turtle1 around a square of 2 m, with feedback from its pose."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from coursekit.sim.turtle import normalize_angle
 
 EDGE = 2.0
 LINEAR, ANGULAR = 1.0, 0.4
-"""How fast it drives [m/s] and turns [rad/s]."""
+"""The speeds of driving [m/s] and turning [rad/s]."""
 
 
 class DrawSquare(CppNode):

@@ -1,4 +1,4 @@
-"""The node `turtle_mimic`: gives one turtle the velocities of another. Remap input/pose, output/cmd_vel."""
+"""The node `turtle_mimic`: copies the velocities of one turtle to another. Remap input/pose, output/cmd_vel."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from coursekit.nodes.running import run
 
 
 class Mimic(CppNode):
-    """Hears poses, publishes their velocities."""
+    """Subscribes to poses and publishes their velocities."""
 
     def __init__(self) -> None:
         super().__init__("turtle_mimic")

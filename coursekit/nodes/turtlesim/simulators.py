@@ -1,4 +1,4 @@
-"""Which turtlesims run in a session, for whoever draws them."""
+"""The turtlesims that run in a session, for the code that draws them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The node `teleop_turtle`: keys that it reads from its standard input drive turtle1."""
+"""The node `teleop_turtle`: drives turtle1 with keys from its standard input."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ HEADINGS = {
     "v": -1.5708,
     "b": -0.7854,
 }
-"""Keys round F on a keyboard, as directions round a compass [rad]."""
+"""The keys around F on a keyboard, as the directions of a compass [rad]."""
 USAGE = """\
 Reading from keyboard
 ---------------------------
@@ -40,7 +40,7 @@ Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rot
 
 
 def keys(stream: TextIO) -> Iterator[str]:
-    """The keys typed: 'up', 'down', 'right', 'left' or a small letter.
+    """Yield the typed keys: 'up', 'down', 'right', 'left' or a lower-case letter.
 
     >>> import io
     >>> list(keys(io.StringIO(chr(27) + "[AgQ" + chr(27) + "OD")))
@@ -56,7 +56,7 @@ def keys(stream: TextIO) -> Iterator[str]:
 
 
 class TeleopTurtle(CppNode):
-    """Turns keys into velocities and rotation goals."""
+    """Converts keys to velocities and rotation goals."""
 
     def __init__(self) -> None:
         super().__init__("teleop_turtle")
@@ -67,7 +67,7 @@ class TeleopTurtle(CppNode):
         self._goal: Any = None
 
     def press(self, key: str) -> bool:
-        """Do what a key means; False for the one that quits."""
+        """Execute a key. Return False for the key that quits."""
         if key in ARROWS:
             self._move(*ARROWS[key])
         elif key in HEADINGS:

@@ -21,7 +21,7 @@ _FLOATS = struct.Struct("<5f")
 
 
 class TurtleInterface:
-    """The state of a turtle that others of its world see."""
+    """The interface of a turtle to ROS: its subscription, publishers, services and action."""
 
     def __init__(self, node: Node, turtle: Turtle) -> None:
         self.node = node
@@ -45,7 +45,7 @@ class TurtleInterface:
         )
 
     def close(self) -> None:
-        """Leave the graph."""
+        """Destroy the topics, the services and the action."""
         self._action.destroy()
         self.node.destroy_subscription(self._velocity)
         self.node.destroy_publisher(self._pose)
@@ -53,7 +53,7 @@ class TurtleInterface:
         for service in self._services:
             self.node.destroy_service(service)
 
-    # -- what is asked of it
+    # -- requests
 
     def _command(self, twist: Twist) -> None:
         sideways = twist.linear.y if self.node.get_parameter("holonomic").value else 0.0
@@ -61,7 +61,7 @@ class TurtleInterface:
         self.turtle.command(twist.linear.x, sideways, twist.angular.z, self.seconds())
 
     def seconds(self) -> float:
-        """The node's time."""
+        """The node's time [s]."""
         return self.node.get_clock().now().nanoseconds * 1e-9
 
     def _set_pen(self, request: SetPen.Request, response: SetPen.Response) -> SetPen.Response:
@@ -89,7 +89,7 @@ class TurtleInterface:
         return RotateAbsolute.Result(delta=rotation.delta)
 
     def _end_goal(self, how: str, warning: str = "") -> None:
-        """End the goal that is being executed, if there is one."""
+        """End the active goal, if there is one."""
         if self._goal is None:
             return
         handle, _rotation, ended = self._goal
@@ -100,17 +100,17 @@ class TurtleInterface:
         getattr(handle, how)()
         ended.set_result(None)
 
-    # -- what it tells, every frame
+    # -- publishing, every frame
 
     def before_step(self) -> None:
-        """A cancelled rotation stops."""
+        """Stop a cancelled rotation."""
         if self._goal is not None and self._goal[0].is_cancel_requested:
             self.node.get_logger().info("Rotation goal canceled")
             self._end_goal("canceled")
             self.turtle.stop()
 
     def after_step(self) -> None:
-        """Say how the rotation goes, where the turtle is and what it sees."""
+        """Publish the rotation's feedback, the turtle's pose and the colour that it senses."""
         if self._goal is not None:
             handle, rotation, _ = self._goal
             handle.publish_feedback(RotateAbsolute.Feedback(remaining=rotation.remaining))

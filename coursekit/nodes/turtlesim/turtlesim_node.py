@@ -1,6 +1,6 @@
 """The node `turtlesim`: a world of turtles behind topics, services, parameters and an action.
 
-The window itself is drawn by whoever watches: `coursekit.lab.turtlesim_window()` in a notebook.
+The window itself is drawn by its viewer: `coursekit.lab.turtlesim_window()` in a notebook.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ class TurtleSim(CppNode):
         return red, green, blue
 
     def close(self) -> None:
-        """It ends: tell those who draw it."""
+        """Stop, and notify the code that draws it."""
         self.running = False
         simulators.remove(self)
 
@@ -104,7 +104,7 @@ class TurtleSim(CppNode):
         return response
 
     def _add(self, name: str, x: float, y: float, theta: float) -> str:
-        """Put a turtle there; its name, '' if that is taken or no name for topics."""
+        """Add a turtle. Return its name, or '' if the name is taken or invalid in topics."""
         now = self.get_clock().now().nanoseconds * 1e-9
         try:
             turtle = self.world.spawn(name, x, y, theta, now)

@@ -1,1 +1,1 @@
-"""twist_mux: one of several drivers steers, by priority."""
+"""twist_mux: selects one of several velocity sources by priority."""

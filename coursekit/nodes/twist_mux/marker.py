@@ -11,7 +11,7 @@ from coursekit.nodes.running import run
 
 
 class TwistMarker(Node):
-    """Hears `twist` and publishes an arrow above the robot on `marker`."""
+    """Subscribes to `twist` and publishes an arrow above the robot on `marker`."""
 
     def __init__(self) -> None:
         super().__init__("twist_marker")

@@ -1,4 +1,4 @@
-"""`ros2 run twist_mux twist_mux`: several topics of velocities in; the one that counts most comes out of cmd_vel_out."""
+"""`ros2 run twist_mux twist_mux`: several topics of velocities in; the one of highest priority out on cmd_vel_out."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ DEPTH = 10
 
 
 class Input:
-    """A topic with a priority; it counts for nothing when it has been silent for `timeout` seconds (0: never)."""
+    """A topic with a priority; it is ignored when it has been silent for `timeout` seconds (0: never)."""
 
     def __init__(self, node: Node, name: str, kind: Any, given: dict[str, Any], heard: Callable[[Any], None]) -> None:
         missing = [key for key in ("topic", "timeout", "priority") if key not in given]
@@ -39,17 +39,17 @@ class Input:
 
     @property
     def silent(self) -> bool:
-        """Whether it has said nothing for too long."""
+        """Whether no message has arrived within the timeout."""
         return self.timeout > 0 and self._clock.now().nanoseconds - self._stamp_ns > self.timeout * 1e9
 
     @property
     def locked(self) -> bool:
-        """Of a lock: whether it says so, or is silent, which may mean that who should speak has died."""
+        """Whether a lock is set, or silent, because then its publisher may have died."""
         return self.silent or bool(self.last is not None and self.last.data)
 
 
 class TwistMux(Node):
-    """Hands velocities on from the topic of highest priority that speaks; locks silence all below theirs."""
+    """Passes on velocities from the active topic of highest priority; locks mask all topics of lower priority."""
 
     def __init__(self) -> None:
         super().__init__(
@@ -75,7 +75,7 @@ class TwistMux(Node):
             self.locks.append(Input(self, name, Bool, given, lambda msg: None))
 
     def _groups(self, prefix: str) -> dict[str, dict[str, Any]]:
-        """Parameters below a name, such as topics.joystick.priority, by the name after it."""
+        """Parameters below a prefix, such as topics.joystick.priority, grouped by the name after the prefix."""
         groups: dict[str, dict[str, Any]] = {}
         for key, parameter in self.get_parameters_by_prefix(prefix).items():
             name, _, field = key.rpartition(".")
@@ -83,11 +83,11 @@ class TwistMux(Node):
         return groups
 
     def lock_priority(self) -> int:
-        """Inputs below this are silenced."""
+        """The priority below which inputs are masked."""
         return max((lock.priority for lock in self.locks if lock.locked), default=0)
 
     def leader(self) -> str:
-        """The name of the input that counts most now; empty without one."""
+        """The name of the active input of highest priority; empty if there is none."""
         least = self.lock_priority()
         able = [one for one in self.inputs if not one.silent and one.priority >= least and one.priority > 0]
         return max(able, key=lambda one: one.priority).name if able else ""

@@ -1,1 +1,1 @@
-"""twist_stamper: Twist with a stamp and without."""
+"""twist_stamper: conversion between Twist and TwistStamped."""

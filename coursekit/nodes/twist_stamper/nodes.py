@@ -1,4 +1,4 @@
-"""`ros2 run twist_stamper twist_stamper` and `twist_unstamper`: velocities between programs that differ about stamps."""
+"""`ros2 run twist_stamper twist_stamper` and `twist_unstamper`: conversion between stamped and unstamped velocities."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from coursekit.nodes.running import run
 
 
 class TwistStamper(Node):
-    """Twist on cmd_vel_in becomes TwistStamped on cmd_vel_out, stamped now in the frame `frame_id`."""
+    """Converts Twist on cmd_vel_in to TwistStamped on cmd_vel_out, stamped now in the frame `frame_id`."""
 
     def __init__(self) -> None:
         super().__init__("twist_stamper")
@@ -24,7 +24,7 @@ class TwistStamper(Node):
 
 
 class TwistUnstamper(Node):
-    """TwistStamped on cmd_vel_in becomes Twist on cmd_vel_out."""
+    """Converts TwistStamped on cmd_vel_in to Twist on cmd_vel_out."""
 
     def __init__(self) -> None:
         super().__init__("twist_unstamper")
@@ -38,5 +38,5 @@ def stamper(args: list[str] | None = None) -> int:
 
 
 def unstamper(args: list[str] | None = None) -> int:
-    """Run the other way until Ctrl-C."""
+    """Run the unstamper until Ctrl-C."""
     return run(TwistUnstamper, args)

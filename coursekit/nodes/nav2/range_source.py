@@ -22,7 +22,7 @@ class RangeSource(Source):
     kind, what = Range, "range"
 
     def fault(self, msg: Range) -> str:
-        """Why a range cannot be used; empty when it can."""
+        """The reason why a range cannot be used; empty if it can."""
         numbers = (msg.field_of_view, msg.min_range, msg.max_range)
         if all(map(math.isfinite, numbers)) and 0 <= msg.field_of_view <= 2 * math.pi and msg.min_range <= msg.max_range:
             return ""

@@ -36,7 +36,7 @@ class Source:
         self.node.destroy_subscription(self._heard)
 
     def fault(self, msg: Any) -> str:
-        """Why a message cannot be used; empty when it can."""
+        """The reason why a message cannot be used; empty if it can."""
         raise NotImplementedError
 
     def see(self, msg: Any, seat: TransformStamped) -> None:
@@ -61,7 +61,7 @@ class ScanSource(Source):
     kind, what = LaserScan, "scan"
 
     def fault(self, msg: LaserScan) -> str:
-        """Why a scan cannot be used; empty when it can."""
+        """The reason why a scan cannot be used; empty if it can."""
         return fault_of(msg)
 
     def see(self, msg: LaserScan, seat: TransformStamped) -> None:

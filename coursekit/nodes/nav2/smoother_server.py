@@ -26,7 +26,7 @@ _SERVER: dict[str, Any] = {
     "smoother_plugins": ["simple_smoother"],
 }
 PATIENCE = 30
-"""Tenths of a second that a goal waits for the first costmap."""
+"""The maximum time that a goal waits for the first costmap, in tenths of a second."""
 _PLUGIN: dict[str, Any] = {
     "plugin": "nav2_smoother::SimpleSmoother",
     "tolerance": 1e-10,

@@ -1,4 +1,4 @@
-"""The sensors that a filter listens to: parameters such as odom0, odom0_config, imu1_differential."""
+"""The sensors that a filter subscribes to: parameters such as odom0, odom0_config, imu1_differential."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""rqt's windows: a notebook shows the panel that does the same. In ROS 2: rqt_graph, rqt_console, rqt."""
+"""rqt's windows, which a notebook shows as equivalent panels. In ROS 2: rqt_graph, rqt_console, rqt."""

@@ -81,7 +81,7 @@ def rviz_name(key: str) -> str:
 
 
 def properties(kind: str) -> list[Property]:
-    """The properties of displays of a kind, in RViz's order: looks first, then the topic's quality of service.
+    """The properties of displays of a kind, in RViz's order: appearance first, then the topic's QoS.
 
     >>> [one.name for one in properties("PointStamped")][:4]
     ['Color', 'Alpha', 'Radius', 'History Length']

@@ -12,7 +12,7 @@ from .properties import rviz_name
 
 _PLUGINS = {"ParticleCloud": "nav2_rviz_plugins"}
 _STEEPEST = math.pi / 2 - 0.001
-"""RViz's cameras do not look straight down."""
+"""The steepest pitch [rad]: RViz's cameras do not look straight down."""
 _SHAPED = ("alpha", "color", "axes_length", "axes_radius", "head_length", "head_radius", "shaft_length", "shaft_radius")
 FIXED = "<Fixed Frame>"
 SCALE = 600.0

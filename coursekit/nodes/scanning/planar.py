@@ -70,7 +70,7 @@ def laser_of(scan: LaserScan, seat: TransformStamped, farthest: float) -> Laser:
 
 
 def fault_of(scan: LaserScan) -> str:
-    """Why a scan cannot be used; empty when it can."""
+    """The reason why a scan cannot be used; empty if it can."""
     if not len(scan.ranges):
         return "it has no ranges"
     if not math.isfinite(scan.angle_min) or not math.isfinite(scan.angle_increment):

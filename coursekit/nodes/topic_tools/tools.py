@@ -100,7 +100,7 @@ def _named(words: list[str], *names: str) -> dict[str, Any]:
 
 
 def relay(args: list[str] | None = None) -> int:
-    """relay INTOPIC [OUTTOPIC]"""
+    """Run relay INTOPIC [OUTTOPIC]."""
     return run_tool(lambda words: Tool("relay", _named(words, "input_topic", "output_topic")), args)
 
 
@@ -115,7 +115,7 @@ def _throttle(words: list[str]) -> Node:
 
 
 def throttle(args: list[str] | None = None) -> int:
-    """throttle messages INTOPIC MSGS_PER_SEC [OUTTOPIC], or throttle bytes INTOPIC BYTES_PER_SEC WINDOW [OUTTOPIC]"""
+    """Run throttle messages INTOPIC MSGS_PER_SEC [OUTTOPIC], or throttle bytes INTOPIC BYTES_PER_SEC WINDOW [OUTTOPIC]."""
     return run_tool(_throttle, args)
 
 
@@ -125,7 +125,7 @@ def _drop(words: list[str]) -> Node:
 
 
 def drop(args: list[str] | None = None) -> int:
-    """drop INTOPIC X Y [OUTTOPIC]"""
+    """Run drop INTOPIC X Y [OUTTOPIC]."""
     return run_tool(_drop, args)
 
 
@@ -135,5 +135,5 @@ def _delay(words: list[str]) -> Node:
 
 
 def delay(args: list[str] | None = None) -> int:
-    """delay INTOPIC SECONDS [OUTTOPIC]"""
+    """Run delay INTOPIC SECONDS [OUTTOPIC]."""
     return run_tool(_delay, args)

@@ -18,7 +18,7 @@ _SUFFIXES = (".py", ".c", ".cc", ".cpp", ".cxx", ".h", ".hh", ".hpp", ".hxx", ".
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Return 0 when every source file below the folders has a notice and a license, else 1 after naming the others."""
+    """Return 0 when every source file below the folders has a notice and a license; else print the others and return 1."""
     began = time.monotonic()
     asked = _parser().parse_args(argv)
     if asked.list_licenses:

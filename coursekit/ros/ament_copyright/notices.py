@@ -65,7 +65,7 @@ def license_of(text: str) -> str:
 
 
 def _comments(text: str) -> Iterator[str]:
-    """The comments that begin at the start of a line, without their marks."""
+    """Yield the comments that begin at the start of a line, without comment markers."""
     for found in _LINES.finditer(text):
         mark = found[1]
         yield "\n".join(line[len(mark) + 1 :] for line in found[0].splitlines())
@@ -76,7 +76,7 @@ def _comments(text: str) -> Iterator[str]:
 
 
 def _words(text: str) -> str:
-    """A text in one line, without the marks of its lists."""
+    """A text on one line, without the bullets and numbers of its lists."""
     return _BULLET.sub("", " ".join(text.split()))
 
 

@@ -28,7 +28,7 @@ def main_with_errors(argv: Sequence[str] | None = None) -> tuple[int, list[str]]
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Return 0 or 1 after printing the findings, how many there are of each kind, and which files were read."""
+    """Return 0 or 1 after printing the findings, the number of each kind, and the files that were read."""
     began = time.monotonic()
     asked = _parser().parse_args(argv)
     code, lines = _run(["--show-source", *_words(asked)])
@@ -89,7 +89,7 @@ def _python_files(path: str) -> Iterator[str]:
 
 
 def _summarize(found: Sequence[tuple[str, str, str]], files: list[str]) -> None:
-    """Print how many findings there are of each code, with the text of the first, and which files were read."""
+    """Print the number of findings of each code, with the text of the first, and the files that were read."""
     print()
     counts, texts = Counter(code for _, code, _ in found), {code: text for _, code, text in reversed(found)}
     if found:

@@ -1,4 +1,4 @@
-"""The command `ament_index`: which resources are installed, where, and what they hold."""
+"""The command `ament_index`: the installed resources, their prefixes and their content."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ class PackageNotFoundError(KeyError):
 
 
 def get_packages_with_prefixes() -> dict[str, str]:
-    """Return all packages, with the prefix each is in."""
+    """Return all packages with their prefixes."""
     return get_resources("packages")
 
 

@@ -45,7 +45,7 @@ def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
 
 
 def get_resources(resource_type: str) -> dict[str, str]:
-    """Return the names of all resources of a type, with the prefix each is in (the first one wins)."""
+    """Return the names of all resources of a type with their prefixes (the first prefix wins)."""
     _check(resource_type)
     resources: dict[str, str] = {}
     for prefix, folder in _folders(resource_type):

@@ -19,7 +19,7 @@ _TURN = 2.0 * pi
 
 
 def normalize_angle_positive(angle: float) -> float:
-    """The same direction within 0 … 2π.
+    """Normalize an angle to 0 … 2π.
 
     >>> round(normalize_angle_positive(-1.0), 3)
     5.283
@@ -28,7 +28,7 @@ def normalize_angle_positive(angle: float) -> float:
 
 
 def normalize_angle(angle: float) -> float:
-    """The same direction within -π … π.
+    """Normalize an angle to -π … π.
 
     >>> round(normalize_angle(4.0), 3)
     -2.283

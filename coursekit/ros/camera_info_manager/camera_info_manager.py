@@ -25,7 +25,7 @@ UNREADABLE = (ValueError, RecursionError, yaml.YAMLError, LookupError, TypeError
 
 
 class CameraInfoError(Exception):
-    """Errors of calibrations."""
+    """The base class of calibration errors."""
 
 
 class CameraInfoMissingError(CameraInfoError):

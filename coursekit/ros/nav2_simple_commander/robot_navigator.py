@@ -201,7 +201,7 @@ class BasicNavigator(Servers):
     # -- maps
 
     def changeMap(self, map_filepath: str) -> None:
-        """Have map_server load another map."""
+        """Load another map in map_server."""
         answer = self._navigator_call(self.change_maps_srv, "change map", LoadMap.Request(map_url=map_filepath))
         if answer.result != LoadMap.Response.RESULT_SUCCESS:
             self.error("Change map request failed!")
@@ -232,13 +232,13 @@ class BasicNavigator(Servers):
     # -- lifecycle
 
     def lifecycleStartup(self) -> None:
-        """Bring all of navigation up."""
+        """Start up all lifecycle nodes of navigation."""
         self.info("Starting up lifecycle nodes based on lifecycle_manager.")
         self._navigator_manage(ManageLifecycleNodes.Request.STARTUP)
         self.info("Nav2 is ready for use!")
 
     def lifecycleShutdown(self) -> None:
-        """Shut all of navigation down."""
+        """Shut down all lifecycle nodes of navigation."""
         self.info("Shutting down lifecycle nodes based on lifecycle_manager.")
         self._navigator_manage(ManageLifecycleNodes.Request.SHUTDOWN)
 

@@ -101,7 +101,7 @@ class Servers(Node):
         return self.feedback
 
     def getResult(self) -> TaskResult:
-        """How the task ended."""
+        """The outcome of the task."""
         known = {
             GoalStatus.STATUS_SUCCEEDED: TaskResult.SUCCEEDED,
             GoalStatus.STATUS_ABORTED: TaskResult.FAILED,

@@ -1,4 +1,4 @@
-"""How a task ended."""
+"""The outcome of a task."""
 
 from enum import Enum
 

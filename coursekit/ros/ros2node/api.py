@@ -18,7 +18,7 @@ INFO_NONUNIQUE_WARNING_TEMPLATE = (
 
 
 class NodeName(NamedTuple):
-    """A node's name, its namespace, and both as one."""
+    """A node's name, its namespace, and its full name."""
 
     name: str
     namespace: str

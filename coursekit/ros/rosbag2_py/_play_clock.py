@@ -7,7 +7,7 @@ from typing import Any
 
 
 class PlayClock:
-    """Times in nanoseconds; `clock` is the session's.
+    """The playback time in nanoseconds; `clock` is the session's clock.
 
     >>> from coursekit.core.virtual_clock import VirtualClock
     >>> wall = VirtualClock(); played = PlayClock(wall, start=0, rate=2.0)

@@ -14,7 +14,7 @@ _SUFFIXES = {"msg": (".msg", ".idl"), "srv": (".srv", ".idl"), "action": (".acti
 
 
 def get_interface_packages() -> dict[str, str]:
-    """Return the packages that have interfaces, with the prefix each is in."""
+    """Return the packages that have interfaces, with their prefixes."""
     packages: dict[str, str] = get_resources("rosidl_interfaces")
     return packages
 

@@ -1,4 +1,4 @@
-"""From the type of a field to its class."""
+"""Conversion of a field's type to its class."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From the name of an interface to its class."""
+"""Conversion of an interface's name to its class."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Transforming points, vectors, poses, wrenches and polygons."""
+"""Transforms of points, vectors, poses, wrenches and polygons."""
 
 from __future__ import annotations
 

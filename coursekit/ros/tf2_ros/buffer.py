@@ -166,13 +166,13 @@ class Buffer(BufferCore, BufferInterface):
     # -- futures
 
     def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Time) -> Future:
-        """A future that becomes true when the lookup would succeed."""
+        """A future that completes with True once the lookup would succeed."""
         return self._when(lambda: self.can_transform_core(target_frame, source_frame, time)[0])
 
     def wait_for_transform_full_async(
         self, target_frame: str, target_time: Time, source_frame: str, source_time: Time, fixed_frame: str
     ) -> Future:
-        """A future that becomes true when the full lookup would succeed."""
+        """A future that completes with True once the full lookup would succeed."""
         asked = (target_frame, target_time, source_frame, source_time, fixed_frame)
         return self._when(lambda: self.can_transform_full_core(*asked)[0])
 

@@ -14,7 +14,7 @@ Axes = str | tuple[int, int, int, int]
 
 
 def _encodings() -> dict[str, tuple[int, int, int, int]]:
-    """Name -> (first axis, parity, repetition, frame). A rotating order is the static one read backwards."""
+    """Name -> (first axis, parity, repetition, frame). A rotating order is the reversed static order."""
     table = {}
     for first, parity, repetition in itertools.product(range(3), (0, 1), (0, 1)):
         second = (first + 1 + parity) % 3

@@ -19,6 +19,7 @@ from typing import Any
 
 import nbformat
 
+from coursekit.cli.kernel_sockets import kernel_options
 from coursekit.jupyter.kernel import write_kernelspec
 
 _NO_NEWS = {"fetchNews": "false", "checkForUpdates": False, "doNotDisturbMode": True}
@@ -109,7 +110,7 @@ def lab_in(folder: Path, domain_id: int) -> Iterator[Lab]:
     own = {"ROS_DOMAIN_ID": str(domain_id), "JUPYTERLAB_SETTINGS_DIR": str(folder / "settings")}
     own |= {"JUPYTER_PATH": str(write_kernelspec(folder)), "COURSEKIT_WORKSPACE": str(folder / "ros2_ws")}
     command = [sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root", "--ServerApp.ip=127.0.0.1"]
-    command += [f"--ServerApp.root_dir={folder}"]
+    command += [f"--ServerApp.root_dir={folder}", *kernel_options(folder / "runtime")]
     with serving(folder, command, {**os.environ, **own, "COURSEKIT_TIME": "wall"}) as served:
         yield served
 

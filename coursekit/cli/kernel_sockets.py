@@ -1,12 +1,14 @@
-"""How a Jupyter server talks to its kernels: by Unix sockets, which two kernels that start at once cannot both take.
+"""The transport between a Jupyter server and its kernels: Unix sockets, else encrypted ports on loopback.
 
-With ports, jupyter_client looks for free ones before the kernel binds them. On a server where a class starts its kernels
-in the same minute another kernel can be faster: "Address already in use", and a notebook without a kernel.
+With ports, jupyter_client looks for free ones before the kernel binds them. If a class starts its kernels in the same minute
+on one server, another kernel can bind a port first: "Address already in use", and a notebook without a kernel.
 """
 
 from __future__ import annotations
 
 from pathlib import Path
+
+import zmq
 
 from coursekit.systems import which
 
@@ -19,8 +21,10 @@ _LONGEST = 103
 def kernel_options(runtime: Path) -> list[str]:
     """Return the server's options for its kernels' transport, with Jupyter's runtime folder.
 
-    >>> kernel_options(Path("/home/vera/" + "long" * 30))  # too long for a Unix socket: Jupyter's default, TCP on loopback
-    []
+    >>> kernel_options(Path("/home/vera/" + "long" * 30))  # too long for a Unix socket
+    ['--KernelManager.transport_encryption=auto']
     """
     fits = len(str(runtime).encode()) + _NAME <= _LONGEST
-    return ["--KernelManager.transport=ipc"] if fits and not which.WINDOWS else []
+    if fits and not which.WINDOWS:
+        return ["--KernelManager.transport=ipc"]
+    return ["--KernelManager.transport_encryption=auto"] if zmq.has("curve") else []

@@ -81,7 +81,7 @@ def write_kernelspec(folder: Path) -> Path:
         "argv": [sys.executable, "-m", __name__, "-f", "{connection_file}"],
         "display_name": "Python 3 (ipykernel)",
         "language": "python",
-        "metadata": {"debugger": True},
+        "metadata": {"debugger": True, "supported_encryption": "curve"},
     }
     file = place / "kernels" / "python3" / "kernel.json"
     file.parent.mkdir(parents=True, exist_ok=True)

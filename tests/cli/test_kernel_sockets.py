@@ -1,15 +1,18 @@
-"""Kernels of `coursekit lab` listen at Unix sockets: no port that two of them could choose at once."""
+"""Kernels of `coursekit lab` listen at Unix sockets, where two cannot choose the same; else their ports are encrypted."""
 
 import os
 import tempfile
+from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
+from jupyter_client.kernelspec import KernelSpecManager
 from jupyter_client.manager import KernelManager
 from traitlets.config import Config
 from traitlets.config.loader import KVArgParseConfigLoader
 
 from coursekit.cli.kernel_sockets import kernel_options
+from coursekit.jupyter.kernel import write_kernelspec
 from coursekit.systems import which
 
 
@@ -25,32 +28,54 @@ def runtime():
         yield Path(folder)
 
 
+@contextmanager
+def kernel_in(folder: Path, options: list[str]):
+    """A kernel of the course that runs."""
+    specs = KernelSpecManager(kernel_dirs=[str(write_kernelspec(folder) / "kernels")], ensure_native_kernel=False)
+    file = str(folder / f"kernel-{'0' * 36}.json")
+    kernel = KernelManager(config=config_of(options), kernel_spec_manager=specs, kernel_name="python3", connection_file=file)
+    with open(folder / "log", "w", encoding="utf-8") as log:
+        kernel.start_kernel(stdout=log, stderr=log)
+        try:
+            yield kernel
+        finally:
+            kernel.shutdown_kernel(now=True)
+
+
+def answers(kernel: KernelManager) -> None:
+    """Wait until the kernel answers."""
+    client = kernel.client()
+    client.start_channels()
+    client.wait_for_ready(timeout=60)
+    client.stop_channels()
+
+
 @pytest.mark.skipif(os.name == "nt", reason="there kernels have ports")
 def test_a_kernel_listens_at_its_files_and_a_restarted_one_answers(runtime) -> None:
-    kernel = KernelManager(
-        config=config_of(kernel_options(runtime)), connection_file=str(runtime / f"kernel-{'0' * 36}.json")
-    )
-    assert kernel.transport == "ipc"
-    kernel.start_kernel()
-    try:
+    with kernel_in(runtime, kernel_options(runtime)) as kernel:
         for _ in range(2):
-            client = kernel.client()
-            client.start_channels()
-            client.wait_for_ready(timeout=60)
-            client.stop_channels()
+            answers(kernel)
             assert sum(one.is_socket() for one in runtime.iterdir()) == 5
             kernel.restart_kernel(now=True)
-    finally:
-        kernel.shutdown_kernel(now=True)
+        answers(kernel)
 
 
+def test_where_a_kernel_has_ports_they_are_encrypted_and_nothing_warns(runtime) -> None:
+    with kernel_in(runtime, kernel_options(Path("/" + "x" * 200))) as kernel:
+        answers(kernel)
+        assert kernel.transport == "tcp"
+        assert kernel.curve_secretkey
+    assert "without encryption" not in (runtime / "log").read_text(encoding="utf-8")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="there kernels have ports")
 @pytest.mark.parametrize("length", [50, 53, 54, 200])
-def test_a_folder_that_is_too_long_for_a_socket_leaves_jupyter_s_ports(length) -> None:
+def test_a_folder_that_is_too_long_for_a_socket_leaves_ports(length) -> None:
     runtime = Path("/" + "x" * (length - 1))
-    longest = len(f"{runtime}/kernel-{'0' * 36}-ipc-5")
-    assert bool(kernel_options(runtime)) is (longest <= 103)
+    fits = len(f"{runtime}/kernel-{'0' * 36}-ipc-5") <= 103
+    assert ("--KernelManager.transport=ipc" in kernel_options(runtime)) is fits
 
 
 def test_windows_has_ports(monkeypatch) -> None:
     monkeypatch.setattr(which, "WINDOWS", True)
-    assert kernel_options(Path("/run")) == []
+    assert kernel_options(Path("/run")) == ["--KernelManager.transport_encryption=auto"]

@@ -6,25 +6,34 @@ on one server, another kernel can bind a port first: "Address already in use", a
 
 from __future__ import annotations
 
+import socket
+import uuid
 from pathlib import Path
 
 import zmq
 
-from coursekit.systems import which
-
-_NAME = len("/kernel-01234567-89ab-cdef-0123-456789abcdef-ipc-5")
-"""Length of a socket's name, which ends in a number of one digit."""
-_LONGEST = 103
-"""Greatest length of a Unix socket's path on macOS; Linux allows 107."""
+from coursekit.systems.user_socket import HAS_UNIX
 
 
 def kernel_options(runtime: Path) -> list[str]:
     """Return the server's options for its kernels' transport, with Jupyter's runtime folder.
 
-    >>> kernel_options(Path("/home/vera/" + "long" * 30))  # too long for a Unix socket
+    >>> kernel_options(Path("/dev/null"))  # no folder for a Unix socket
     ['--KernelManager.transport_encryption=auto']
     """
-    fits = len(str(runtime).encode()) + _NAME <= _LONGEST
-    if fits and not which.WINDOWS:
+    if HAS_UNIX and _takes_sockets(runtime):
         return ["--KernelManager.transport=ipc"]
     return ["--KernelManager.transport_encryption=auto"] if zmq.has("curve") else []
+
+
+def _takes_sockets(folder: Path) -> bool:
+    """Whether a kernel's socket can be there: not with a long name, nor on a shared folder of Windows."""
+    path = folder / f"kernel-{uuid.uuid4()}-ipc-5"  # as jupyter_client names it
+    try:
+        folder.mkdir(mode=0o700, parents=True, exist_ok=True)
+        with socket.socket(socket.AF_UNIX) as probe:
+            probe.bind(str(path))
+        path.unlink()
+    except OSError:
+        return False
+    return True

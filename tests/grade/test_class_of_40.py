@@ -9,6 +9,8 @@ import pytest
 from coursekit.grade import batch, sandbox
 from coursekit.grade.mark import mark
 
+from tests.needs import posix
+
 from .class_of_40 import PEOPLE, make_class
 from .handed import cheap_mark, grade
 
@@ -57,6 +59,7 @@ def test_the_order_in_which_the_disk_tells_its_files_changes_nothing(group, monk
     assert marks(grade(folder, *words)[1]) == deserved
 
 
+@posix("its marks come from a container")
 @pytest.mark.slow
 @pytest.mark.timeout(300)
 def test_marks_of_the_sandbox_are_the_same_twice(tmp_path, group, monkeypatch):

@@ -16,6 +16,7 @@ from coursekit.grade.own_checks import OWN, read_checks
 from coursekit.grade.sandbox import Limits
 from coursekit.grade.submissions import Submission
 from coursekit.grade.template import write_template
+from tests.needs import real_windows
 
 from .handed import write
 from .kinds import solution_cells
@@ -125,6 +126,7 @@ def test_their_sandbox_is_the_one_that_the_marks_name():
         workers.expect_alike(both, "", allow_root=False, unsafe=True)
 
 
+@real_windows("distributed waits for a clock that Wine's never matches")
 def test_a_scheduler_that_does_not_answer_is_told(course, monkeypatch):
     monkeypatch.setattr(workers, "CONNECT_S", 0.2)
     hand_in_all(course)

@@ -8,7 +8,6 @@ import pytest
 
 from coursekit.grade import batch, sandbox
 from coursekit.grade.mark import mark
-
 from tests.needs import posix
 
 from .class_of_40 import PEOPLE, make_class

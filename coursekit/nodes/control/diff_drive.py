@@ -10,6 +10,7 @@ from nav_msgs.msg import Odometry
 from tf2_msgs.msg import TFMessage
 
 from .controller import ControlError, Controller, stamp
+from .frames import odometry_frames
 from .limiter import SpeedLimiter
 from .reckoning import Reckoning
 
@@ -22,6 +23,8 @@ DEFAULTS: dict[str, Any] = {
     "wheel_separation_multiplier": 1.0,
     "left_wheel_radius_multiplier": 1.0,
     "right_wheel_radius_multiplier": 1.0,
+    "tf_frame_prefix_enable": True,
+    "tf_frame_prefix": "",
     "odom_frame_id": "odom",
     "base_frame_id": "base_link",
     "pose_covariance_diagonal": [0.0] * 6,
@@ -80,7 +83,7 @@ class DiffDriveController(Controller):
             return SpeedLimiter(lambda _name, usual: usual, kind)
 
     def _reckoner(self) -> Reckoning:
-        frames = self._told["odom_frame_id"], self._told["base_frame_id"]
+        frames = odometry_frames(self._told, self.node.get_namespace())
         period_ns = round(1e9 / max(float(self._told["publish_rate"]), 1e-3))
         out = self.node.create_publisher(Odometry, "~/odom", 10)
         tf = self.node.create_publisher(TFMessage, "/tf", 100) if self._told["enable_odom_tf"] else None

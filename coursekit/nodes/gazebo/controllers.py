@@ -10,6 +10,7 @@ import yaml
 
 from coursekit.files import read_text
 from coursekit.nodes.control.description import read_hardware
+from coursekit.nodes.control.frames import odometry_frames
 from coursekit.nodes.control.types import DRIVE
 from coursekit.sim.motors import Reach
 from coursekit.sim.robot import Drive
@@ -142,10 +143,10 @@ def _drive(plugin: Element, model: Blueprint, name: str, told: dict[str, Any], p
         raise plugin.error(f"controller '{name}' has numbers that are none", cure) from None
     made = Drive("differential", separation=separation, radius=radius, left=left, right=right, watchdog=patience, **limits)
     stamped, node = bool(told.get("use_stamped_vel", True)), f"{prefix}/{name}"
+    odom, base = odometry_frames(told, prefix)
     device = OdometryDevice(
-        "~/odom", str(told.get("odom_frame_id", "odom")), rate, node, "~/cmd_vel" if stamped else "~/cmd_vel_unstamped",
-        str(told.get("base_frame_id", "base_link")), True, bool(told.get("enable_odom_tf", True)), exact=False,
-        stamped=stamped, spreads=spreads,
+        "~/odom", odom, rate, node, "~/cmd_vel" if stamped else "~/cmd_vel_unstamped", base, True,
+        bool(told.get("enable_odom_tf", True)), exact=False, stamped=stamped, spreads=spreads,
     )  # fmt: skip
     return made, device
 

@@ -1,6 +1,7 @@
 """Other controllers, other hardware, and other ways to start them."""
 
 import math
+import re
 
 import pytest
 from control_msgs.action import FollowJointTrajectory
@@ -204,3 +205,21 @@ def test_an_effort_moves_a_joint_until_its_end():
     for _ in range(30):
         motors.step(0.1)
     assert motors.angles["arm"] == 1.0
+
+
+PREFIXES = [("", ("r1/odom", "r1/base_link")), ("tf_frame_prefix: left, ", ("left/odom", "left/base_link"))]
+PREFIXES += [("tf_frame_prefix_enable: false, ", ("odom", "base_link"))]
+
+
+@pytest.mark.parametrize(("told", "frames"), PREFIXES)
+def test_frames_of_a_drive_have_its_prefix_or_its_namespace_in_front(run, friend, tmp_path, told, frames):
+    (tmp_path / "cart.urdf").write_text(CART)
+    settings = PARAMETERS.replace("left_wheel_names", told + "left_wheel_names")
+    (tmp_path / "cart.yaml").write_text(re.sub(r"^(controller_manager|drive):", r"/**/\1:", settings, flags=re.MULTILINE))
+    space = ("-r", "__ns:=/r1")
+    run("robot_state_publisher", "robot_state_publisher", str(tmp_path / "cart.urdf"), "--ros-args", *space)
+    run("controller_manager", "ros2_control_node", "--ros-args", *space, "--params-file", str(tmp_path / "cart.yaml"))
+    assert run("controller_manager", "spawner", "drive", "-c", "/r1/controller_manager").wait(20) == 0
+    odometry = friend.hear(Odometry, "/r1/drive/odom")
+    friend.spin(0.2)
+    assert (odometry[-1].header.frame_id, odometry[-1].child_frame_id) == frames

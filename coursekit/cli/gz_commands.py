@@ -10,21 +10,41 @@ from typing import Any
 from . import parser, ros2
 
 _KNOWN = "gz sim WORLD [-r], gz topic -l | -i -t TOPIC | -e -t TOPIC, gz service -l"
+_HELP = """Works with the simulation of the newer Gazebo.
+
+  gz <command> [options]
+
+List of available commands:
+
+  help:     Print this text.
+  sim:      Simulate a world.
+  topic:    List Gazebo's topics, or print their messages.
+  service:  List Gazebo's services.
+
+'gz <command> --help' prints the options of a command."""
 
 
 def main() -> int:
     """Run `gz ...` or `ign ...` from a shell, as `ros2 gz` in the running session."""
-    return ros2.main(["gz", *sys.argv[1:]])
+    return ros2.main(["gz", *_words(sys.argv[1:])])
 
 
 def run_inside(argv: Sequence[str]) -> int:
     """Run the command inside a session."""
-    return parser.run(["gz", *argv])
+    return parser.run(["gz", *_words(argv)])
+
+
+def _words(argv: Sequence[str]) -> list[str]:
+    """Return the words with a command in front."""
+    return list(argv) if argv and argv[0] not in ("-h", "--help") else ["help"]
 
 
 def carry_out(words: Sequence[str]) -> int:
     """Carry out the words after `gz`. Returns the exit code."""
     command, rest = (words[0], list(words[1:])) if words else ("", [])
+    if command == "help":
+        print(_HELP)
+        return 0
     if command in ("sim", "gazebo"):
         from coursekit.nodes.gz.server import main as simulate
 

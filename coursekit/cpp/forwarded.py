@@ -33,7 +33,7 @@ FORWARDED = {
         "/rclcpp_components/visibility_control.hpp /rcpputils/visibility_control.hpp /rcutils/visibility_control.h "
         "/rcl/visibility_control.h /rcl_yaml_param_parser/visibility_control.h /rmw/visibility_control.h "
         "/kdl_parser/visibility_control.hpp /tf2/visibility_control.h /tf2_ros/visibility_control.h "
-        "/urdf/visibility_control.hpp"
+        "/urdf/visibility_control.hpp /libstatistics_collector/visibility_control.hpp"
     ),
     "rclcpp_action/types.hpp": "qos",
     "image_transport/simple_publisher_plugin.hpp": "publisher_plugin",
@@ -60,6 +60,11 @@ FORWARDED = {
     "message_filters/connection.h": "signal1.h signal9.h parameter_adapter.h",
     "ament_index_cpp/get_package_prefix.hpp": "get_search_paths",
     "libstatistics_collector/moving_average_statistics/moving_average.hpp": "moving_average_statistics/types",
+    "libstatistics_collector/collector/collector.hpp": "collector/metric_details_interface",
+    "libstatistics_collector/topic_statistics_collector/topic_statistics_collector.hpp": (
+        "topic_statistics_collector/constants topic_statistics_collector/received_message_age "
+        "topic_statistics_collector/received_message_period"
+    ),
     "pluginlib/class_loader.hpp": "class_desc",
 }
 """Humble's header names by the header with their content; without a folder they are in its package."""

@@ -11,6 +11,9 @@ from coursekit.interfaces.cpp_traits import trait_lines
 from coursekit.interfaces.model import Action, Interface, Message, Service
 from coursekit.interfaces.registry import module_name
 
+_PARTS = ("struct", "builder", "traits", "type_support")
+"""The inner headers of an interface."""
+
 
 def header_name(name: str) -> str:
     """Return the name of an interface's header, without its suffix.
@@ -48,7 +51,7 @@ def inner_headers(package: str, kind: str, name: str) -> dict[str, str]:
     """Return rosidl's inner headers by name, beside the interface's own: editors insert includes of them automatically."""
     own = header_name(name)
     text = f'#pragma once\n#include "{package}/{kind}/{own}.hpp"\n'
-    return {f"{package}/{kind}/detail/{own}__{part}.hpp": text for part in ("struct", "builder", "traits")}
+    return {f"{package}/{kind}/detail/{own}__{part}.hpp": text for part in _PARTS}
 
 
 def messages_of(interface: Interface) -> list[Message]:

@@ -95,7 +95,9 @@ def test_only_emergencies_reach_the_listener(session, run):
 def test_numbers_and_texts_are_published_in_turn_and_heard_with_best_effort(session, run):
     talker, listener = run("demo_nodes_cpp", "talker_loaned_message"), run("demo_nodes_cpp", "listener_best_effort")
     session.clock.sleep(2.5)
-    assert said(talker) == [f"Publishing: '{one}'" for one in ("1.000000", "Hello World: 2", "3.000000", "Hello World: 4")]
+    first, second, *others = (f"Publishing: '{one}'" for one in ("1.000000", "Hello World: 2", "3.000000", "Hello World: 4"))
+    none_lent = "Currently used middleware can't loan messages. Local allocator will be used."
+    assert said(talker) == [none_lent, first, none_lent, second, *others]
     assert said(listener) == ["I heard: [Hello World: 2]", "I heard: [Hello World: 4]"]
 
 

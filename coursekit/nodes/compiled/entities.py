@@ -21,7 +21,7 @@ from coursekit.nodes.compiled import qos
 from coursekit.nodes.compiled.executing import Work
 from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.lifecycle import CompiledLifecycleNode
-from coursekit.nodes.compiled.living import living_node
+from coursekit.nodes.compiled.living import check_context_of_timer, living_node
 from coursekit.nodes.compiled.node import CompiledNode
 from coursekit.nodes.components.loading import LoadedComponent
 
@@ -136,6 +136,7 @@ def _integers(frame: Unpacker, count: int) -> list[int]:
 def do_timer(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make a timer."""
     node, period, kind, handler = host.things[frame.integer()], frame.integer(), frame.integer(), frame.integer()
+    check_context_of_timer(node)
     group = host.things.get(frame.integer())
     clocks = {_STEADY_TIME: ClockType.STEADY_TIME, _SYSTEM_TIME: ClockType.SYSTEM_TIME}
     clock = Clock(clock_type=clocks[kind]) if kind in clocks else None

@@ -14,6 +14,10 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host
 
 
+_MANUAL_BY_NODE = 2
+"""A liveliness that rmw deprecates and rclpy does not name."""
+
+
 class RCLError(Exception):
     """rclcpp's exception of that name."""
 
@@ -24,6 +28,21 @@ def living_node(host: Host, frame: Unpacker, what: str) -> Any:
     if not node.context.ok():
         raise RCLError(f"could not create {what}: rcl node's context is invalid, at ./src/rcl/node.c:428")
     return node
+
+
+def check_context_of_timer(node: Any) -> None:
+    """Raise RCLError if the context of a timer's node has ended."""
+    if not node.context.ok():
+        raise RCLError(
+            "Couldn't initialize rcl timer handle: the given context is not valid, "
+            "either rcl_init() was not called or rcl_shutdown() was called., at ./src/rcl/guard_condition.c:67"
+        )
+
+
+def check_liveliness(kind: int, end: str, places: str) -> None:
+    """Raise RCLError for MANUAL_BY_NODE, which Fast DDS does not have."""
+    if kind == _MANUAL_BY_NODE:
+        raise RCLError(f"could not create {end}: create_{end}() failed setting topic QoS, at {places}")
 
 
 def living_context(host: Host, frame: Unpacker) -> Context:

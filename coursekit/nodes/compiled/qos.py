@@ -13,14 +13,24 @@ from rclpy.qos_event import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.qos_overriding_options import QoSOverridingOptions
 
 from coursekit.nodes.compiled.frames import Unpacker, packed
+from coursekit.nodes.compiled.living import check_liveliness
 
 if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host
 
 
-def profile(frame: Unpacker) -> QoSProfile:
-    """Read a profile from a frame."""
+_PLACES = {
+    "publisher": "./src/publisher.cpp:226, at ./src/rcl/publisher.c:116",
+    "subscription": "./src/rcl/subscription.c:108",
+}
+"""Where rmw and rcl refuse the QoS of an end."""
+
+
+def profile(frame: Unpacker, end: str = "") -> QoSProfile:
+    """Read a profile from a frame; RCLError if it is that of an end ("publisher", "subscription") that cannot have it."""
     history, depth, reliability, durability, deadline, lifespan, liveliness, lease = (frame.integer() for _ in range(8))
+    if end:
+        check_liveliness(liveliness, end, _PLACES[end])
     return QoSProfile(
         history=history,
         depth=depth,

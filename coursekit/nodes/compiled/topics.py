@@ -60,7 +60,7 @@ def do_publisher(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     publisher = node.create_publisher(
         kind,
         topic,
-        qos.profile(frame),
+        qos.profile(frame, "publisher"),
         callback_group=group,
         event_callbacks=qos.publisher_events(host, frame),
         qos_overriding_options=qos.overriding(host, frame),
@@ -98,7 +98,7 @@ def do_subscription(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Make a subscription."""
     node, kind, topic = living_node(host, frame, "subscription"), load(frame.text()), frame.text()
     handler, group = frame.integer(), host.things.get(frame.integer())
-    wanted = qos.profile(frame)
+    wanted = qos.profile(frame, "subscription")
     events = qos.subscription_events(host, frame)
     hearing = Hearing(host, kind, handler, host.own_gids if frame.integer() else ())
     subscription = node.create_subscription(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rclpy.logging import get_logger
 from rclpy.node import Node
 from std_msgs.msg import Float64, String
 
@@ -14,6 +15,7 @@ class LoanedTalker(Node):
     def __init__(self) -> None:
         super().__init__("loaned_message_talker")
         self._count = 1
+        self._borrowed: set[str] = set()
         self._numbers = self.create_publisher(Float64, "chatter_pod", 7)
         self._texts = self.create_publisher(String, "chatter", 7)
         self._timer = self.create_timer(1.0, self._say)
@@ -21,10 +23,18 @@ class LoanedTalker(Node):
     def _say(self) -> None:
         number, text = Float64(data=float(self._count)), String(data=f"Hello World: {self._count + 1}")
         self._count += 2
+        self._tell_of_loans("number")
         self.get_logger().info(f"Publishing: '{number.data:f}'")
         self._numbers.publish(number)
+        self._tell_of_loans("text")
         self.get_logger().info(f"Publishing: '{text.data}'")
         self._texts.publish(text)
+
+    def _tell_of_loans(self, kind: str) -> None:
+        """Say what rclcpp says at the first loan of each type."""
+        if kind not in self._borrowed:
+            self._borrowed.add(kind)
+            get_logger("rclcpp").info("Currently used middleware can't loan messages. Local allocator will be used.")
 
 
 def main(args: list[str] | None = None) -> int:

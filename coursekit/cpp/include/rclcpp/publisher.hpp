@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "rclcpp/intra_process.hpp"
+#include "rclcpp/logging.hpp"
 #include "rclcpp/network_flow_endpoint.hpp"
 #include "rclcpp/publisher_options.hpp"
 #include "rclcpp/serialized_message.hpp"
@@ -67,7 +68,11 @@ class LoanedMessage
 {
 public:
   LoanedMessage()
-  : message_(std::make_unique<M>()) {}
+  : message_(std::make_unique<M>())
+  {
+    RCLCPP_INFO_ONCE(
+      get_logger("rclcpp"), "Currently used middleware can't loan messages. Local allocator will be used.");
+  }
   template<class P>
   LoanedMessage(const P &, std::allocator<M>)
   : LoanedMessage() {}

@@ -68,6 +68,16 @@ int main(int argc, char ** argv)
   spin_until(node, [&] {return refused != 0;});
   equal("what does not suit is told", refused, static_cast<int>(RMW_QOS_POLICY_DEADLINE));
 
+  try {
+    node->create_publisher<String>("alive", rclcpp::QoS(1).liveliness(RMW_QOS_POLICY_LIVELINESS_MANUAL_BY_NODE));
+    check("no liveliness by node", false);
+  } catch (const rclcpp::exceptions::RCLError & error) {
+    equal(
+      "no liveliness by node", std::string(error.what()),
+      "could not create publisher: create_publisher() failed setting topic QoS, at ./src/publisher.cpp:226, "
+      "at ./src/rcl/publisher.c:116");
+  }
+
   // overridden by parameters
   rclcpp::NodeOptions overriding;
   overriding.parameter_overrides({{"qos_overrides./told.publisher.depth", 42}});

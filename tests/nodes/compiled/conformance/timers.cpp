@@ -58,4 +58,14 @@ int main(int argc, char ** argv)
   by_hand->cancel();
   check("a cancelled one is not called", !by_hand->call());
   rclcpp::shutdown();
+  try {
+    node->create_wall_timer(1s, [] {});
+    check("no timer after the end", false);
+  } catch (const rclcpp::exceptions::RCLError & error) {
+    check("no timer after the end", true);
+    equal(
+      "and why", std::string(error.what()),
+      "Couldn't initialize rcl timer handle: the given context is not valid, "
+      "either rcl_init() was not called or rcl_shutdown() was called., at ./src/rcl/guard_condition.c:67");
+  }
 }

@@ -92,6 +92,10 @@ public:
   {
     getRPY(roll, pitch, yaw, solution);
   }
+  void getEulerZYX(tf2Scalar & yaw, tf2Scalar & pitch, tf2Scalar & roll, unsigned int solution = 1) const
+  {
+    getRPY(roll, pitch, yaw, solution);
+  }
 
   Vector3 & operator[](int i) {return rows_[i];}
   const Vector3 & operator[](int i) const {return rows_[i];}
@@ -117,6 +121,8 @@ public:
   /// With its columns longer by the three factors.
   Matrix3x3 scaled(const Vector3 & s) const {return rows(rows_[0] * s, rows_[1] * s, rows_[2] * s);}
   Matrix3x3 absolute() const {return rows(rows_[0].absolute(), rows_[1].absolute(), rows_[2].absolute());}
+  /// The determinant of two rows and columns.
+  tf2Scalar cofac(int r1, int c1, int r2, int c2) const {return rows_[r1][c1] * rows_[r2][c2] - rows_[r1][c2] * rows_[r2][c1];}
   Matrix3x3 adjoint() const {return inverse() * determinant();}
   Matrix3x3 operator*(tf2Scalar f) const {return rows(rows_[0] * f, rows_[1] * f, rows_[2] * f);}
   Matrix3x3 transposeTimes(const Matrix3x3 & o) const {return transpose() * o;}

@@ -45,6 +45,7 @@ public:
   {
     *this = Quaternion(Vector3(0, 1, 0), yaw) * Quaternion(Vector3(1, 0, 0), pitch) * Quaternion(Vector3(0, 0, 1), roll);
   }
+  void setEulerZYX(tf2Scalar yaw, tf2Scalar pitch, tf2Scalar roll) {setRPY(roll, pitch, yaw);}
 
   Quaternion operator*(const Quaternion & o) const
   {

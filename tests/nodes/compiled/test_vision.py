@@ -86,6 +86,7 @@ def test_images_go_over_the_bridge_and_over_topics(said):
 
 
 TRANSPORT = """
+#include "image_transport/image_transport.hpp"
 #include "image_transport/publisher_plugin.hpp"
 #include "image_transport/simple_publisher_plugin.hpp"
 #include "image_transport/simple_subscriber_plugin.hpp"
@@ -134,14 +135,32 @@ int main(int argc, char ** argv)
   out.shutdown();
   sender.publish(Image());
   std::cout << out.getNumSubscribers() << std::endl;
+
+  const std::string key = "eye.image.enable_pub_plugins";
+  auto open = rclcpp::Node::make_shared("open", "left");
+  image_transport::create_publisher(open.get(), "eye/image");
+  std::cout << open->get_parameter(key).value_to_string() << std::endl;
+  auto none = rclcpp::NodeOptions().append_parameter_override(key, std::vector<std::string>{"image_transport/theora"});
+  auto shut = rclcpp::Node::make_shared("shut", "left", none);
+  try {
+    image_transport::create_publisher(shut.get(), "eye/image");
+  } catch (const image_transport::Exception & error) {
+    std::cout << error.what() << std::endl;
+  }
 }
 """
 
 
-def test_a_transport_of_one_s_own_sends_and_hears(session, build):
+def test_a_transport_of_one_s_own_sends_and_hears_and_a_parameter_names_those_of_a_topic(session, build):
     process = session.launch(make_process(session, build("transport", TRANSPORT), name="transport"))
     assert process.wait(20.0) == 0, process.output
-    assert process.output.splitlines() == ["/front/words /front/words 11 image_transport/words_pub", "mono8 again", "0"]
+    assert process.output.splitlines() == [
+        "/front/words /front/words 11 image_transport/words_pub",
+        "mono8 again",
+        "0",
+        "[image_transport/raw]",
+        "No plugins found! Does `rospack plugins --attrib=plugin image_transport` find any packages?",
+    ]
 
 
 @pytest.mark.parametrize(

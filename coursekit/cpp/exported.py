@@ -21,6 +21,7 @@ EXPORTED = {
     "tf2_kdl": f"{_TF2} tf2_ros",
     "kdl_parser": "urdf urdfdom_headers",
     "tf2_sensor_msgs": f"{_TF2} sensor_msgs tf2_ros",
+    "filters": "pluginlib rclcpp",
     "message_filters": "rclcpp std_msgs",
     "laser_geometry": "rclcpp sensor_msgs tf2",
     "cv_bridge": "sensor_msgs",

@@ -57,7 +57,9 @@ def test_a_program_waits_by_itself_and_messages_go_as_bytes(session, start):
         "1 after 50 10110",
         "timer's callback",
         "0guard condition already in use by another wait set1",
-        "12abc97 typed abc raw 12 also 12 typed abc raw 12 also 12 typed lent raw 13 also 13",
+        "12abc97[INFO] [1700000000.300000000] [rclcpp]: Currently used middleware can't loan messages. "
+        "Local allocator will be used.",
+        " typed abc raw 12 also 12 typed abc raw 12 also 12 typed lent raw 13 also 13",
         "custom one plain one" + "custom two plain two" + "custom three plain three",
         "waits",
     ]

@@ -62,6 +62,7 @@ def test_nothing_is_serialized_or_sent_where_nobody_listens(side, monkeypatch):
     one, two = side(), side()
     publisher = talker(one)
     two.until(lambda: two.graph.publishers.get("/chatter"))
+    one.link.settle()
     monkeypatch.setattr(cdr, "serialize", None)
     publisher.publish(String(data="to nobody"))
     assert publisher.tap is None and one.link.announcer.senders[0].traffic.total == 0

@@ -90,7 +90,8 @@ def test_a_loop_is_measured_turn_by_turn(build, virtual, tmp_path):
     lines.remove("Writing results to file: times.txt")  # to standard error, whose place among the others is not fixed
     assert lines[0] == "began 01"
     assert [line.partition(":")[0] for line in lines[1:3]] == ["Initial major pagefaults", "Initial minor pagefaults"]
-    assert lines[3] == "40 39 1 1 01-10"
+    on_time = ("1",) if virtual else ("0", "1")  # a busy computer's timer comes late
+    assert lines[3] in [f"40 39 {heard} 1 01-10" for heard in on_time]
     assert lines[4] == "rttest statistics for times.txt:" and lines[7].startswith("  Latency")
     assert lines[-1] == "ended 00-1"
     if virtual:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import subprocess
 import sys
 import tempfile
@@ -17,6 +16,7 @@ import psutil
 from jupyter_client.kernelspec import KernelSpecManager
 from jupyter_client.manager import KernelManager
 
+from .kernel_sockets import takes_sockets
 from .lab import lab_environment, lab_options
 
 MB = 1 << 20
@@ -99,7 +99,8 @@ def _server(folder: Path, env: dict[str, str]) -> Iterator[tuple[subprocess.Pope
 def _with_kernel(folder: Path, env: dict[str, str], server_mb: float, server_s: float) -> Load:
     began = time.monotonic()
     specs = KernelSpecManager(kernel_dirs=[str(folder / ".coursekit" / "jupyter" / "kernels")], ensure_native_kernel=False)
-    kernel = KernelManager(kernel_name="python3", kernel_spec_manager=specs, transport="tcp" if os.name == "nt" else "ipc")
+    transport = "ipc" if takes_sockets(folder) else "tcp"
+    kernel = KernelManager(kernel_name="python3", kernel_spec_manager=specs, transport=transport)
     kernel.connection_file = str(folder / "kernel.json")
     kernel.start_kernel(env=env, cwd=str(folder))
     client = kernel.client()

@@ -21,13 +21,19 @@ def kernel_options(runtime: Path) -> list[str]:
     >>> kernel_options(Path("/dev/null"))  # no folder for a Unix socket
     ['--KernelManager.transport_encryption=auto']
     """
-    if HAS_UNIX and _takes_sockets(runtime):
+    if takes_sockets(runtime):
         return ["--KernelManager.transport=ipc"]
     return ["--KernelManager.transport_encryption=auto"] if zmq.has("curve") else []
 
 
-def _takes_sockets(folder: Path) -> bool:
-    """Whether a kernel's socket can be there: not with a long name, nor on a shared folder of Windows."""
+def takes_sockets(folder: Path) -> bool:
+    """Return whether kernels can have Unix sockets in a folder: not if its name is long, nor if it is shared with Windows.
+
+    >>> takes_sockets(Path("/dev/null"))
+    False
+    """
+    if not HAS_UNIX:
+        return False
     path = folder / f"kernel-{uuid.uuid4()}-ipc-5"  # as jupyter_client names it
     try:
         folder.mkdir(mode=0o700, parents=True, exist_ok=True)

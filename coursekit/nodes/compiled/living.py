@@ -14,10 +14,6 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host
 
 
-_MANUAL_BY_NODE = 2
-"""A liveliness that rmw deprecates and rclpy does not name."""
-
-
 class RCLError(Exception):
     """rclcpp's exception of that name."""
 
@@ -37,12 +33,6 @@ def check_context_of_timer(node: Any) -> None:
             "Couldn't initialize rcl timer handle: the given context is not valid, "
             "either rcl_init() was not called or rcl_shutdown() was called., at ./src/rcl/guard_condition.c:67"
         )
-
-
-def check_liveliness(kind: int, end: str, places: str) -> None:
-    """Raise RCLError for MANUAL_BY_NODE, which Fast DDS does not have."""
-    if kind == _MANUAL_BY_NODE:
-        raise RCLError(f"could not create {end}: create_{end}() failed setting topic QoS, at {places}")
 
 
 def living_context(host: Host, frame: Unpacker) -> Context:

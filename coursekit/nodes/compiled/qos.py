@@ -13,12 +13,14 @@ from rclpy.qos_event import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.qos_overriding_options import QoSOverridingOptions
 
 from coursekit.nodes.compiled.frames import Unpacker, packed
-from coursekit.nodes.compiled.living import check_liveliness
+from coursekit.nodes.compiled.living import RCLError
 
 if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host
 
 
+_MANUAL_BY_NODE = 2
+"""A liveliness that rmw deprecates, rclpy does not name and Fast DDS does not have."""
 _PLACES = {
     "publisher": "./src/publisher.cpp:226, at ./src/rcl/publisher.c:116",
     "subscription": "./src/rcl/subscription.c:108",
@@ -29,8 +31,8 @@ _PLACES = {
 def profile(frame: Unpacker, end: str = "") -> QoSProfile:
     """Read a profile from a frame; RCLError if it is that of an end ("publisher", "subscription") that cannot have it."""
     history, depth, reliability, durability, deadline, lifespan, liveliness, lease = (frame.integer() for _ in range(8))
-    if end:
-        check_liveliness(liveliness, end, _PLACES[end])
+    if end and liveliness == _MANUAL_BY_NODE:
+        raise RCLError(f"could not create {end}: create_{end}() failed setting topic QoS, at {_PLACES[end]}")
     return QoSProfile(
         history=history,
         depth=depth,

@@ -26,7 +26,11 @@ LONGEST = 3072
 """Maximum size of a direct message in bytes; Zenoh passes longer ones in shared memory."""
 NEW_SECONDS = 60.0
 """Minimum age at which a socket without a listener is removed [s]."""
+SETTLE_SECONDS = 1.0
+"""Maximum wait for a session to have taken all that was sent to it directly [s]."""
 _LENGTHS = struct.Struct("<HHH")
+_SETTLE = _LENGTHS.pack(0, 0, 0)
+"""Asks the other session to answer with a byte; no message looks like this, as each has a name."""
 Take = Callable[[str, str, bytes, Attachment], None]
 """Callback for a message: its topic, the topic's type, its CDR bytes and its attachment."""
 
@@ -51,6 +55,17 @@ class Line:
             except OSError:
                 return False
         return True
+
+    def settle(self) -> None:
+        """Wait until the other session has taken all messages of this line; one that does not answer loses the line."""
+        with self._lock, contextlib.suppress(OSError):
+            self._peer.settimeout(SETTLE_SECONDS)
+            try:
+                self._peer.sendall(_SETTLE)
+                self._peer.recv(1)
+                self._peer.settimeout(BUSY_SECONDS)
+            except TimeoutError:
+                self.close()
 
     def close(self) -> None:
         """Close the connection."""
@@ -119,6 +134,9 @@ class DirectLines:
     def _hear(self, peer: socket.socket) -> None:
         with contextlib.suppress(OSError, ValueError, struct.error), peer, peer.makefile("rb") as stream:
             while head := stream.read(_LENGTHS.size):
+                if head == _SETTLE:
+                    peer.sendall(b"+")
+                    continue
                 lengths = _LENGTHS.unpack(head)
                 body = stream.read(SIZE + sum(lengths))
                 self._take(*read_frame(body, lengths))

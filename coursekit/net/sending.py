@@ -54,7 +54,8 @@ class Sender:
             outlet.undeclare()
         begins = bool(hashes) and self.publisher.tap != self._take
         if begins or self._lines:
-            self._lines = () if self._keeps or self._may_block else lines
+            with self._lock:
+                self._take_lines(() if self._keeps or self._may_block else lines)
         if begins:
             self._read_kept()
         for new in hashes - self._outlets.keys():
@@ -108,8 +109,15 @@ class Sender:
         if self._lines:
             sent = frame(self.publisher.name, self.publisher.type_name, data, attachment) if len(data) <= LONGEST else b""
             if not sent or not all(line.send(sent) for line in self._lines):
-                self._lines = ()
+                self._take_lines(())
         return bool(self._lines)
+
+    def _take_lines(self, lines: tuple[Line, ...]) -> None:
+        """Send over these lines from now on. Before Zenoh takes over, or nobody does, what is on its way arrives."""
+        if not lines:
+            for line in self._lines:
+                line.settle()
+        self._lines = lines
 
     def _packed(self, msg: Any) -> tuple[bytes, bytes]:
         entry = cdr.serialize(msg), Attachment(next(self._numbers), time.time_ns(), self._gid).data()

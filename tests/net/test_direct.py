@@ -11,7 +11,9 @@ from hypothesis import strategies as st
 from std_msgs.msg import String
 
 from coursekit.core.qos import KEEP_ALL, TRANSIENT_LOCAL, Qos
-from coursekit.net.direct import LONGEST, DirectLines, Line, frame, read_frame
+from coursekit.net import direct
+from coursekit.net.direct import LONGEST, SETTLE_SECONDS, DirectLines, Line, frame, read_frame
+from coursekit.net.receiving import Receiver
 from coursekit.net.wire.attachment import Attachment
 from coursekit.systems.runtime_folder import folder
 from coursekit.systems.user_socket import listen_at
@@ -62,7 +64,28 @@ def test_after_a_long_message_zenoh_carries_the_topic_so_that_nothing_overtakes(
     texts = ["a", "b" * LONGEST, "c", "d"]
     for text in texts:
         publisher.publish(String(data=text))
-    assert told(inbox, 4) == texts and len(carried) == 1
+    assert [text[:1] for text in told(inbox, 4)] == ["a", "b", "c", "d"] and len(carried) == 1
+
+
+def test_a_session_that_reads_its_line_late_still_gets_the_messages_in_order(side, carried, monkeypatch):
+    """It reads the first message after the second one has come through Zenoh, or when the sender has waited for it."""
+    zenoh_was_first, hear = threading.Event(), Receiver._hear
+    monkeypatch.setattr(Receiver, "_hear", lambda *came: (hear(*came), zenoh_was_first.set()))
+    late = lambda *parts: (zenoh_was_first.wait(SETTLE_SECONDS / 2), read_frame(*parts))[1]  # noqa: E731
+    monkeypatch.setattr(direct, "read_frame", late)
+    _, _, publisher, inbox = pair(side)
+    texts = ["a", "b" * LONGEST, "c"]
+    for text in texts:
+        publisher.publish(String(data=text))
+    assert [text[:1] for text in told(inbox, 3)] == ["a", "b", "c"] and len(carried) == 1
+
+
+def test_a_session_that_no_longer_answers_is_waited_for_once():
+    here, there = socket.socketpair()
+    line = Line(here, threading.Event())
+    with there:
+        line.settle()
+        assert not line.send(b"closed")
 
 
 @pytest.mark.parametrize("qos", [Qos(depth=5, durability=TRANSIENT_LOCAL), Qos(history=KEEP_ALL)])

@@ -205,6 +205,7 @@ def test_a_program_with_a_basic_navigator_runs_unchanged(stage):
     assert said == [
         "path map True True", "go SUCCEEDED True", "spin SUCCEEDED", "backup SUCCEEDED", "cancel CANCELED", "costmap True",
     ]  # fmt: skip
+    assert "Begin navigating from current location through 2 poses to (3.50, 0.00)" in stage.launch.output
     assert stage.touched == {} and abs(stage.robot.velocity[0]) < 0.01
 
 

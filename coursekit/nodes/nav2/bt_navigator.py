@@ -117,7 +117,8 @@ class BtNavigator(Server):
         other = self._through if action is self._to_pose else self._to_pose
         other.current = None  # a goal of one kind replaces one of the other
         to = goals[-1].pose.position
-        log.info(f"Begin navigating from current location ({here.x:.2f}, {here.y:.2f}) to ({to.x:.2f}, {to.y:.2f})")
+        through = f" through {len(goals)} poses" if kind is NavigateThroughPoses else f" ({here.x:.2f}, {here.y:.2f})"
+        log.info(f"Begin navigating from current location{through} to ({to.x:.2f}, {to.y:.2f})")
         begin = self.get_clock().now()
 
         def tell(trip: Trip) -> None:

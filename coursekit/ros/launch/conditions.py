@@ -76,7 +76,10 @@ class IfCondition(_ExpressionCondition):
     """True if the expression's text is true or 1.
 
     >>> from launch import LaunchContext
-    >>> IfCondition('True').evaluate(LaunchContext())
+    >>> from launch.substitutions import LaunchConfiguration
+    >>> context = LaunchContext()
+    >>> context.launch_configurations["use_rviz"] = "true"
+    >>> IfCondition(LaunchConfiguration("use_rviz")).evaluate(context)
     True
     """
 
@@ -85,7 +88,12 @@ class IfCondition(_ExpressionCondition):
 
 
 class UnlessCondition(_ExpressionCondition):
-    """True if the expression's text is false or 0."""
+    """True if the expression's text is false or 0.
+
+    >>> from launch import LaunchContext
+    >>> UnlessCondition("false").evaluate(LaunchContext())
+    True
+    """
 
     def __init__(self, predicate_expression: SomeSubstitutionsType) -> None:
         super().__init__(predicate_expression, False)
@@ -112,7 +120,14 @@ class _ConfigurationCondition(Condition):
 
 
 class LaunchConfigurationEquals(_ConfigurationCondition):
-    """True if the launch configuration has this value (None: is not set)."""
+    """True if the launch configuration has this value (None: is not set).
+
+    >>> from launch import LaunchContext
+    >>> context = LaunchContext()
+    >>> context.launch_configurations["robot"] = "burger"
+    >>> LaunchConfigurationEquals("robot", "burger").evaluate(context)
+    True
+    """
 
     def __init__(self, launch_configuration_name: str, expected_value: SomeSubstitutionsType | None) -> None:
         super().__init__(launch_configuration_name, expected_value, True)

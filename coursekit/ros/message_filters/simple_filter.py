@@ -30,7 +30,15 @@ class SimpleFilter:
 
 
 class Subscriber(SimpleFilter):
-    """A subscription as a filter: Subscriber(node, msg_type, topic, ...), as for create_subscription."""
+    """A subscription as a filter: Subscriber(node, msg_type, topic, ...), as for create_subscription.
+
+    >>> from std_msgs.msg import String
+    >>> chatter = Subscriber(node, String, "chatter")
+    >>> connection = chatter.registerCallback(lambda msg: print(msg.data))
+    >>> node.create_publisher(String, "chatter", 10).publish(String(data="hello"))
+    >>> rclpy.spin_once(node)
+    hello
+    """
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         super().__init__()

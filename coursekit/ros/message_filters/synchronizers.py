@@ -61,6 +61,18 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
 
     With `allow_headerless`, messages without a header are stamped on arrival; otherwise they are refused.
     With `sync_arrival_time`, the arrival time is used for all messages.
+
+    >>> from builtin_interfaces.msg import Time
+    >>> from message_filters import SimpleFilter
+    >>> from sensor_msgs.msg import CameraInfo, Image
+    >>> image, info = SimpleFilter(), SimpleFilter()
+    >>> pairs = ApproximateTimeSynchronizer([image, info], queue_size=10, slop=0.1)
+    >>> connection = pairs.registerCallback(lambda image, info: print("a pair"))
+    >>> picture, camera = Image(), CameraInfo()
+    >>> camera.header.stamp = Time(nanosec=50_000_000)  # 0.05 s later
+    >>> image.signalMessage(picture)
+    >>> info.signalMessage(camera)
+    a pair
     """
 
     def __init__(

@@ -132,7 +132,13 @@ def create_node(
     allow_undeclared_parameters: bool = False,
     automatically_declare_parameters_from_overrides: bool = False,
 ) -> Any:
-    """Create a node."""
+    """Create a node.
+
+    >>> camera = rclpy.create_node("camera", namespace="robot1")
+    >>> camera.get_fully_qualified_name()
+    '/robot1/camera'
+    >>> camera.destroy_node()
+    """
     from rclpy.node import Node
 
     return Node(
@@ -150,7 +156,13 @@ def create_node(
 
 
 def spin_once(node: Any, *, executor: Any = None, timeout_sec: float | None = None) -> None:
-    """Wait for one callback of `node`, for at most `timeout_sec`, and run it."""
+    """Wait for one callback of `node`, for at most `timeout_sec`, and run it.
+
+    >>> timer = node.create_timer(1.0, lambda: print("tick"))
+    >>> rclpy.spin_once(node, timeout_sec=0.5)  # too short for the timer
+    >>> rclpy.spin_once(node)
+    tick
+    """
     executor = get_global_executor() if executor is None else executor
     added = False
     try:
@@ -162,7 +174,13 @@ def spin_once(node: Any, *, executor: Any = None, timeout_sec: float | None = No
 
 
 def spin(node: Any, executor: Any = None) -> None:
-    """Run the callbacks of `node` until the context is shut down."""
+    """Run the callbacks of `node` until the context is shut down.
+
+    >>> timer = node.create_timer(1.0, rclpy.shutdown)  # otherwise Ctrl-C ends it
+    >>> rclpy.spin(node)
+    >>> rclpy.ok()
+    False
+    """
     executor = get_global_executor() if executor is None else executor
     try:
         executor.add_node(node)
@@ -176,7 +194,14 @@ def spin(node: Any, executor: Any = None) -> None:
 def spin_until_future_complete(
     node: Any, future: Any, executor: Any = None, timeout_sec: float | None = None
 ) -> None:
-    """Run the callbacks of `node` until `future` is done, for at most `timeout_sec`."""
+    """Run the callbacks of `node` until `future` is done, for at most `timeout_sec`.
+
+    >>> future = rclpy.task.Future()
+    >>> timer = node.create_timer(1.0, lambda: future.set_result("done"))
+    >>> rclpy.spin_until_future_complete(node, future, timeout_sec=5.0)
+    >>> future.result()
+    'done'
+    """
     executor = get_global_executor() if executor is None else executor
     added = False
     try:

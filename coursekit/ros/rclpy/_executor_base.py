@@ -92,7 +92,16 @@ class Executor(Work):
             spin_once()
 
     def spin_until_future_complete(self, future: Future, timeout_sec: float | None = None) -> None:
-        """Run callbacks until `future` is done, for at most `timeout_sec` (None or negative: no limit)."""
+        """Run callbacks until `future` is done, for at most `timeout_sec` (None or negative: no limit).
+
+        >>> executor = rclpy.executors.SingleThreadedExecutor()
+        >>> executor.add_node(node)
+        True
+        >>> future = executor.create_task(lambda: 42)
+        >>> executor.spin_until_future_complete(future)
+        >>> future.result()
+        42
+        """
         future.add_done_callback(lambda _: self.wake())
         timeout = TimeoutObject(timeout_sec if timeout_sec is None or timeout_sec >= 0 else None)
         while self._context.ok() and not future.done() and not self._is_shutdown:

@@ -111,7 +111,14 @@ class NodeEntities:
         qos_overriding_options: QoSOverridingOptions | None = None,
         publisher_class: type[Publisher] = Publisher,
     ) -> Any:
-        """Create a publisher; `qos_profile` may be just the queue depth."""
+        """Create a publisher; `qos_profile` may be just the queue depth.
+
+        >>> from std_msgs.msg import String
+        >>> publisher = node.create_publisher(String, "chatter", 10)
+        >>> publisher.publish(String(data="hello"))
+        >>> publisher.topic_name
+        '/chatter'
+        """
         profile = _validated_qos(qos_profile)
         group = callback_group or self.default_callback_group
         check_is_valid_msg_type(msg_type)
@@ -140,7 +147,14 @@ class NodeEntities:
         qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool = False,
     ) -> Subscription:
-        """Create a subscription; `callback(msg)` runs in the node's executor. With `raw`, it receives bytes."""
+        """Create a subscription; `callback(msg)` runs in the node's executor. With `raw`, it receives bytes.
+
+        >>> from std_msgs.msg import String
+        >>> subscription = node.create_subscription(String, "chatter", lambda msg: print(msg.data), 10)
+        >>> node.create_publisher(String, "chatter", 10).publish(String(data="hello"))
+        >>> rclpy.spin_once(node)
+        hello
+        """
         profile = _validated_qos(qos_profile)
         group = callback_group or self.default_callback_group
         check_is_valid_msg_type(msg_type)
@@ -173,7 +187,13 @@ class NodeEntities:
         qos_profile: QoSProfile = qos_profile_services_default,
         callback_group: Any = None,
     ) -> Client:
-        """Create a service client."""
+        """Create a service client.
+
+        >>> from example_interfaces.srv import AddTwoInts
+        >>> client = node.create_client(AddTwoInts, "add_two_ints")
+        >>> client.wait_for_service(timeout_sec=1.0)  # its server does not run
+        False
+        """
         group = callback_group or self.default_callback_group
         check_is_valid_srv_type(srv_type)
         full = self._rclpy_checked(srv_name, "service")  # type: ignore[attr-defined]
@@ -191,7 +211,18 @@ class NodeEntities:
         qos_profile: QoSProfile = qos_profile_services_default,
         callback_group: Any = None,
     ) -> Service:
-        """Create a service; `callback(request, response)` fills and returns the response."""
+        """Create a service; `callback(request, response)` fills and returns the response.
+
+        >>> from example_interfaces.srv import AddTwoInts
+        >>> def add(request, response):
+        ...     response.sum = request.a + request.b
+        ...     return response
+        >>> service = node.create_service(AddTwoInts, "add_two_ints", add)
+        >>> future = node.create_client(AddTwoInts, "add_two_ints").call_async(AddTwoInts.Request(a=1, b=2))
+        >>> rclpy.spin_until_future_complete(node, future)
+        >>> future.result().sum
+        3
+        """
         group = callback_group or self.default_callback_group
         check_is_valid_srv_type(srv_type)
         full = self._rclpy_checked(srv_name, "service")  # type: ignore[attr-defined]
@@ -208,7 +239,12 @@ class NodeEntities:
         clock: Clock | None = None,
         autostart: bool = True,
     ) -> Timer:
-        """Create a timer that calls `callback` every `timer_period_sec` seconds."""
+        """Create a timer that calls `callback` every `timer_period_sec` seconds.
+
+        >>> timer = node.create_timer(0.5, lambda: print("tick"))
+        >>> rclpy.spin_once(node)  # returns after half a second
+        tick
+        """
         group = callback_group or self.default_callback_group
         period_ns = int(float(timer_period_sec) * 1_000_000_000)
         timer = Timer(
@@ -219,12 +255,28 @@ class NodeEntities:
         return timer
 
     def create_guard_condition(self, callback: Callable[[], Any], callback_group: Any = None) -> GuardCondition:
-        """Create a guard condition; its callback runs when it is triggered."""
+        """Create a guard condition; its callback runs when it is triggered.
+
+        >>> guard = node.create_guard_condition(lambda: print("triggered"))
+        >>> guard.trigger()
+        >>> rclpy.spin_once(node)
+        triggered
+        """
         group = callback_group or self.default_callback_group
         return self._rclpy_own(self._rclpy_guards, GuardCondition(callback, group, context=self._context), group)
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
-        """Create a rate; its `sleep` returns `frequency` times a second."""
+        """Create a rate; its `sleep` returns `frequency` times a second, while another thread spins the node.
+
+        >>> import threading
+        >>> spinning = threading.Thread(target=rclpy.spin, args=[node], daemon=True)
+        >>> spinning.start()
+        >>> rate = node.create_rate(2.0)
+        >>> begin = node.get_clock().now()
+        >>> rate.sleep()
+        >>> (node.get_clock().now() - begin).nanoseconds
+        500000000
+        """
         if frequency <= 0:
             raise ValueError("frequency must be > 0")
         self._rate_group = self._rate_group or ReentrantCallbackGroup()

@@ -44,7 +44,11 @@ class NodeGraph:
     def get_publisher_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> NamesAndTypes:
-        """Topics that a node publishes."""
+        """Topics that a node publishes.
+
+        >>> [name for name, types in node.get_publisher_names_and_types_by_node("robot", "/")]
+        ['/parameter_events', '/rosout']
+        """
         return names_and_types(self._rclpy_endpoints_of("publishers", node_name, node_namespace))
 
     def get_subscriber_names_and_types_by_node(
@@ -62,15 +66,29 @@ class NodeGraph:
         return names_and_types(self._rclpy_endpoints_of("clients", node_name, node_namespace))
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:
-        """All topics."""
+        """All topics.
+
+        >>> dict(node.get_topic_names_and_types())["/rosout"]
+        ['rcl_interfaces/msg/Log']
+        """
         return self._rclpy_graph.topics()
 
     def get_service_names_and_types(self) -> NamesAndTypes:
-        """All services."""
+        """All services.
+
+        >>> from std_srvs.srv import Trigger
+        >>> service = node.create_service(Trigger, "stop", lambda request, response: response)
+        >>> dict(node.get_service_names_and_types())["/stop"]
+        ['std_srvs/srv/Trigger']
+        """
         return self._rclpy_graph.services()
 
     def get_node_names(self) -> list[str]:
-        """Names of all nodes."""
+        """Names of all nodes.
+
+        >>> node.get_node_names()
+        ['robot']
+        """
         return [node.name for node in list(self._rclpy_graph.nodes)]
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
@@ -91,7 +109,13 @@ class NodeGraph:
         return len(self._rclpy_graph.publishers.get(self._rclpy_resolved(topic_name, "topic"), ()))
 
     def count_subscribers(self, topic_name: str) -> int:
-        """The number of subscriptions to a topic."""
+        """The number of subscriptions to a topic.
+
+        >>> from std_msgs.msg import String
+        >>> subscription = node.create_subscription(String, "chatter", print, 10)
+        >>> node.count_subscribers("/chatter"), node.count_publishers("/chatter")
+        (1, 0)
+        """
         return len(self._rclpy_graph.subscriptions.get(self._rclpy_resolved(topic_name, "topic"), ()))
 
     def count_services(self, service_name: str) -> int:
@@ -105,7 +129,13 @@ class NodeGraph:
     def get_publishers_info_by_topic(
         self, topic_name: str, no_mangle: bool = False
     ) -> list[TopicEndpointInfo]:
-        """The publishers of a topic."""
+        """The publishers of a topic.
+
+        >>> from std_msgs.msg import String
+        >>> publisher = node.create_publisher(String, "chatter", 10)
+        >>> [(info.node_name, info.topic_type) for info in node.get_publishers_info_by_topic("/chatter")]
+        [('robot', 'std_msgs/msg/String')]
+        """
         name = topic_name if no_mangle else self._rclpy_resolved(topic_name, "topic")
         kind = TopicEndpointTypeEnum.PUBLISHER
         return [_info(one, kind) for one in list(self._rclpy_graph.publishers.get(name, ()))]

@@ -39,7 +39,16 @@ class NodeParameters(ParameterSetting):
         descriptor: ParameterDescriptor | None = None,
         ignore_override: bool = False,
     ) -> Parameter:
-        """Declare a parameter with its default value or its type, and return it."""
+        """Declare a parameter with its default value or its type, and return it.
+
+        >>> node.declare_parameter("speed", 0.5).value
+        0.5
+        >>> from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor
+        >>> limits = [FloatingPointRange(from_value=0.0, to_value=1.0)]
+        >>> turn = node.declare_parameter("turn", 0.2, ParameterDescriptor(floating_point_range=limits))
+        >>> node.set_parameters([rclpy.parameter.Parameter("turn", value=9.0)])[0].successful
+        False
+        """
         declaration: Declaration
         if value is None and descriptor is None:
             declaration = (name,)
@@ -48,7 +57,12 @@ class NodeParameters(ParameterSetting):
         return self.declare_parameters("", [declaration], ignore_override)[0]
 
     def declare_parameters(self, namespace: str, parameters: list[Any], ignore_override: bool = False) -> list[Parameter]:
-        """Declare several parameters: tuples of (name), (name, value or type) or (name, value or type, descriptor)."""
+        """Declare several parameters: tuples of (name), (name, value or type) or (name, value or type, descriptor).
+
+        >>> pair = node.declare_parameters("wheel", [("radius", 0.03), ("count", 4)])
+        >>> node.get_parameter("wheel.radius").value
+        0.03
+        """
         declared: list[Parameter] = []
         descriptors: dict[str, ParameterDescriptor] = {}
         for index, declaration in enumerate(parameters):
@@ -87,7 +101,13 @@ class NodeParameters(ParameterSetting):
         raise InvalidParameterValueException(parameter.name, parameter.value, result.reason)
 
     def undeclare_parameter(self, name: str) -> None:
-        """Undeclare a parameter."""
+        """Undeclare a parameter.
+
+        >>> speed = node.declare_parameter("speed", 0.5)
+        >>> node.undeclare_parameter("speed")
+        >>> node.has_parameter("speed")
+        False
+        """
         if not self.has_parameter(name):
             raise ParameterNotDeclaredException(name)
         if self._descriptors[name].read_only:
@@ -96,7 +116,11 @@ class NodeParameters(ParameterSetting):
         del self._descriptors[name]
 
     def has_parameter(self, name: str) -> bool:
-        """Whether a parameter is declared."""
+        """Whether a parameter is declared.
+
+        >>> node.has_parameter("speed")
+        False
+        """
         return name in self._parameters
 
     def _rclpy_listed_names(self) -> list[str]:
@@ -126,7 +150,12 @@ class NodeParameters(ParameterSetting):
         return [self.get_parameter(name) for name in names]
 
     def get_parameter(self, name: str) -> Parameter:
-        """A parameter; an undeclared one is an error unless the node allows undeclared parameters."""
+        """A parameter; an undeclared one is an error unless the node allows undeclared parameters.
+
+        >>> speed = node.declare_parameter("speed", 0.5)
+        >>> node.get_parameter("speed").value
+        0.5
+        """
         if name in self._parameters:
             parameter = self._parameters[name]
             if parameter.type_ != Parameter.Type.NOT_SET or self._descriptors[name].dynamic_typing:
@@ -137,7 +166,11 @@ class NodeParameters(ParameterSetting):
         raise ParameterNotDeclaredException(name)
 
     def get_parameter_or(self, name: str, alternative_value: Parameter | None = None) -> Parameter:
-        """A parameter, or the alternative when it has no value."""
+        """A parameter, or the alternative when it has no value.
+
+        >>> node.get_parameter_or("speed", rclpy.parameter.Parameter("speed", value=0.1)).value
+        0.1
+        """
         if alternative_value is None:
             alternative_value = Parameter(name, Parameter.Type.NOT_SET)
         if not self.has_parameter(name) or self._parameters[name].type_ == Parameter.Type.NOT_SET:
@@ -145,14 +178,24 @@ class NodeParameters(ParameterSetting):
         return self._parameters[name]
 
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
-        """The parameters below `prefix.`, keyed by the rest of their names."""
+        """The parameters below `prefix.`, keyed by the rest of their names.
+
+        >>> pair = node.declare_parameters("wheel", [("radius", 0.03), ("count", 4)])
+        >>> {name: parameter.value for name, parameter in node.get_parameters_by_prefix("wheel").items()}
+        {'radius': 0.03, 'count': 4}
+        """
         start = f"{prefix}{PARAMETER_SEPARATOR_STRING}" if prefix else ""
         return {
             name.removeprefix(start): parameter for name, parameter in self._parameters.items() if name.startswith(start)
         }
 
     def describe_parameter(self, name: str) -> ParameterDescriptor:
-        """The descriptor of a parameter."""
+        """The descriptor of a parameter.
+
+        >>> speed = node.declare_parameter("speed", 0.5)
+        >>> node.describe_parameter("speed").type  # ParameterType.PARAMETER_DOUBLE
+        3
+        """
         if name in self._descriptors:
             return self._descriptors[name]
         if self._allow_undeclared_parameters:

@@ -31,7 +31,14 @@ class ParameterSetting:
     _parameter_event_publisher: Any
 
     def set_parameters(self, parameter_list: list[Parameter]) -> list[SetParametersResult]:
-        """Set several parameters one by one. The first undeclared one raises an error, unless the node allows them."""
+        """Set several parameters one by one. The first undeclared one raises an error, unless the node allows them.
+
+        >>> speed = node.declare_parameter("speed", 0.5)
+        >>> node.set_parameters([rclpy.parameter.Parameter("speed", value=1.0)])[0].successful
+        True
+        >>> node.get_parameter("speed").value
+        1.0
+        """
         results = []
         for parameter in parameter_list:
             self._rclpy_check_declared([parameter])
@@ -39,7 +46,13 @@ class ParameterSetting:
         return results
 
     def set_parameters_atomically(self, parameter_list: list[Parameter]) -> SetParametersResult:
-        """Set all or none."""
+        """Set all or none.
+
+        >>> pair = node.declare_parameters("", [("kp", 1.0), ("kd", 0.1)])
+        >>> Parameter = rclpy.parameter.Parameter
+        >>> node.set_parameters_atomically([Parameter("kp", value=2.0), Parameter("kd", value=0.2)]).successful
+        True
+        """
         self._rclpy_check_declared(parameter_list)
         return self._rclpy_set(parameter_list)
 
@@ -147,7 +160,17 @@ class ParameterSetting:
     # -- callbacks
 
     def add_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], SetParametersResult]) -> None:
-        """Let `callback(parameters)` accept or refuse every change; the newest callback is called first."""
+        """Let `callback(parameters)` accept or refuse every change; the newest callback is called first.
+
+        >>> from rcl_interfaces.msg import SetParametersResult
+        >>> speed = node.declare_parameter("speed", 0.5)
+        >>> def check(parameters):
+        ...     slow = all(parameter.value <= 1.0 for parameter in parameters)
+        ...     return SetParametersResult(successful=slow, reason="" if slow else "too fast")
+        >>> node.add_on_set_parameters_callback(check)
+        >>> node.set_parameters([rclpy.parameter.Parameter("speed", value=9.0)])[0].reason
+        'too fast'
+        """
         self._parameters_callbacks.insert(0, callback)
 
     def remove_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], SetParametersResult]) -> None:

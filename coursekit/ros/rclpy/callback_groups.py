@@ -35,7 +35,13 @@ class CallbackGroup:
 
 
 class ReentrantCallbackGroup(CallbackGroup):
-    """All callbacks may run at the same time."""
+    """All callbacks may run at the same time.
+
+    >>> group = ReentrantCallbackGroup()
+    >>> timer = node.create_timer(1.0, lambda: None, callback_group=group)
+    >>> group.has_entity(timer)
+    True
+    """
 
     def can_execute(self, entity: Any) -> bool:
         return True
@@ -48,7 +54,13 @@ class ReentrantCallbackGroup(CallbackGroup):
 
 
 class MutuallyExclusiveCallbackGroup(CallbackGroup):
-    """One callback at a time."""
+    """One callback at a time.
+
+    >>> group = MutuallyExclusiveCallbackGroup()
+    >>> timers = [node.create_timer(1.0, lambda: print("tick"), group) for _ in range(2)]
+    >>> all(group.has_entity(timer) for timer in timers)
+    True
+    """
 
     def __init__(self) -> None:
         super().__init__()

@@ -48,7 +48,15 @@ class Client:
         return future.result()
 
     def call_async(self, request: Any) -> Future:
-        """Send a request; the future gets the response."""
+        """Send a request; the future gets the response.
+
+        >>> from std_srvs.srv import Trigger
+        >>> service = node.create_service(Trigger, "stop", lambda request, response: Trigger.Response(success=True))
+        >>> future = node.create_client(Trigger, "stop").call_async(Trigger.Request())
+        >>> rclpy.spin_until_future_complete(node, future)
+        >>> future.result().success
+        True
+        """
         self._check_request(request)
         with self._lock, self.__client:
             number = self.__client.core.peek_number()
@@ -81,7 +89,13 @@ class Client:
             return self.__client.service_server_is_available()
 
     def wait_for_service(self, timeout_sec: float | None = None) -> bool:
-        """Wait for a server, for at most `timeout_sec`; return whether there is one."""
+        """Wait for a server, for at most `timeout_sec`; return whether there is one.
+
+        >>> from std_srvs.srv import Trigger
+        >>> client = node.create_client(Trigger, "stop")
+        >>> client.wait_for_service(timeout_sec=1.0)
+        False
+        """
         clock = current().clock
         deadline = None if timeout_sec is None or timeout_sec < 0 else clock.steady() + int(timeout_sec * 1e9)
         changed = clock.new_event()

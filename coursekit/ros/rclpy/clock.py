@@ -169,7 +169,15 @@ class Clock:
         return _Sleep(self, until.nanoseconds, context).run()
 
     def sleep_for(self, rel_time: Duration, context: Any = None) -> bool:
-        """Sleep for a duration of this clock."""
+        """Sleep for a duration of this clock.
+
+        >>> clock = node.get_clock()
+        >>> begin = clock.now()
+        >>> clock.sleep_for(rclpy.duration.Duration(seconds=1.5))
+        True
+        >>> (clock.now() - begin).nanoseconds
+        1500000000
+        """
         return self.sleep_until(self.now() + rel_time, context)
 
 

@@ -43,7 +43,16 @@ _ONE_THREAD = "MultiThreadedExecutor is used with a single thread.\nUse the Sing
 
 
 class SingleThreadedExecutor(Executor):
-    """Runs callbacks one after the other in the thread that spins."""
+    """Runs callbacks one after the other in the thread that spins.
+
+    >>> other = rclpy.create_node("other")
+    >>> executor = rclpy.executors.SingleThreadedExecutor()
+    >>> executor.add_node(node), executor.add_node(other)
+    (True, True)
+    >>> timer = other.create_timer(1.0, lambda: print("tick of the other node"))
+    >>> executor.spin_once()
+    tick of the other node
+    """
 
     def __init__(self, *, context: Any = None) -> None:
         super().__init__(context=context)
@@ -70,6 +79,23 @@ class MultiThreadedExecutor(Executor):
 
     The default of `num_threads` is the number of processors that this program may use. The next spin raises a callback's
     exception. `shutdown` does not wait for running callbacks; the end of a program does.
+
+    >>> import threading
+    >>> both = threading.Barrier(2)  # two threads must meet here
+    >>> together = rclpy.callback_groups.ReentrantCallbackGroup()
+    >>> def meet():
+    ...     both.wait()
+    ...     done.set_result("both callbacks ran at the same time") if not done.done() else None
+    >>> done = rclpy.task.Future()
+    >>> timers = [node.create_timer(1.0, meet, together), node.create_timer(1.0, meet, together)]
+    >>> executor = rclpy.executors.MultiThreadedExecutor(num_threads=2)
+    >>> executor.add_node(node)
+    True
+    >>> executor.spin_until_future_complete(done)
+    >>> done.result()
+    'both callbacks ran at the same time'
+    >>> executor.shutdown()
+    True
     """
 
     def __init__(self, num_threads: int | None = None, *, context: Any = None) -> None:

@@ -66,6 +66,19 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
 
     Its private names begin with `_rclpy_`, except those that Humble's nodes also have. A program's node inherits them, and
     may define names such as `_check`, `_graph` and `_publishers` itself.
+
+    >>> class Counter(rclpy.node.Node):
+    ...     def __init__(self):
+    ...         super().__init__("counter")
+    ...         self.count = 0
+    ...         self.timer = self.create_timer(0.5, self.tick)
+    ...
+    ...     def tick(self):
+    ...         self.count += 1
+    >>> counter = Counter()
+    >>> rclpy.spin_once(counter)
+    >>> counter.count
+    1
     """
 
     _rclpy_handle: Any
@@ -229,7 +242,14 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         return self.handle.get_fully_qualified_name()
 
     def get_clock(self) -> Clock:
-        """The node's clock: ROS time."""
+        """The node's clock: ROS time.
+
+        >>> begin = node.get_clock().now()
+        >>> timer = node.create_timer(2.0, lambda: None)
+        >>> rclpy.spin_once(node)
+        >>> (node.get_clock().now() - begin).nanoseconds
+        2000000000
+        """
         return self._clock
 
     def get_logger(self) -> Any:
@@ -239,7 +259,11 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
     # -- names
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        """The full name of a topic, after remapping."""
+        """The full name of a topic, after remapping.
+
+        >>> node.resolve_topic_name("scan"), node.resolve_topic_name("~/pose")
+        ('/scan', '/robot/pose')
+        """
         return self._rclpy_resolve(topic, "topic", only_expand)
 
     def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:

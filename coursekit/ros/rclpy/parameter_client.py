@@ -27,6 +27,17 @@ class AsyncParameterClient:
     """Gets and sets the parameters of the node `remote_node_name`; every response is a Future.
 
     The `callback` of each method, when given, is called with that future once it is done.
+
+    >>> other = rclpy.create_node("other")
+    >>> speed = other.declare_parameter("speed", 0.5)
+    >>> client = AsyncParameterClient(node, "other")
+    >>> future = client.get_parameters(["speed"])
+    >>> executor = rclpy.executors.SingleThreadedExecutor()
+    >>> executor.add_node(node), executor.add_node(other)
+    (True, True)
+    >>> executor.spin_until_future_complete(future)
+    >>> future.result().values[0].double_value
+    0.5
     """
 
     def __init__(

@@ -28,7 +28,18 @@ class ParameterEventCallbackHandle:
 
 
 class ParameterEventHandler:
-    """Runs callbacks when parameters of any node are declared or changed, as reported on `/parameter_events`."""
+    """Runs callbacks when parameters of any node are declared or changed, as reported on `/parameter_events`.
+
+    >>> handler = ParameterEventHandler(node)
+    >>> speed = node.declare_parameter("speed", 0.5)
+    >>> tell = lambda parameter: print("now", parameter.value.double_value)
+    >>> heard = handler.add_parameter_callback("speed", "robot", tell)
+    >>> results = node.set_parameters([rclpy.parameter.Parameter("speed", value=1.0)])
+    >>> rclpy.spin_once(node)
+    now 0.5
+    >>> rclpy.spin_once(node)
+    now 1.0
+    """
 
     def __init__(
         self,

@@ -36,7 +36,14 @@ class Publisher:
         self._context_ok: Any = None
 
     def publish(self, msg: Any) -> None:
-        """Send a copy of `msg`, which may also be a serialized message (bytes)."""
+        """Send a copy of `msg`, which may also be a serialized message (bytes).
+
+        >>> from geometry_msgs.msg import Twist
+        >>> publisher = node.create_publisher(Twist, "cmd_vel", 10)
+        >>> msg = Twist()
+        >>> msg.linear.x = 0.2  # m/s
+        >>> publisher.publish(msg)
+        """
         if not self.__publisher.valid:
             self.__publisher.check()
         if not isinstance(msg, self.msg_type):
@@ -50,7 +57,14 @@ class Publisher:
         self._core.publish(msg)
 
     def get_subscription_count(self) -> int:
-        """The number of matched subscriptions."""
+        """The number of matched subscriptions.
+
+        >>> from std_msgs.msg import String
+        >>> publisher = node.create_publisher(String, "chatter", 10)
+        >>> subscription = node.create_subscription(String, "chatter", print, 10)
+        >>> publisher.get_subscription_count()
+        1
+        """
         with self.__publisher:
             return len(self._core.targets)
 
@@ -82,7 +96,14 @@ class Publisher:
             self._core.assert_liveliness()
 
     def wait_for_all_acked(self, timeout: Duration = Duration(seconds=-1)) -> bool:
-        """Always True: a message is in the subscriptions' queues when `publish` returns."""
+        """Always True: a message is in the subscriptions' queues when `publish` returns.
+
+        >>> from std_msgs.msg import String
+        >>> publisher = node.create_publisher(String, "chatter", 10)
+        >>> publisher.publish(String(data="hello"))
+        >>> publisher.wait_for_all_acked()
+        True
+        """
         with self.__publisher:
             return True
 

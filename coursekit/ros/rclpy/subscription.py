@@ -70,7 +70,13 @@ class Subscription:
             return self._core.name
 
     def get_publisher_count(self) -> int:
-        """The number of matched publishers."""
+        """The number of matched publishers.
+
+        >>> from std_msgs.msg import String
+        >>> subscription = node.create_subscription(String, "chatter", print, 10)
+        >>> subscription.get_publisher_count()
+        0
+        """
         with self.__subscription:
             return sum(self._core in one.targets for one in self._core.graph.publishers.get(self._core.name, ()))
 

@@ -88,7 +88,13 @@ class Future:
         self._run_callbacks()
 
     def add_done_callback(self, callback: Callable[[Any], Any]) -> None:
-        """Call `callback(future)` when done, or at once if the future is already done."""
+        """Call `callback(future)` when done, or at once if the future is already done.
+
+        >>> future = Future()
+        >>> future.add_done_callback(lambda future: print("result:", future.result()))
+        >>> future.set_result(3)
+        result: 3
+        """
         with self._lock:
             pending = not self._done
             if pending:

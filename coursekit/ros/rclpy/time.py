@@ -53,7 +53,11 @@ class Time:
         return self._ns
 
     def seconds_nanoseconds(self) -> tuple[int, int]:
-        """Return whole seconds and the nanoseconds beyond them."""
+        """Return whole seconds and the nanoseconds beyond them.
+
+        >>> Time(nanoseconds=1_500_000_000).seconds_nanoseconds()
+        (1, 500000000)
+        """
         return divmod(self._ns, CONVERSION_CONSTANT)
 
     @property
@@ -119,13 +123,23 @@ class Time:
         return other._ns
 
     def to_msg(self) -> TimeMsg:
-        """Return a builtin_interfaces/msg/Time (without the kind of clock)."""
+        """Return a builtin_interfaces/msg/Time (without the kind of clock).
+
+        >>> msg = Time(seconds=1, nanoseconds=500).to_msg()
+        >>> msg.sec, msg.nanosec
+        (1, 500)
+        """
         seconds, nanoseconds = divmod(self._ns, CONVERSION_CONSTANT)
         return TimeMsg(sec=seconds, nanosec=nanoseconds)
 
     @classmethod
     def from_msg(cls, msg: Any, clock_type: ClockType = ClockType.ROS_TIME) -> Time:
-        """Return the time of a builtin_interfaces/msg/Time; TypeError for anything else."""
+        """Return the time of a builtin_interfaces/msg/Time; TypeError for anything else.
+
+        >>> from builtin_interfaces.msg import Time as TimeMsg
+        >>> Time.from_msg(TimeMsg(sec=1, nanosec=500)).nanoseconds
+        1000000500
+        """
         if not isinstance(msg, TimeMsg):
             raise TypeError("Must pass a builtin_interfaces.msg.Time object")
         return cls(seconds=msg.sec, nanoseconds=msg.nanosec, clock_type=clock_type)

@@ -87,12 +87,25 @@ class Timer:
             return self.__timer.is_timer_canceled()
 
     def cancel(self) -> None:
-        """Stop the timer; `reset` starts it again."""
+        """Stop the timer; `reset` starts it again.
+
+        >>> timer = node.create_timer(0.5, lambda: print("tick"))
+        >>> timer.cancel()
+        >>> timer.is_canceled(), timer.time_until_next_call()
+        (True, None)
+        """
         with self.__timer:
             self.__timer.cancel_timer()
 
     def reset(self) -> None:
-        """Restart the period, whether cancelled or not."""
+        """Restart the period, whether cancelled or not.
+
+        >>> timer = node.create_timer(0.5, lambda: print("tick"))
+        >>> timer.cancel()
+        >>> timer.reset()
+        >>> rclpy.spin_once(node)
+        tick
+        """
         with self.__timer:
             self.__timer.reset_timer()
 

@@ -14,7 +14,13 @@ __getattr__ = lender(__name__)  # names that programs import from here
 def wait_for_message(
     msg_type: Any, node: Any, topic: str, time_to_wait: float | int = -1, *, qos_profile: Any = 1
 ) -> tuple[bool, Any]:
-    """(True, message) for the next message on `topic`; (False, None) after `time_to_wait` seconds (-1: no limit)."""
+    """(True, message) for the next message on `topic`; (False, None) after `time_to_wait` seconds (-1: no limit).
+
+    >>> from std_msgs.msg import String
+    >>> from rclpy.wait_for_message import wait_for_message
+    >>> wait_for_message(String, node, "/chatter", time_to_wait=1.0)  # nobody publishes
+    (False, None)
+    """
     received = Future()
 
     def receive(msg: Any) -> None:

@@ -54,6 +54,11 @@ def read_points(
 
     `field_names` chooses fields, `skip_nans` drops points with a NaN, `uvs` chooses points by index.
     Raises AssertionError for anything but a PointCloud2 and for unknown fields.
+
+    >>> from std_msgs.msg import Header
+    >>> cloud = create_cloud_xyz32(Header(frame_id="lidar"), [(1.0, 2.0, 3.0), (4.0, 5.0, 6.0)])
+    >>> read_points(cloud, field_names=["x", "z"])["z"].tolist()
+    [3.0, 6.0]
     """
     assert isinstance(cloud, PointCloud2), "Cloud is not a sensor_msgs.msg.PointCloud2"
     dtype = dtype_from_fields(cloud.fields, cloud.point_step)
@@ -88,7 +93,13 @@ def read_points_numpy(
     uvs: Iterable[int] | None = None,
     reshape_organized_cloud: bool = False,
 ) -> np.ndarray[Any, Any]:
-    """Return fields of one type as a plain array, one row per point; raises AssertionError for mixed types."""
+    """Return fields of one type as a plain array, one row per point; raises AssertionError for mixed types.
+
+    >>> from std_msgs.msg import Header
+    >>> cloud = create_cloud_xyz32(Header(frame_id="lidar"), [(1.0, 2.0, 3.0), (4.0, 5.0, 6.0)])
+    >>> read_points_numpy(cloud).shape
+    (2, 3)
+    """
     kinds = {field.datatype for field in cloud.fields if field_names is None or field.name in field_names}
     assert len(kinds) <= 1, (
         "All fields need to have the same datatype. Use `read_points()` otherwise."

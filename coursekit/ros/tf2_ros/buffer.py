@@ -79,6 +79,15 @@ class Buffer(BufferCore, BufferInterface):
 
         `time` Time() is the newest. Raises LookupException, ConnectivityException, ExtrapolationException,
         InvalidArgumentException.
+
+        >>> from geometry_msgs.msg import TransformStamped
+        >>> camera = TransformStamped()
+        >>> camera.header.frame_id, camera.child_frame_id = "base_link", "camera"
+        >>> camera.transform.translation.x = 0.1  # m
+        >>> buffer = Buffer()
+        >>> buffer.set_transform_static(camera, "example")
+        >>> buffer.lookup_transform("base_link", "camera", rclpy.time.Time()).transform.translation.x
+        0.1
         """
         if timeout is not _AT_ONCE and timeout != _AT_ONCE:
             self._wait(lambda: self.can_transform_core(target_frame, source_frame, time)[0], timeout)
@@ -122,7 +131,11 @@ class Buffer(BufferCore, BufferInterface):
         timeout: Duration = _AT_ONCE,
         return_debug_tuple: bool = False,
     ) -> Any:
-        """Whether the lookup would succeed within `timeout`; with `return_debug_tuple` also the reason why not."""
+        """Whether the lookup would succeed within `timeout`; with `return_debug_tuple` also the reason why not.
+
+        >>> bool(Buffer().can_transform("map", "base_link", rclpy.time.Time()))
+        False
+        """
         return self._can(lambda: self.can_transform_core(target_frame, source_frame, time), timeout, return_debug_tuple)
 
     def can_transform_full(

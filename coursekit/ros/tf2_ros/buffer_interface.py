@@ -42,6 +42,19 @@ class BufferInterface:
         """A stamped message in another frame, at its own time, optionally converted to `new_type`.
 
         Raises TypeException for a type that is not registered (import tf2_geometry_msgs), and the errors of a lookup.
+
+        >>> import tf2_geometry_msgs  # teaches the buffer to transform the messages of geometry_msgs
+        >>> from geometry_msgs.msg import PointStamped, TransformStamped
+        >>> from tf2_ros import Buffer
+        >>> camera = TransformStamped()
+        >>> camera.header.frame_id, camera.child_frame_id = "base_link", "camera"
+        >>> camera.transform.translation.x = 0.1  # m
+        >>> buffer = Buffer()
+        >>> buffer.set_transform_static(camera, "example")
+        >>> point = PointStamped()
+        >>> point.header.frame_id, point.point.x = "camera", 2.0
+        >>> buffer.transform(point, "base_link").point.x
+        2.1
         """
         do_transform = self.registration.get(type(object_stamped))
         header = object_stamped.header

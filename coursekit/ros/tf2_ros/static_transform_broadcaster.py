@@ -22,7 +22,13 @@ class StaticTransformBroadcaster:
         self.net_message = TFMessage()
 
     def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
-        """Send one transform, or several; a transform of a known child replaces the old one."""
+        """Send one transform, or several; a transform of a known child replaces the old one.
+
+        >>> from geometry_msgs.msg import TransformStamped
+        >>> msg = TransformStamped()
+        >>> msg.header.frame_id, msg.child_frame_id = "base_link", "camera"
+        >>> StaticTransformBroadcaster(node).sendTransform(msg)
+        """
         known = {sent.child_frame_id: sent for sent in self.net_message.transforms}
         known.update((new.child_frame_id, new) for new in as_list(transform))
         self.net_message.transforms = list(known.values())

@@ -17,7 +17,14 @@ class TransformBroadcaster:
         self.pub_tf = node.create_publisher(TFMessage, "/tf", QoSProfile(depth=100) if qos is None else qos)
 
     def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
-        """Send one transform, or several in one message."""
+        """Send one transform, or several in one message.
+
+        >>> from geometry_msgs.msg import TransformStamped
+        >>> msg = TransformStamped()
+        >>> msg.header.stamp = node.get_clock().now().to_msg()
+        >>> msg.header.frame_id, msg.child_frame_id = "odom", "base_link"
+        >>> TransformBroadcaster(node).sendTransform(msg)
+        """
         self.pub_tf.publish(TFMessage(transforms=as_list(transform)))
 
 

@@ -23,6 +23,17 @@ class TransformListener:
 
     With `spin_thread`, a thread of the listener's own spins the node. `static_only` leaves /tf out. If `node` is None,
     the listener creates a hidden node.
+
+    >>> from geometry_msgs.msg import TransformStamped
+    >>> from tf2_ros import Buffer, StaticTransformBroadcaster
+    >>> buffer = Buffer()
+    >>> listener = TransformListener(buffer, node)
+    >>> msg = TransformStamped()
+    >>> msg.header.frame_id, msg.child_frame_id = "base_link", "camera"
+    >>> StaticTransformBroadcaster(node).sendTransform(msg)
+    >>> rclpy.spin_once(node)
+    >>> bool(buffer.can_transform("base_link", "camera", rclpy.time.Time()))
+    True
     """
 
     def __init__(

@@ -26,6 +26,13 @@ class DeclareLaunchArgument(Action):
     """Declares an argument of a launch file, with a default, a description and choices.
 
     An argument without a default must be given on the command line or by the including file.
+
+    >>> from launch import LaunchContext
+    >>> from launch.substitutions import LaunchConfiguration
+    >>> context = LaunchContext()
+    >>> DeclareLaunchArgument("robot", default_value="burger", choices=["burger", "waffle"]).execute(context)
+    >>> LaunchConfiguration("robot").perform(context)
+    'burger'
     """
 
     def __init__(

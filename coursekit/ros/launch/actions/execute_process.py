@@ -24,6 +24,10 @@ class ExecuteProcess(ExecuteLocal):
 
     A program of the system runs as a real child process; `ros2` and executables of packages run inside
     the session. With `shell=True` the user's shell runs the command.
+
+    >>> record = ExecuteProcess(cmd=["ros2", "bag", "record", "/scan"], output="screen")
+    >>> [part[0].text for part in record.cmd]
+    ['ros2', 'bag', 'record', '/scan']
     """
 
     def __init__(

@@ -12,7 +12,19 @@ from ..utilities import ensure_argument_type
 
 
 class OpaqueFunction(Action):
-    """Calls `function(context, *args, **kwargs)`; the entities it returns are visited next."""
+    """Calls `function(context, *args, **kwargs)`; the entities it returns are visited next.
+
+    >>> from launch import LaunchContext
+    >>> from launch.actions import LogInfo
+    >>> from launch.substitutions import LaunchConfiguration
+    >>> def robots(context):
+    ...     count = int(LaunchConfiguration("count").perform(context))
+    ...     return [LogInfo(msg=f"robot {number}") for number in range(count)]
+    >>> context = LaunchContext()
+    >>> context.launch_configurations["count"] = "3"
+    >>> len(OpaqueFunction(function=robots).execute(context))
+    3
+    """
 
     def __init__(
         self,

@@ -11,7 +11,14 @@ from .named import NamedValueAction
 
 @expose_action("let")
 class SetLaunchConfiguration(NamedValueAction):
-    """Sets a launch configuration: `<let name= value=/>`."""
+    """Sets a launch configuration: `<let name= value=/>`.
+
+    >>> from launch import LaunchContext
+    >>> context = LaunchContext()
+    >>> SetLaunchConfiguration("robot", "burger").execute(context)
+    >>> context.launch_configurations["robot"]
+    'burger'
+    """
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity] | None:
         """Set the configuration."""

@@ -21,7 +21,13 @@ from ..utilities.type_utils import normalize_typed_substitution, perform_typed_s
 
 @expose_action("timer")
 class TimerAction(Action):
-    """Executes actions once, `period` seconds after it is visited, unless it is cancelled first."""
+    """Executes actions once, `period` seconds after it is visited, unless it is cancelled first.
+
+    >>> from launch.actions import LogInfo
+    >>> late = TimerAction(period=3.0, actions=[LogInfo(msg="three seconds later")])
+    >>> late.actions[0].msg[0].text
+    'three seconds later'
+    """
 
     def __init__(
         self,

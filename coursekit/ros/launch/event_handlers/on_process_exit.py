@@ -14,7 +14,14 @@ if TYPE_CHECKING:
 
 
 class OnProcessExit(OnActionEventBase):
-    """Reacts when a process ends: the target's process, or any."""
+    """Reacts when a process ends: the target's process, or any.
+
+    >>> from launch.actions import ExecuteProcess, LogInfo, RegisterEventHandler
+    >>> spawn = ExecuteProcess(cmd=["ros2", "run", "gazebo_ros", "spawn_entity.py"])
+    >>> then = OnProcessExit(target_action=spawn, on_exit=[LogInfo(msg="the robot is there")])
+    >>> RegisterEventHandler(then).event_handler is then
+    True
+    """
 
     def __init__(
         self,

@@ -31,7 +31,12 @@ def _exactly(count: int, name: str, data: Sequence[Any]) -> None:
 
 @expose_substitution("not")
 class NotSubstitution(Substitution):
-    """'true' if the value is false, and vice versa."""
+    """'true' if the value is false, and vice versa.
+
+    >>> from launch import LaunchContext
+    >>> NotSubstitution("true").perform(LaunchContext())
+    'false'
+    """
 
     def __init__(self, value: SomeSubstitutionsType) -> None:
         super().__init__()
@@ -89,7 +94,12 @@ class _PairSubstitution(Substitution):
 
 @expose_substitution("and")
 class AndSubstitution(_PairSubstitution):
-    """'true' if both values are true."""
+    """'true' if both values are true.
+
+    >>> from launch import LaunchContext
+    >>> AndSubstitution("true", "false").perform(LaunchContext())
+    'false'
+    """
 
     def perform(self, context: LaunchContext) -> str:
         """Return 'true' or 'false'."""
@@ -99,7 +109,12 @@ class AndSubstitution(_PairSubstitution):
 
 @expose_substitution("or")
 class OrSubstitution(_PairSubstitution):
-    """'true' if at least one of the values is true."""
+    """'true' if at least one of the values is true.
+
+    >>> from launch import LaunchContext
+    >>> OrSubstitution("true", "false").perform(LaunchContext())
+    'true'
+    """
 
     def perform(self, context: LaunchContext) -> str:
         """Return 'true' or 'false'."""

@@ -33,6 +33,10 @@ class Command(Substitution):
 
     `on_stderr` is the reaction to output on the command's standard error: 'fail', 'warn', 'ignore', or
     'capture' (the error output becomes part of the text).
+
+    >>> from launch import LaunchContext
+    >>> Command(["ros2", " ", "pkg", " ", "--help"]).describe()
+    "Command('ros2' + ' ' + 'pkg' + ' ' + '--help')"
     """
 
     def __init__(self, command: SomeSubstitutionsType, *, on_stderr: SomeSubstitutionsType = "fail") -> None:

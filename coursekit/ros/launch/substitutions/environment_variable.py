@@ -17,7 +17,12 @@ if TYPE_CHECKING:
 
 @expose_substitution("env")
 class EnvironmentVariable(Substitution):
-    """The value of an environment variable when the launch file runs."""
+    """The value of an environment variable when the launch file runs.
+
+    >>> from launch import LaunchContext
+    >>> EnvironmentVariable("TURTLEBOT3_MODEL_OF_NOBODY", default_value="burger").perform(LaunchContext())
+    'burger'
+    """
 
     def __init__(
         self, name: SomeSubstitutionsType, *, default_value: SomeSubstitutionsType | None = None

@@ -18,7 +18,12 @@ if TYPE_CHECKING:
 
 @expose_substitution("if")
 class IfElseSubstitution(Substitution):
-    """The first text if a condition is true, the second text if it is false."""
+    """The first text if a condition is true, the second text if it is false.
+
+    >>> from launch import LaunchContext
+    >>> IfElseSubstitution("true", "simulated", "real").perform(LaunchContext())
+    'simulated'
+    """
 
     def __init__(
         self,

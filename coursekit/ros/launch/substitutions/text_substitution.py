@@ -11,7 +11,12 @@ if TYPE_CHECKING:
 
 
 class TextSubstitution(Substitution):
-    """A fixed text."""
+    """A fixed text.
+
+    >>> from launch import LaunchContext
+    >>> TextSubstitution(text="burger").perform(LaunchContext())
+    'burger'
+    """
 
     def __init__(self, *, text: str) -> None:
         super().__init__()

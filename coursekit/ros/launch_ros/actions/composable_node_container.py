@@ -17,7 +17,20 @@ from .node import Node
 
 @expose_action("node_container")
 class ComposableNodeContainer(Node):
-    """Starts a container and loads components into it. It takes all arguments of Node."""
+    """Starts a container and loads components into it. It takes all arguments of Node.
+
+    >>> from launch_ros.descriptions import ComposableNode
+    >>> talker = ComposableNode(package="composition", plugin="composition::Talker", name="talker")
+    >>> container = ComposableNodeContainer(
+    ...     name="container",
+    ...     namespace="",
+    ...     package="rclcpp_components",
+    ...     executable="component_container",
+    ...     composable_node_descriptions=[talker],
+    ... )
+    >>> container.node_executable
+    'component_container'
+    """
 
     def __init__(
         self,

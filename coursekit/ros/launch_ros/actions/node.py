@@ -47,6 +47,17 @@ class Node(ExecuteProcess):
 
     Parameters are a list of files and mappings; later entries win. Remappings are (from, to) tuples. The
     namespace is nested in those of PushRosNamespace unless it is absolute.
+
+    >>> talker = Node(
+    ...     package="demo_nodes_py",
+    ...     executable="talker",
+    ...     namespace="robot1",
+    ...     parameters=[{"use_sim_time": True}],
+    ...     remappings=[("chatter", "speech")],
+    ...     output="screen",
+    ... )
+    >>> talker.node_package, talker.node_executable
+    ('demo_nodes_py', 'talker')
     """
 
     UNSPECIFIED_NODE_NAME = "<node_name_unspecified>"

@@ -56,7 +56,14 @@ class FindPackagePrefix(FindPackage):
 
 @expose_substitution("find-pkg-share")
 class FindPackageShare(FindPackage):
-    """The package's share folder, with launch files and configuration."""
+    """The package's share folder, with launch files and configuration.
+
+    >>> from launch import LaunchContext
+    >>> from launch.substitutions import PathJoinSubstitution
+    >>> urdf = PathJoinSubstitution([FindPackageShare("urdf_tutorial"), "urdf", "01-myfirst.urdf"])
+    >>> urdf.perform(LaunchContext()).endswith("01-myfirst.urdf")
+    True
+    """
 
     def find(self, package_name: str) -> str:
         """Return the folder."""

@@ -29,7 +29,13 @@ _LATE_FEEDBACK = 50
 
 
 class ActionClient(Waitable):
-    """Sends goals to an action server, over the services and topics below `<action_name>/_action/`."""
+    """Sends goals to an action server, over the services and topics below `<action_name>/_action/`.
+
+    >>> from example_interfaces.action import Fibonacci
+    >>> client = ActionClient(node, Fibonacci, "fibonacci")
+    >>> client.wait_for_server(timeout_sec=1.0)  # its server does not run
+    False
+    """
 
     def __init__(
         self,

@@ -37,6 +37,22 @@ class ActionServer(Waitable):
     `execute_callback(goal_handle)` does the work and returns the action's Result. `goal_callback(goal)` accepts or
     rejects a goal, `handle_accepted_callback(goal_handle)` decides when to execute it, and
     `cancel_callback(goal_handle)` whether it may be cancelled. A result is kept for `result_timeout` seconds.
+
+    >>> from example_interfaces.action import Fibonacci
+    >>> def execute(goal_handle):
+    ...     numbers = [0, 1]
+    ...     for _ in range(goal_handle.request.order - 1):
+    ...         numbers.append(numbers[-1] + numbers[-2])
+    ...         goal_handle.publish_feedback(Fibonacci.Feedback(sequence=numbers))
+    ...     goal_handle.succeed()
+    ...     return Fibonacci.Result(sequence=numbers)
+    >>> server = ActionServer(node, Fibonacci, "fibonacci", execute)
+    >>> future = rclpy.action.ActionClient(node, Fibonacci, "fibonacci").send_goal_async(Fibonacci.Goal(order=5))
+    >>> rclpy.spin_until_future_complete(node, future)
+    >>> result = future.result().get_result_async()
+    >>> rclpy.spin_until_future_complete(node, result)
+    >>> list(result.result().result.sequence)
+    [0, 1, 1, 2, 3, 5]
     """
 
     def __init__(

@@ -77,7 +77,13 @@ class RcutilsLogger:
         return child
 
     def set_level(self, level: LoggingSeverity | int) -> None:
-        """Show messages of this severity and above; ValueError for a number that is not a severity."""
+        """Show messages of this severity and above; ValueError for a number that is not a severity.
+
+        >>> logger = RcutilsLogger("quiet")
+        >>> logger.set_level(40)
+        >>> logger.get_effective_level().name
+        'ERROR'
+        """
         logging_state().set_level(self.name, LoggingSeverity(level).value)
 
     def get_effective_level(self) -> LoggingSeverity:
@@ -97,7 +103,10 @@ class RcutilsLogger:
         return self._log(message, 10, kwargs)
 
     def info(self, message: str, **kwargs: Any) -> bool:
-        """Log a message about normal operation."""
+        """Log a message about normal operation.
+
+        >>> shown = node.get_logger().info("ready", once=True)
+        """
         return self._log(message, 20, kwargs)
 
     def warning(self, message: str, **kwargs: Any) -> bool:

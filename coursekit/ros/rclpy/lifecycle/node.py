@@ -159,7 +159,17 @@ class LifecycleNodeMixin(ManagedEntity):
 
 
 class LifecycleNode(LifecycleNodeMixin, Node):
-    """A node with managed states: unconfigured, inactive, active, finalized."""
+    """A node with managed states: unconfigured, inactive, active, finalized.
+
+    >>> class Camera(LifecycleNode):
+    ...     def on_configure(self, state):
+    ...         print("opening the camera")
+    ...         return super().on_configure(state)
+    >>> camera = Camera("camera")
+    >>> camera.trigger_configure().name
+    opening the camera
+    'SUCCESS'
+    """
 
     def __init__(self, node_name: str, *, enable_communication_interface: bool = True, **kwargs: Any) -> None:
         Node.__init__(self, node_name, **kwargs)

@@ -36,7 +36,7 @@ def frames(seconds: float = LISTEN_SECONDS, *, live: bool = False, details: bool
 class FramesPanel(Panel):
     """A live picture of the broadcast frames; `picture()` returns the current one."""
 
-    _esm = static("frames.js")
+    _esm = static("frames.js", "drawing.js")
     _css = static("frames.css")
     keeps_states = True
 
@@ -74,15 +74,15 @@ class FramesPanel(Panel):
     def shown(self) -> dict[str, Any]:
         """Return the picture, and the pose of the selected frame."""
         said = self.where(self._chosen) if self._chosen else ""
-        return {"svg": self.picture().svg(), "chosen": self._chosen, "where": said, "details": self._details}
+        return {"svg": self.picture().svg(), "chosen": self._chosen, "details": said, "times": self._details}
 
     def on_choose(self, message: dict[str, Any]) -> None:
         """Select the clicked frame; '' closes the text."""
         self._chosen = str(message.get("name", ""))
         self._push()
 
-    def on_details(self, message: dict[str, Any]) -> None:
-        """Switch the details on or off."""
+    def on_times(self, message: dict[str, Any]) -> None:
+        """Show or hide broadcaster and times of all frames."""
         self._details = bool(message.get("on"))
         self._push()
 

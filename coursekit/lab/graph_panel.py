@@ -32,7 +32,7 @@ def graph(view: str = "all", *, live: bool = False, **options: bool) -> GraphPic
 class GraphPanel(Panel):
     """A live picture of the graph; `picture()` returns the current one."""
 
-    _esm = static("graph.js")
+    _esm = static("graph.js", "drawing.js")
     _css = static("graph.css")
     keeps_states = True
 

@@ -124,7 +124,7 @@ def test_parameters_topics_and_log_are_seen_and_set(notebook, picture):
         LAB,
         "%ros2 run turtlesim turtlesim_node &",
         "parameter_panel('/turtlesim')",
-        "topic_panel('/turtle1/pose')",
+        "topics = topic_panel('/turtle1/pose')\ntopics",
         "log_console()",
         height=1600,
     )
@@ -135,6 +135,12 @@ def test_parameters_topics_and_log_are_seen_and_set(notebook, picture):
     row.locator('input[type="number"]').press("Enter")
     reads(page, ".ck-parameters .ck-note", "set")
     reads(page, ".ck-topics td", "Hz")
+    other = page.locator(".ck-topics tr").filter(has_text="/turtle1/color_sensor")
+    other.locator("input").hover()
+    page.mouse.down()
+    opened.ask("topics._push()")  # new numbers come while the tick is pressed
+    page.mouse.up()
+    other.filter(has_text="Hz").wait_for(timeout=20_000)
     reads(page, ".ck-log .ck-said", "Spawning turtle")
     row.locator('input[type="number"]').fill("999")
     row.locator('input[type="number"]').press("Enter")

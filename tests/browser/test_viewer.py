@@ -222,12 +222,16 @@ def test_the_sliders_appear_below_the_cell_that_launched_them_until_a_cell_shows
     page.wait_for_function(f"(before) => ({TURNS})() !== before", arg=before, timeout=20_000)
 
 
-def test_the_live_tree_of_frames_is_drawn_and_tells_where_a_frame_is(notebook, picture):
-    opened = notebook(LAB, PUBLISHERS.strip(), JOINTS, "frames(live=True)")
+def test_the_live_tree_of_frames_tells_where_a_frame_is_also_when_it_is_redrawn_while_it_is_pressed(notebook, picture):
+    opened = notebook(LAB, PUBLISHERS.strip(), JOINTS, "live = frames(live=True)\nlive")
     opened.run()
     page = opened.page
     part = page.locator(".ck-frames .ck-part[data-name=base_link]").first
     part.wait_for(timeout=30_000)
-    part.click()
+    part.hover()
+    page.mouse.down()
+    opened.ask("live.on_times({'on': True})")  # the tree changes
+    page.mouse.up()
+    page.locator(".ck-frames .ck-drawing", has_text="Broadcaster").wait_for(timeout=20_000)
     page.locator(".ck-frames .ck-details pre", has_text="position").wait_for(timeout=20_000)
     picture(page.locator(".ck-frames").first, "frames")

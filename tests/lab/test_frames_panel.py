@@ -50,9 +50,9 @@ def test_the_live_panel_follows_and_tells_where_a_frame_is(session):
     session.clock.sleep(1.0)
     assert panel.text().splitlines() == TREE
     panel.on_choose({"name": "laser"})
-    panel.on_details({"on": True})
+    panel.on_times({"on": True})
     shown = panel.shown()
-    assert shown["where"].splitlines()[1:] == [
+    assert shown["details"].splitlines()[1:] == [
         "in base: position (1.000, 0.000, 0.000) m, quaternion (0.000, 0.000, 0.000, 1.000)",
         "in odom: position (1.000, 2.000, 0.000) m, quaternion (0.000, 0.000, 0.000, 1.000)",
     ]

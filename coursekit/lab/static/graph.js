@@ -25,25 +25,16 @@ export default {
       boxes[name] = make("input", { type: "checkbox", onchange: (e) => model.send({ type: "option", name, on: e.target.checked }) });
       head.append(make("label", {}, boxes[name], text));
     }
-    const drawing = make("div", { className: "ck-drawing" });
-    const details = make("div", { className: "ck-details", hidden: true });
+    const { drawing, details, named, show } = drawingOf(model);
     body.append(drawing, details);
-    const named = (event) => event.target.closest?.(".ck-part")?.dataset.name ?? "";
-    drawing.addEventListener("click", (event) => model.send({ type: "choose", name: named(event) }));
-    drawing.addEventListener("keydown", (event) => event.key === "Enter" && model.send({ type: "choose", name: named(event) }));
     drawing.addEventListener("mouseover", (event) => lightUp(drawing, named(event)));
     drawing.addEventListener("mouseleave", () => lightUp(drawing, ""));
     return listen(model, {
       past: ({ on }) => panel.classList.toggle("ck-of-past", on),
       shown(message) {
-        if (drawing.dataset.svg !== message.svg) drawing.innerHTML = drawing.dataset.svg = message.svg;
         view.value = message.view;
         for (const name of Object.keys(boxes)) boxes[name].checked = message.options[name];
-        for (const part of drawing.querySelectorAll(".ck-part"))
-          part.classList.toggle("ck-chosen", part.dataset.name === message.chosen);
-        details.hidden = !message.details;
-        const close = make("button", { textContent: gettext("Close"), onclick: () => model.send({ type: "choose", name: "" }) });
-        details.replaceChildren(close, make("pre", { textContent: message.details }));
+        show(message);
       },
     });
   },

@@ -28,3 +28,17 @@ function listen(model, react) {
   model.send({ type: "ready" });
   return () => model.off("msg:custom", hear);
 }
+
+// Has draw(message) wait while the pointer is pressed on an element: what is pressed must still be there for its click.
+function unlessPressed(element, draw) {
+  let pressed = false;
+  let waiting = null;
+  const release = () => setTimeout(() => { // after the click
+    pressed = false;
+    if (waiting) draw(waiting);
+    waiting = null;
+  });
+  element.addEventListener("pointerdown", () => (pressed = true));
+  for (const end of ["pointerup", "pointercancel", "pointerleave"]) element.addEventListener(end, release);
+  return (message) => (pressed ? (waiting = message) : draw(message));
+}

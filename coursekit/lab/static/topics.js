@@ -28,7 +28,7 @@ export default {
     body.append(table, error);
     const titles = [gettext("topic"), gettext("type"), gettext("publishers"), gettext("subscribers"), gettext("rate")];
     return listen(model, {
-      shown({ rows }) {
+      shown: unlessPressed(table, ({ rows }) => {
         error.textContent = "";
         if (!rows.length) {
           table.replaceChildren(make("div", { className: "ck-empty", textContent: gettext("No topics: start a node.") }));
@@ -39,7 +39,7 @@ export default {
         const whole = make("table", {}, make("thead", {}, head), make("tbody", {}, ...rows.flatMap((one) => row(one, model))));
         table.replaceChildren(whole);
         if (focused) whole.rows[focused]?.querySelector("input")?.focus();
-      },
+      }),
       error({ text }) { error.textContent = text; },
     });
   },

@@ -74,6 +74,8 @@ def set_up(extra=""):
         must_run([sys.executable, "-m", "venv", str(VENV)])
     quiet = ["-q", "--disable-pip-version-check"]
     must_run([str(python_of(VENV)), "-m", "pip", "install", *quiet, "-c", "requirements.lock", *what_to_install(extra)])
+    # Where Python may not write what it has compiled, each notebook and each node would compile all of this again.
+    must_run([str(python_of(VENV)), "-m", "compileall", "-q", "coursekit"])
     stamp.touch()
     (VENV / ".lab").touch()
 

@@ -6,11 +6,14 @@ import os
 import re
 import subprocess
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from coursekit.processes import session
+from coursekit.systems.layout import executable_name
 from coursekit.systems.words import split_words
+from coursekit.wiring import command
 
 from ..frontend.expose import expose_substitution
 from ..some_substitutions_type import SomeSubstitutionsType
@@ -106,6 +109,9 @@ def _run(pieces: Sequence[str], environment: dict[str, str], merge: bool) -> sub
     if not words:
         raise SubstitutionFailure("command substitution got an empty command")
     words = [_PLACE.sub(lambda found: paths[int(found[1])], word) for word in words]
+    inside = command(executable_name(Path(words[0])))
+    if inside is not None:
+        return _run_inside(inside, words, environment, merge)
     program = which(words[0], environment.get("PATH"))
     if program is None:
         raise SubstitutionFailure(
@@ -121,6 +127,22 @@ def _run(pieces: Sequence[str], environment: dict[str, str], merge: bool) -> sub
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT if merge else subprocess.PIPE,
     )
+
+
+def _run_inside(
+    run: Callable[..., int], words: Sequence[str], environment: dict[str, str], merge: bool
+) -> subprocess.CompletedProcess[str]:
+    """Run a program such as `ros2` in the session, whose nodes it asks: a child process would not see their graph."""
+    texts: dict[str, list[str]] = {"stdout": [], "stderr": []}
+
+    def keep(stream: str, text: str) -> None:
+        texts["stdout" if merge else stream].append(text)
+
+    name, argv = executable_name(Path(words[0])), list(words[1:])
+    process = session.current().start(lambda: run(argv), name=name, argv=argv, env=environment, on_output=keep)
+    process.close_stdin()
+    code = process.wait()
+    return subprocess.CompletedProcess(words, code or 0, "".join(texts["stdout"]), "".join(texts["stderr"]))
 
 
 def _started(program: str) -> list[str]:

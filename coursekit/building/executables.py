@@ -276,6 +276,10 @@ EXECUTABLES: dict[str, dict[str, str]] = {
     "robot_state_publisher": {
         "robot_state_publisher": "coursekit.nodes.robots.robot_state_publisher:main",
     },
+    "ros2_controllers_test_nodes": {
+        "publisher_forward_position_controller": "coursekit.nodes.ros2_controllers_test_nodes.forward_position:main",
+        "publisher_joint_trajectory_controller": "coursekit.nodes.ros2_controllers_test_nodes.joint_trajectory:main",
+    },
     "ros_gz_bridge": {
         "bridge_node": "coursekit.nodes.gz.bridge:main",
         "parameter_bridge": "coursekit.nodes.gz.bridge:main",

@@ -45,7 +45,6 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
      _DRIVER, _SENSORS),
     (r"v4l2_camera|usb_cam|camera_ros|realsense2_\w+|gscam|depthai\w*|astra_camera|zed_\w+", _DRIVER, _SENSORS),
     (r"turtlebot3_node|micro_ros_agent|rosserial\w*|diffdrive_arduino|serial_driver|mavros|dynamixel\w*", _DRIVER, _SENSORS),
-    (r"interactive_markers", "is not part of the viewer", "to send numbers: `ros2 topic pub`, or pad() in a notebook"),
     (r"rqt_(?!(graph|console|gui|plot|image_view)$)\w+|plotjuggler\w*|foxglove\w*|rosbridge\w*",
      "opens windows or ports of its own",
      "look at topics with `ros2 topic echo TOPIC` and `ros2 topic hz TOPIC`, or viewer() in a notebook"),

@@ -90,3 +90,15 @@ def test_packages_that_workspaces_depend_on_are_there():
     assert len(load("geographic_msgs/GeoPoseWithCovariance")().covariance) == 36
     loading = load("composition_interfaces/srv/LoadNode")
     assert "error_message" in loading.Response.get_fields_and_field_types()
+
+
+def test_what_programs_for_a_turtlebot_4_send_and_hear_is_there():
+    lights = load("irobot_create_msgs/LightringLeds")(override_system=True)
+    assert len(lights.leds) == 6 and lights.leds[0].red == 0
+    drive = load("irobot_create_msgs/action/DriveDistance").Goal(distance=0.5)
+    assert drive.max_translation_speed == pytest.approx(0.3)
+    assert load("irobot_create_msgs/action/WallFollow").Goal.FOLLOW_RIGHT == -1
+    note = load("irobot_create_msgs/AudioNote")(frequency=440)
+    assert load("irobot_create_msgs/action/AudioNoteSequence").Goal().iterations == 1
+    assert load("irobot_create_msgs/AudioNoteVector")(notes=[note]).notes[0].frequency == 440
+    assert load("irobot_create_msgs/HazardDetection").WHEEL_DROP == 4

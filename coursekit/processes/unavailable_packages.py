@@ -6,7 +6,7 @@ import re
 
 _DRIVER = "is the driver of a device"
 _SENSORS = "the simulator's sensors stand in: `ros2 launch gazebo_ros gazebo.launch.py`, then spawn a robot"
-_CPP = "is written in C++, which is not compiled here"
+_CPP = "is written in C++ with libraries that are not here"
 _GAZEBO = "belongs to a part of the newer Gazebo that is not simulated"
 _SLAM = "to make a map: `ros2 launch slam_toolbox online_async_launch.py use_sim_time:=true`"
 _DRIVE = "to drive: `ros2 run teleop_twist_keyboard teleop_twist_keyboard`, or pad() in a notebook"
@@ -22,10 +22,20 @@ _REPOSITORIES = {
     "andino of Ekumen-OS": r"andino_\w+",
     "linorobot2 of linorobot": r"linorobot2_\w+",
     "rosbot_ros of husarion": r"rosbot_\w+",
+    "py_trees_ros and py_trees_ros_interfaces of splintered-reality": r"py_trees_ros\w*",
+    "executive_smach of ros": r"smach\w*",
+    "rosbridge_suite of RobotWebTools": r"rosbridge_\w+|rosapi\w*",
+    "rospy_message_converter of DFKI-NI": r"rclpy_message_converter\w*",
+    "ros2_numpy of Box-Robotics": r"ros2_numpy",
+    "teleop_tools of ros-teleop": r"(joy|key|mouse)_teleop|teleop_tools\w*",
+    "simple_launch of oKermorgant": r"simple_launch",
     "aws-robomaker-small-house-world of aws-robotics": r"aws_robomaker_small_house_world",
     "aws-robomaker-small-warehouse-world of aws-robotics": r"aws_robomaker_small_warehouse_world",
 }
 """GitHub repositories with packages that are often used and need no C++ here."""
+_ON_PIP = {"py_trees": "py_trees", "urdf_parser_py": "urdf-parser-py", "rospkg": "rospkg"}
+"""Python packages that a robot has from ROS or from its system, and their names for pip."""
+_QT = "needs Qt for windows of its own"
 _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"\w+_description", "describes a robot", "its source builds here: put it into the src folder of your workspace, then "
      "`colcon build`"),
@@ -34,8 +44,8 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"cartographer_ros|slam_gmapping|gmapping|hector_\w+|rtabmap\w*", _CPP, _SLAM),
     (r"imu_(?!sensor_broadcaster$|tools$|filter_madgwick$|complementary_filter$)\w+|robot_pose_ekf", _CPP,
      "robot_localization's ekf_node takes an IMU's messages as they are"),
-    (r"joy_linux|joy_teleop|spacenav|wiimote", _DRIVER, f"`ros2 run joy joy_node` reads a gamepad; {_DRIVE}"),
-    (r"moveit\w*|pymoveit2", "belongs to MoveIt, whose planners are C++, which is not compiled here",
+    (r"joy_linux|spacenav|wiimote", _DRIVER, f"`ros2 run joy joy_node` reads a gamepad; {_DRIVE}"),
+    (r"moveit\w*|pymoveit2", "belongs to MoveIt, whose planners are C++ libraries that are not here",
      "to move an arm: goals for its joint_trajectory_controller, or the sliders of joint_state_publisher_gui"),
     (r"ros_gz_(sim_demos|point_cloud)|ros_ign_(gazebo_demos|point_cloud)|(gz|ign)_(?!ros2_control$)\w+", _GAZEBO,
      "there are ros_gz_sim, ros_gz_bridge, ros_gz_image, ros_gz_interfaces and gz_ros2_control"),
@@ -45,9 +55,10 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
      _DRIVER, _SENSORS),
     (r"v4l2_camera|usb_cam|camera_ros|realsense2_\w+|gscam|depthai\w*|astra_camera|zed_\w+", _DRIVER, _SENSORS),
     (r"turtlebot3_node|micro_ros_agent|rosserial\w*|diffdrive_arduino|serial_driver|mavros|dynamixel\w*", _DRIVER, _SENSORS),
-    (r"rqt_(?!(graph|console|gui|plot|image_view)$)\w+|plotjuggler\w*|foxglove\w*|rosbridge\w*",
+    (r"rqt_(?!(graph|console|gui|plot|image_view)$)\w+|plotjuggler\w*|foxglove\w*",
      "opens windows or ports of its own",
      "look at topics with `ros2 topic echo TOPIC` and `ros2 topic hz TOPIC`, or viewer() in a notebook"),
+    (r"python_qt_binding|qt_gui\w*|qt_dotgraph", _QT, "a panel of ipywidgets in a notebook shows and asks as well"),
     (r"rf2o_laser_odometry", _CPP, "odometry comes from the simulator's drive, or from robot_localization's ekf_node"),
     (r"pendulum_control|examples_rclcpp_(async_client|cbg_executor|minimal_(action_\w+|composition)|multithreaded_executor|wait_set)",
      _CPP,
@@ -61,9 +72,11 @@ def remark(package: str) -> str:
     """Return why a package is not here and the alternative; empty for an unknown package.
 
     >>> remark("moveit")
-    'moveit is not part of coursekit: it belongs to MoveIt, whose planners are C++, which is not compiled here; to move ...'
+    'moveit is not part of coursekit: it belongs to MoveIt, whose planners are C++ libraries that are not here; to move ...'
     >>> remark("my_package")
     ''
+    >>> remark("py_trees")
+    'py_trees is not part of coursekit, but pip has it: `pip install py_trees`'
     >>> remark("irobot_create_description")
     'irobot_create_description is not part of coursekit, but builds here: clone create3_sim of iRobotEducation into ...'
     """
@@ -71,6 +84,8 @@ def remark(package: str) -> str:
         if re.fullmatch(pattern, package):
             where = f"clone {repository} into the src folder of your workspace, then `colcon build`"
             return f"{package} is not part of coursekit, but builds here: {where}"
+    if package in _ON_PIP:
+        return f"{package} is not part of coursekit, but pip has it: `pip install {_ON_PIP[package]}`"
     for pattern, why, instead in _FAMILIES:
         if re.fullmatch(pattern, package):
             return f"{package} is not part of coursekit: it {why}; {instead}"

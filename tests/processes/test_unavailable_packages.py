@@ -22,6 +22,20 @@ def test_a_known_package_has_a_reason_and_a_way_out(package):
     assert remark(package).startswith(f"{package} is not part of coursekit: it ") and "; " in remark(package)
 
 
+@pytest.mark.parametrize(
+    ("package", "command"),
+    [
+        ("py_trees_ros", "clone py_trees_ros and py_trees_ros_interfaces"),
+        ("rosbridge_server", "clone rosbridge_suite of RobotWebTools"),
+        ("joy_teleop", "clone teleop_tools of ros-teleop"),
+        ("smach_ros", "clone executive_smach of ros"),
+        ("urdf_parser_py", "`pip install urdf-parser-py`"),
+    ],
+)
+def test_a_python_package_is_told_with_where_it_comes_from(package, command):
+    assert f"{package} is not part of coursekit, but" in remark(package) and command in remark(package)
+
+
 def test_nothing_is_said_of_what_the_underlay_has():
     nodes = [name for name in executables.packages() if not name.endswith(("_msgs", "_interfaces"))]
     assert [name for name in nodes if remark(name)] == []

@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from nav2_msgs.action import FollowWaypoints, NavigateToPose
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 
 from coursekit.nodes.nav2.errands import Errand
-from coursekit.nodes.nav2.parameters import declare, no_such_plugin
-from coursekit.nodes.nav2.running import Server, pause, run
+from coursekit.nodes.nav2.parameters import declare
+from coursekit.nodes.nav2.running import Server, run
+from coursekit.nodes.nav2.waypoint_tasks import task_of
 
 _SERVER: dict[str, Any] = {
     "stop_on_failure": True,
     "loop_rate": 20,
     "waypoint_task_executor_plugin": "wait_at_waypoint",
 }
-_WAIT: dict[str, Any] = {"plugin": "nav2_waypoint_follower::WaitAtWaypoint", "enabled": True, "waypoint_pause_duration": 0}
-
-_KINDS, _BASE = ("nav2_waypoint_follower::WaitAtWaypoint",), "nav2_core::WaypointTaskExecutor"
 
 
 class WaypointFollower(Server):
@@ -33,27 +32,26 @@ class WaypointFollower(Server):
         self.get_logger().info("Configuring")
         try:
             self._given = declare(self, _SERVER)
-            wait = declare(self, _WAIT, self._given["waypoint_task_executor_plugin"])
-            if wait["plugin"] not in _KINDS:
-                name = self._given["waypoint_task_executor_plugin"]
-                raise ValueError(no_such_plugin("waypoint task executor", name, wait["plugin"], _BASE, _KINDS))
+            self._task = task_of(self, self._given["waypoint_task_executor_plugin"])
         except ValueError as fault:
             self.get_logger().error(str(fault))
             return TransitionCallbackReturn.FAILURE
-        self._pause = wait["waypoint_pause_duration"] * 1e-3 if wait["enabled"] else 0.0
         self._go = Errand(self, NavigateToPose, "navigate_to_pose")
         self._action = self.serve(FollowWaypoints, "follow_waypoints", self._follow)
         return super().on_configure(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Destroy the client and the action server."""
+        """Destroy the client, the action server and the task's subscription."""
         self._go.destroy()
+        if self._task.subscription is not None:
+            self.destroy_subscription(self._task.subscription)
         return super().on_cleanup(state)
 
     async def _follow(self, handle: Any) -> Any:
         """Go to all poses and report missed ones; with `stop_on_failure`, the first missed pose aborts the goal."""
         result, log = FollowWaypoints.Result(), self.get_logger()
-        poses, missed = handle.request.poses, []
+        poses = handle.request.poses
+        missed: list[int] = []
         log.info(f"Received follow waypoint request with {len(poses)} waypoints.")
 
         def stop() -> bool:
@@ -61,20 +59,11 @@ class WaypointFollower(Server):
 
         for number, pose in enumerate(poses):
             handle.publish_feedback(FollowWaypoints.Feedback(current_waypoint=number))
-            good = await self._go.do(NavigateToPose.Goal(pose=pose), stop)
+            good = await self._visit(pose, number, missed, stop)
             if stop():
                 handle.canceled() if handle.is_cancel_requested else handle.abort()
                 return result
-            if good:
-                log.info(f"Succeeded processing waypoint {number}, moving to next.")
-                if self._pause > 0:
-                    await pause(self, self._pause)
-                continue
-            missed.append(number)
-            log.warning(
-                f"Failed to process waypoint {number}" + (", moving to next." if not self._given["stop_on_failure"] else "")
-            )
-            if self._given["stop_on_failure"]:
+            if not good and self._given["stop_on_failure"]:
                 result.missed_waypoints = missed
                 handle.abort()
                 return result
@@ -82,6 +71,25 @@ class WaypointFollower(Server):
         result.missed_waypoints = missed
         handle.succeed()
         return result
+
+    async def _visit(self, pose: Any, number: int, missed: list[int], stop: Callable[[], bool]) -> bool:
+        """Go to a pose and do the task there; return whether both went well. A pose that was not reached is `missed`."""
+        log, goes_on = self.get_logger(), not self._given["stop_on_failure"]
+        good = await self._go.do(NavigateToPose.Goal(pose=pose), stop)
+        if stop():
+            return False
+        if not good:
+            missed.append(number)
+            log.warning(f"Failed to process waypoint {number}" + (", moving to next." if goes_on else ""))
+            return False
+        log.info(f"Succeeded processing waypoint {number}, processing waypoint task execution")
+        done = await self._task.process(pose, number, stop)
+        log.info(f"Task execution at waypoint {number} {'succeeded' if done else 'failed!'}")
+        if done or goes_on:
+            log.info(f"Handled task execution on waypoint {number}, moving to next.")
+        else:
+            log.warning(f"Failed to execute task at waypoint {number}  stop on failure is enabled. Terminating action.")
+        return done
 
 
 def main(args: list[str] | None = None) -> int:

@@ -69,6 +69,10 @@ EXECUTABLES: dict[str, dict[str, str]] = {
         "talker": "coursekit.nodes.demo_nodes.talker:main",
         "talker_qos": "coursekit.nodes.demo_nodes.qos:talker",
     },
+    "depth_image_proc": {
+        "point_cloud_xyz_node": "coursekit.nodes.image_pipeline.depth_nodes:xyz",
+        "point_cloud_xyzrgb_node": "coursekit.nodes.image_pipeline.depth_nodes:xyzrgb",
+    },
     "depthimage_to_laserscan": {
         "depthimage_to_laserscan_node": "coursekit.nodes.pointcloud_to_laserscan.depth:main",
     },
@@ -154,6 +158,9 @@ EXECUTABLES: dict[str, dict[str, str]] = {
         "gzclient": "coursekit.nodes.gazebo.gzclient:main",
         "gzserver": "coursekit.nodes.gazebo.gzserver:main",
         "spawn_entity.py": "coursekit.nodes.gazebo.spawn_entity:main",
+    },
+    "image_proc": {
+        "rectify_node": "coursekit.nodes.image_pipeline.rectify:main",
     },
     "image_tools": {
         "cam2image": "coursekit.nodes.image_tools.cam2image:main",

@@ -63,7 +63,7 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"pendulum_control|examples_rclcpp_(async_client|cbg_executor|minimal_(action_\w+|composition)|multithreaded_executor|wait_set)",
      _CPP,
      "packages with the same lessons: demo_nodes_cpp, composition, image_tools, examples_rclpy_executors"),
-    (r"image_proc|image_pipeline|apriltag_ros|aruco\w*|octomap\w*|pcl_\w+|ros1_bridge|nav2_mppi_controller", _CPP,
+    (r"image_pipeline|stereo_image_proc|apriltag_ros|aruco\w*|octomap\w*|pcl_\w+|ros1_bridge|nav2_mppi_controller", _CPP,
      "leave it out, or write the node in Python"),
 )  # fmt: skip
 

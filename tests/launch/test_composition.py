@@ -54,12 +54,12 @@ def test_components_can_be_loaded_into_a_container_by_name(launch, talker) -> No
 
 def test_what_cannot_be_loaded_is_an_error_that_names_the_cure_and_the_launch_goes_on(launch, talker) -> None:
     camera = ComposableNode(package="demo", plugin="demo::Camera", name="cam")
-    absent = ComposableNode(package="image_proc", plugin="image_proc::RectifyNode")
+    absent = ComposableNode(package="stereo_image_proc", plugin="stereo_image_proc::Disparity")
     result = launch([box(camera, absent, talker_named("tom"))], interrupt_after=1.5)
     errors = [line for line in result.lines if line.startswith(FAILED)]
     start = f"{FAILED}'cam' of type 'demo::Camera' in container '/box': Failed to find class with the requested plugin name."
     assert errors[0].startswith(start) and "called camera or camera_node" in errors[0]
-    start = f"{FAILED}'' of type 'image_proc::RectifyNode' in container '/box': Could not find requested resource in"
+    start = f"{FAILED}'' of type 'stereo_image_proc::Disparity' in container '/box': Could not find requested resource in"
     assert errors[1].startswith(start)
     assert f"{LOADED}'/tom' in container '/box'" in result.lines
 

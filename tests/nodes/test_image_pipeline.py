@@ -1,0 +1,143 @@
+"""image_proc and depth_image_proc: straight lines from a bent image, and points where a depth camera saw them."""
+
+import math
+
+import numpy as np
+import pytest
+from launch import LaunchDescription, LaunchService
+from launch_ros.actions import ComposableNodeContainer
+from launch_ros.descriptions import ComposableNode
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import CameraInfo, Image, PointCloud2
+from sensor_msgs_py.point_cloud2 import read_points
+
+from tests.nodes.gazebo.conftest import Friend
+
+WIDTH, HEIGHT, FOCUS = 8, 6, 4.0
+CENTER = (3.5, 2.5)
+SMALL = Image(height=2, width=2, step=2, encoding="mono8", data=bytes(4))
+
+
+@pytest.fixture
+def friend(session):
+    return Friend(session)
+
+
+def info(distortion=(), focus=FOCUS):
+    cx, cy = CENTER
+    made = CameraInfo(width=WIDTH, height=HEIGHT, distortion_model="plumb_bob", d=list(distortion))
+    made.k, made.r = [focus, 0.0, cx, 0.0, focus, cy, 0.0, 0.0, 1.0], np.eye(3).ravel().tolist()
+    made.p = [focus, 0.0, cx, 0.0, 0.0, focus, cy, 0.0, 0.0, 0.0, 1.0, 0.0]
+    return made
+
+
+def image(array, encoding):
+    array = np.ascontiguousarray(array)
+    return Image(height=HEIGHT, width=WIDTH, encoding=encoding, step=array.nbytes // HEIGHT, data=array.tobytes())
+
+
+def send(friend, *pairs, seconds=2.0):
+    """Publish messages on their topics, with the same new stamp each time."""
+    outs = [(friend.node.create_publisher(type(msg), topic, qos_profile_sensor_data), msg) for topic, msg in pairs]
+
+    def tell():
+        for out, msg in outs:
+            msg.header.stamp, msg.header.frame_id = friend.node.get_clock().now().to_msg(), "optical"
+            out.publish(msg)
+
+    friend.node.create_timer(0.2, tell)
+    friend.spin(seconds)
+
+
+def clouds(friend):
+    heard = []
+    friend.node.create_subscription(PointCloud2, "/points", heard.append, qos_profile_sensor_data)
+    return heard
+
+
+@pytest.mark.parametrize(("encoding", "scale"), [("16UC1", 1000), ("32FC1", 1)])
+def test_points_lie_where_their_pixels_look(run, friend, encoding, scale):
+    heard = clouds(friend)
+    run("depth_image_proc", "point_cloud_xyz_node")
+    depth = np.full((HEIGHT, WIDTH), 2 * scale, np.uint16 if scale > 1 else np.float32)
+    depth[0, 0] = 0 if scale > 1 else np.inf
+    send(friend, ("image_rect", image(depth, encoding)), ("camera_info", info()))
+    cloud = heard[-1]
+    assert (cloud.height, cloud.width, cloud.point_step, cloud.is_dense) == (HEIGHT, WIDTH, 16, False)
+    points = read_points(cloud).reshape(HEIGHT, WIDTH)
+    assert math.isnan(points[0, 0]["z"])
+    corner = points[HEIGHT - 1, WIDTH - 1]
+    wanted = [(WIDTH - 1 - CENTER[0]) * 2 / FOCUS, (HEIGHT - 1 - CENTER[1]) * 2 / FOCUS, 2.0]
+    assert [float(corner[name]) for name in "xyz"] == pytest.approx(wanted)
+    assert cloud.header.frame_id == "optical"
+
+
+def test_a_component_colors_its_points(session, friend):
+    heard = clouds(friend)
+    node = ComposableNode(
+        package="depth_image_proc",
+        plugin="depth_image_proc::PointCloudXyzrgbNode",
+        remappings=[
+            ("rgb/image_rect_color", "color"),
+            ("rgb/camera_info", "info"),
+            ("depth_registered/image_rect", "depth"),
+        ],
+    )
+    box = ComposableNodeContainer(
+        name="box",
+        namespace="",
+        package="rclcpp_components",
+        executable="component_container",
+        composable_node_descriptions=[node],
+    )
+
+    def main():
+        service = LaunchService()
+        service.include_launch_description(LaunchDescription([box]))
+        return service.run()
+
+    launch = session.start(main, name="launch")
+    color = np.zeros((HEIGHT, WIDTH, 3), np.uint8)
+    color[2, 3] = (200, 100, 50)
+    depth = image(np.ones((HEIGHT, WIDTH), np.float32), "32FC1")
+    send(friend, ("depth", depth), ("color", image(color, "rgb8")), ("info", info()))
+    launch.interrupt()
+    launch.wait(5.0)
+    point = read_points(heard[-1]).reshape(HEIGHT, WIDTH)[2, 3]
+    assert heard[-1].point_step == 32 and point["rgb"].view(np.uint32) == (200 << 16) | (100 << 8) | 50
+
+
+@pytest.mark.parametrize(
+    ("depth", "color", "said"),
+    [
+        (image(np.ones((HEIGHT, WIDTH, 3), np.uint8), "rgb8"), image(np.ones((HEIGHT, WIDTH), np.uint8), "mono8"),
+         "Depth image has unsupported encoding [rgb8]"),
+        (image(np.ones((HEIGHT, WIDTH), np.float32), "32FC1"), SMALL,
+         "Depth resolution (8x6) does not match RGB resolution (2x2)"),
+    ],
+)  # fmt: skip
+def test_images_that_do_not_fit_are_told(run, friend, depth, color, said):
+    node = run("depth_image_proc", "point_cloud_xyzrgb_node")
+    pairs = ("depth_registered/image_rect", depth), ("rgb/image_rect_color", color), ("rgb/camera_info", info())
+    send(friend, *pairs, seconds=1.0)
+    assert said in node.output
+
+
+def test_a_bent_image_is_straightened_and_a_straight_one_passes(run, friend):
+    heard = friend.hear(Image, "/image_rect")
+    run("image_proc", "rectify_node")
+    columns = np.tile(np.arange(WIDTH, dtype=np.uint8) * 30, (HEIGHT, 1))
+    send(friend, ("image", image(columns, "mono8")), ("camera_info", info()))
+    assert bytes(heard[-1].data) == columns.tobytes()
+    before = len(heard)
+    send(friend, ("image", image(columns, "mono8")), ("camera_info", info(distortion=(-0.3, 0.0, 0.0, 0.0, 0.0))))
+    straight = np.frombuffer(bytes(heard[-1].data), np.uint8).reshape(HEIGHT, WIDTH)
+    assert len(heard) > before and straight[2, 7] < 210, "its edge shows what the lens had pulled inwards"
+    assert heard[-1].encoding == "mono8"
+
+
+def test_a_camera_without_calibration_is_told(run, friend):
+    friend.hear(Image, "/image_rect")
+    node = run("image_proc", "rectify_node")
+    send(friend, ("image", image(np.ones((HEIGHT, WIDTH), np.uint8), "mono8")), ("camera_info", info(focus=0.0)))
+    assert "Rectified topic '/image_rect' requested but camera publishing '/camera_info' is uncalibrated" in node.output

@@ -20,7 +20,7 @@ from coursekit.processes.session import Session
 MODULES = """ros2action.api ros2bag.api ros2cli.cli ros2cli.command ros2cli.daemon ros2cli.helpers ros2cli.node ros2cli.verb
 ros2component.api ros2doctor.api ros2doctor.api.topic ros2interface.api
 ros2lifecycle.api ros2multicast.api ros2node.api ros2param.api ros2pkg.api
-ros2run.api ros2service.api ros2topic.api"""
+ros2launch.api ros2run.api ros2service.api ros2topic.api"""
 
 
 @pytest.fixture

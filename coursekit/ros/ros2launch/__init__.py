@@ -1,0 +1,1 @@
+"""`ros2 launch` for Python programs: `ros2launch.api`."""

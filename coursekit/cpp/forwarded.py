@@ -33,9 +33,13 @@ FORWARDED = {
         "/rclcpp_components/visibility_control.hpp /rcpputils/visibility_control.hpp /rcutils/visibility_control.h "
         "/rcl/visibility_control.h /rcl_yaml_param_parser/visibility_control.h /rmw/visibility_control.h "
         "/kdl_parser/visibility_control.hpp /tf2/visibility_control.h /tf2_ros/visibility_control.h "
-        "/urdf/visibility_control.hpp /libstatistics_collector/visibility_control.hpp"
+        "/urdf/visibility_control.hpp /libstatistics_collector/visibility_control.hpp "
+        "/image_geometry/visibility_control.hpp /image_transport/visibility_control.hpp "
+        "/laser_geometry/visibility_control.hpp /cv_bridge/cv_bridge_export.h "
+        "/rosbag2_cpp/visibility_control.hpp /rosbag2_storage/visibility_control.hpp "
+        "/rosbag2_transport/visibility_control.hpp /rcutils/visibility_control_macros.h "
+        "/rosidl_typesupport_cpp/visibility_control.h /rosidl_runtime_c/visibility_control.h"
     ),
-    "rclcpp_action/types.hpp": "qos",
     "image_transport/simple_publisher_plugin.hpp": "publisher_plugin",
     "image_transport/simple_subscriber_plugin.hpp": "subscriber_plugin",
     "rcutils/types.h": (
@@ -46,7 +50,16 @@ FORWARDED = {
     "rcutils/macros.h": "/rmw/macros.h",
     "rcpputils/env.hpp": "get_env",
     "rmw/types.h": "qos_policy_kind.h time.h",
-    "rclcpp/qos_event.hpp": "/rmw/incompatible_qos_events_statuses.h /rmw/events_statuses/events_statuses.h",
+    "rcl/wait.h": "client.h event.h guard_condition.h service.h subscription.h timer.h",
+    "rclcpp_action/types.hpp": (
+        "qos /rcl_action/rcl_action.h /rcl_action/types.h /rcl_action/action_client.h /rcl_action/action_server.h"
+    ),
+    "rclcpp/qos_event.hpp": (
+        "/rmw/event.h /rmw/incompatible_qos_events_statuses.h /rmw/events_statuses/events_statuses.h "
+        "/rmw/events_statuses/incompatible_qos.h /rmw/events_statuses/liveliness_changed.h "
+        "/rmw/events_statuses/liveliness_lost.h /rmw/events_statuses/message_lost.h "
+        "/rmw/events_statuses/offered_deadline_missed.h /rmw/events_statuses/requested_deadline_missed.h"
+    ),
     "rclcpp/topic_endpoint_info.hpp": "/rmw/topic_endpoint_info.h",
     "rosidl_typesupport_cpp/message_type_support.hpp": (
         "/rosidl_runtime_cpp/message_type_support_decl.hpp /rosidl_runtime_cpp/service_type_support_decl.hpp "
@@ -57,7 +70,6 @@ FORWARDED = {
     "tf2/time_cache.h": "time_cache.hpp",
     "tf2_kdl/tf2_kdl.hpp": "tf2_kdl.h",
     "tf2_ros/buffer.h": "async_buffer_interface.h create_timer_interface.h",
-    "message_filters/connection.h": "signal1.h signal9.h parameter_adapter.h",
     "ament_index_cpp/get_package_prefix.hpp": "get_search_paths",
     "libstatistics_collector/moving_average_statistics/moving_average.hpp": "moving_average_statistics/types",
     "libstatistics_collector/collector/collector.hpp": "collector/metric_details_interface",
@@ -65,7 +77,8 @@ FORWARDED = {
         "topic_statistics_collector/constants topic_statistics_collector/received_message_age "
         "topic_statistics_collector/received_message_period"
     ),
-    "pluginlib/class_loader.hpp": "class_desc",
+    "pluginlib/class_loader.hpp": "class_desc class_loader_base",
+    "sensor_msgs/point_cloud2_iterator.hpp": "impl/point_cloud2_iterator",
 }
 """Humble's header names by the header with their content; without a folder they are in its package."""
 

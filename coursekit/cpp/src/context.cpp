@@ -57,6 +57,7 @@ template<class Error>
   throw exceptions::RCLError(text);
 }
 std::atomic<bool> g_handles_signals{false};
+std::atomic<SignalHandlerOptions> g_signals{SignalHandlerOptions::None};
 std::atomic<int64_t> g_contexts{0};
 }  // namespace
 static void forget_log_levels();
@@ -220,6 +221,7 @@ bool install_signal_handlers(SignalHandlerOptions signals)
   if (signals == SignalHandlerOptions::None || g_handles_signals.exchange(true)) {
     return false;
   }
+  g_signals = signals;
   bool all = signals == SignalHandlerOptions::All;
   bool interrupt = all || signals == SignalHandlerOptions::SigInt, terminate = all || signals == SignalHandlerOptions::SigTerm;
   coursekit::catch_signals(interrupt, terminate);
@@ -227,6 +229,10 @@ bool install_signal_handlers(SignalHandlerOptions signals)
   return true;
 }
 bool signal_handlers_installed() {return g_handles_signals;}
+SignalHandlerOptions get_current_signal_handler_options()
+{
+  return g_handles_signals ? g_signals.load() : SignalHandlerOptions::None;
+}
 bool uninstall_signal_handlers()
 {
   if (!g_handles_signals.exchange(false)) {

@@ -28,7 +28,7 @@ class Plugin(NamedTuple):
     name: str
     type: str
     library: str
-    """The path of its library, or the name in the description if there is no such file."""
+    """The path of its library, or the name in the description if there is no such file; empty for what is in the runtime."""
     description: str
     package: str
     manifest: str
@@ -39,7 +39,7 @@ def do_plugins(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     package, base = frame.text(), frame.text()
     get_package_prefix(package)  # raises PackageNotFoundError for an unknown package
     found = list(declared(package, base))
-    words = [word for one in found for word in (*one, int(os.path.isabs(one.library)))]
+    words = [word for one in found for word in (*one, int(os.path.isabs(one.library) or not one.library))]
     return packed(len(found), *words)
 
 

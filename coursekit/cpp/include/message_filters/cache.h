@@ -1,6 +1,7 @@
 // The last messages, by their stamps.
 #pragma once
 #include <deque>
+#include <vector>
 
 #include "message_filters/simple_filter.h"
 
@@ -11,6 +12,7 @@ class Cache : public SimpleFilter<M>
 {
 public:
   using MConstPtr = std::shared_ptr<const M>;
+  using EventType = MessageEvent<M const>;
   explicit Cache(unsigned int size = 1) {setCacheSize(size);}
   template<class F>
   explicit Cache(F & from, unsigned int size = 1)
@@ -23,12 +25,14 @@ public:
   void connectInput(F & from)
   {
     connection_.disconnect();
-    connection_ = from.registerCallback([this](const MConstPtr & message) {add(message);});
+    connection_ = from.registerCallback(
+      std::function<void (const EventType &)>([this](const EventType & event) {add(event);}));
   }
   void setCacheSize(unsigned int size) {size_ = size;}
-  void add(const MessageEvent<M> & event) {add(event.getMessage());}
-  void add(const MConstPtr & message)
+  void add(const MConstPtr & message) {add(EventType(message));}
+  void add(const EventType & event)
   {
+    const MConstPtr message = event.getMessage();
     {
       std::lock_guard<std::mutex> hold(lock_);
       while (messages_.size() >= size_) {
@@ -40,7 +44,7 @@ public:
       }
       messages_.insert(at, message);
     }
-    this->signalMessage(message);
+    this->signalMessage(event);
   }
   /// Those from start to end, both included.
   std::vector<MConstPtr> getInterval(const rclcpp::Time & start, const rclcpp::Time & end) const

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "message_filters/simple_filter.h"
+#include "message_filters/pass_through.h"
 
 namespace message_filters
 {
@@ -25,7 +25,7 @@ class Chain : public ChainBase, public SimpleFilter<M>
 {
 public:
   using MConstPtr = std::shared_ptr<const M>;
-  using EventType = MessageEvent<M>;
+  using EventType = MessageEvent<M const>;
   Chain() = default;
   template<class F>
   explicit Chain(F & from) {connectInput(from);}
@@ -53,7 +53,8 @@ public:
   void connectInput(F & from)
   {
     incoming_.disconnect();
-    incoming_ = from.registerCallback([this](const EventType & event) {add(event);});
+    incoming_ = from.registerCallback(
+      std::function<void (const EventType &)>([this](const EventType & event) {add(event);}));
   }
   void add(const MConstPtr & message) {add(EventType(message));}
   void add(const EventType & event)

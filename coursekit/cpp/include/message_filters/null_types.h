@@ -1,6 +1,7 @@
 // What stands for an input that a synchronizer does not have.
 #pragma once
 #include "message_filters/connection.h"
+#include "message_filters/message_traits.h"
 
 namespace message_filters
 {
@@ -11,6 +12,8 @@ struct NullFilter
 {
   template<class C>
   Connection registerCallback(const C &) {return Connection();}
+  template<typename P>
+  Connection registerCallback(const std::function<void (P)> &) {return Connection();}
 };
 namespace message_traits
 {

@@ -79,7 +79,7 @@ public:
   const typename rclcpp::Subscription<M>::SharedPtr getSubscriber() const {return subscription_;}
   template<class F>
   void connectInput(F &) {}
-  void add(const MessageEvent<M> &) {}
+  void add(const MessageEvent<M const> &) {}
 
 private:
   N * node_ = nullptr;

@@ -12,7 +12,7 @@ class TimeSequencer : public SimpleFilter<M>
 {
 public:
   using MConstPtr = std::shared_ptr<const M>;
-  using EventType = MessageEvent<M>;
+  using EventType = MessageEvent<M const>;
   /// Messages wait for `delay`; each `update_rate` it is looked which have. `queue_size` 0 keeps any number.
   TimeSequencer(rclcpp::Duration delay, rclcpp::Duration update_rate, uint32_t queue_size, rclcpp::Node::SharedPtr node)
   : delay_(delay), queue_size_(queue_size), node_(node)
@@ -32,7 +32,8 @@ public:
   void connectInput(F & from)
   {
     incoming_.disconnect();
-    incoming_ = from.registerCallback([this](const EventType & event) {add(event);});
+    incoming_ = from.registerCallback(
+      std::function<void (const EventType &)>([this](const EventType & event) {add(event);}));
   }
   void add(const MConstPtr & message) {add(EventType(message));}
   /// One from before what was passed on already is thrown away.
@@ -49,7 +50,8 @@ public:
   }
 
 private:
-  static rclcpp::Time stamp(const EventType & event) {return message_traits::TimeStamp<M>::value(*event.getMessage());}
+  /// Nanoseconds: programs stamp by clocks of several types.
+  static int64_t stamp(const EventType & event) {return message_traits::TimeStamp<M>::value(*event.getMessage()).nanoseconds();}
   struct Earlier
   {
     bool operator()(const EventType & a, const EventType & b) const {return stamp(a) < stamp(b);}
@@ -59,8 +61,8 @@ private:
     std::vector<EventType> due;
     {
       std::lock_guard<std::mutex> hold(lock_);
-      rclcpp::Time now(rclcpp::Clock().now().nanoseconds(), RCL_ROS_TIME);
-      while (!waiting_.empty() && stamp(*waiting_.begin()) + delay_ <= now) {
+      const int64_t now = rclcpp::Clock().now().nanoseconds();
+      while (!waiting_.empty() && stamp(*waiting_.begin()) + delay_.nanoseconds() <= now) {
         last_ = stamp(*waiting_.begin());
         due.push_back(*waiting_.begin());
         waiting_.erase(waiting_.begin());
@@ -78,6 +80,6 @@ private:
   Connection incoming_;
   std::mutex lock_;
   std::multiset<EventType, Earlier> waiting_;
-  rclcpp::Time last_{0, 0, RCL_ROS_TIME};
+  int64_t last_ = 0;
 };
 }  // namespace message_filters

@@ -21,6 +21,20 @@ public:
     connect_all(std::forward_as_tuple(f0, rest ...), std::make_index_sequence<sizeof...(M)>());
   }
 
+#define COURSEKIT_ADD(i) \
+  template<class P> \
+  void add ## i(const P & message) {this->template add<i>(message);}
+  COURSEKIT_ADD(0)
+  COURSEKIT_ADD(1)
+  COURSEKIT_ADD(2)
+  COURSEKIT_ADD(3)
+  COURSEKIT_ADD(4)
+  COURSEKIT_ADD(5)
+  COURSEKIT_ADD(6)
+  COURSEKIT_ADD(7)
+  COURSEKIT_ADD(8)
+#undef COURSEKIT_ADD
+
 private:
   template<class T, size_t ... i>
   void connect_all(const T & filters, std::index_sequence<i...>) {this->connectInput(std::get<i>(filters)...);}

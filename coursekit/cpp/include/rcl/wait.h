@@ -3,14 +3,8 @@
 #include <vector>
 
 #include "coursekit/entity.hpp"
+#include "rcl/types.h"
 
-typedef int rcl_ret_t;
-#define RCL_RET_OK 0
-#define RCL_RET_ERROR 1
-#define RCL_RET_TIMEOUT 2
-#define RCL_RET_UNSUPPORTED 3
-#define RCL_RET_BAD_ALLOC 10
-#define RCL_RET_INVALID_ARGUMENT 11
 using rcl_subscription_t = coursekit::Entity;
 using rcl_guard_condition_t = coursekit::Entity;
 using rcl_timer_t = coursekit::Entity;

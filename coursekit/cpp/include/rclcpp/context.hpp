@@ -2,8 +2,11 @@
 #pragma once
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
+#include <typeindex>
+#include <unordered_map>
 #include <vector>
 
 #include "rclcpp/exceptions.hpp"
@@ -56,6 +59,17 @@ public:
   /// The ROS domain that it is in; throws RCLError where it has not been initialized.
   size_t get_domain_id() const;
   bool sleep_for(const std::chrono::nanoseconds & duration);
+  /// What belongs to this context: one of each type, made of the arguments when it is asked for first.
+  template<class SubContext, class ... Args>
+  std::shared_ptr<SubContext> get_sub_context(Args && ... args)
+  {
+    std::lock_guard<std::recursive_mutex> hold(sub_lock_);
+    std::shared_ptr<void> & kept = sub_contexts_[typeid(SubContext)];
+    if (!kept) {
+      kept = std::make_shared<SubContext>(std::forward<Args>(args)...);
+    }
+    return std::static_pointer_cast<SubContext>(kept);
+  }
   /// The session's number of it; 0 for the default one.
   int64_t number() const {return number_;}
 
@@ -75,6 +89,8 @@ private:
   mutable std::mutex lock_;
   int64_t next_ = 1;
   Callbacks before_, after_;
+  std::recursive_mutex sub_lock_;
+  std::unordered_map<std::type_index, std::shared_ptr<void>> sub_contexts_;
 };
 
 namespace contexts

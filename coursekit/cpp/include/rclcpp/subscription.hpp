@@ -66,6 +66,8 @@ public:
   virtual void handle_message(std::shared_ptr<void> & message, const MessageInfo & info) = 0;
   virtual std::shared_ptr<void> create_message() = 0;
   virtual void return_message(std::shared_ptr<void> & message) {message.reset();}
+  virtual std::shared_ptr<SerializedMessage> create_serialized_message() {return std::make_shared<SerializedMessage>();}
+  virtual void return_serialized_message(std::shared_ptr<SerializedMessage> & message) {message.reset();}
   virtual bool take_type_erased(void * message, MessageInfo & info) = 0;
   bool take_serialized(SerializedMessage & message, MessageInfo & info)
   {

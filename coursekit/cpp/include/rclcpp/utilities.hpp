@@ -17,6 +17,8 @@ std::vector<std::string> init_and_remove_ros_arguments(
 std::vector<std::string> remove_ros_arguments(int argc, char const * const * argv);
 bool install_signal_handlers(SignalHandlerOptions signals = SignalHandlerOptions::All);
 bool signal_handlers_installed();
+/// The signals that are handled; None where none are.
+SignalHandlerOptions get_current_signal_handler_options();
 bool uninstall_signal_handlers();
 bool ok(Context::SharedPtr context = nullptr);
 bool shutdown(Context::SharedPtr context = nullptr, const std::string & reason = "user called rclcpp::shutdown()");

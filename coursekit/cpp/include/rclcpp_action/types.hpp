@@ -37,6 +37,21 @@ inline std::string to_string(const GoalUUID & goal_id)
   }
   return text.str();
 }
+inline void convert(const GoalUUID & goal_id, GoalInfo * goal_info)
+{
+  std::copy(goal_id.begin(), goal_id.end(), goal_info->goal_id.uuid.begin());
+}
+inline void convert(const GoalInfo & goal_info, GoalUUID * goal_id)
+{
+  std::copy(goal_info.goal_id.uuid.begin(), goal_info.goal_id.uuid.end(), goal_id->begin());
+}
+/// How the states of goals travel: who comes late gets the last ones.
+class DefaultActionStatusQoS : public rclcpp::QoS
+{
+public:
+  DefaultActionStatusQoS()
+  : rclcpp::QoS(1) {reliable().transient_local();}
+};
 inline std::string bytes_of(const GoalUUID & goal_id) {return std::string(goal_id.begin(), goal_id.end());}
 inline GoalUUID goal_id_of(const std::string & bytes)
 {

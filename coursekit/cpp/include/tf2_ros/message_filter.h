@@ -46,7 +46,7 @@ class MessageFilter : public MessageFilterBase, public message_filters::SimpleFi
 {
 public:
   using MConstPtr = std::shared_ptr<const M>;
-  using MEvent = message_filters::MessageEvent<M>;
+  using MEvent = message_filters::MessageEvent<M const>;
   using FailureCallback = std::function<void (const MConstPtr &, FilterFailureReason)>;
 
   template<class Rep = int64_t, class Period = std::nano>

@@ -10,13 +10,16 @@
 namespace message_filters::sync_policies
 {
 template<class ... M>
-class ApproximateEpsilonTime : public PolicyBase<M...>
+class ApproximateEpsilonTime : public PolicyOf<ApproximateEpsilonTime<M...>, M...>
 {
+  using Base = PolicyOf<ApproximateEpsilonTime, M...>;
+  friend Base;
+
 public:
   ApproximateEpsilonTime(uint32_t queue_size, rclcpp::Duration epsilon)
   : queue_size_(queue_size), epsilon_(epsilon.nanoseconds()) {}
   ApproximateEpsilonTime(const ApproximateEpsilonTime & other)
-  : PolicyBase<M...>(other), queue_size_(other.queue_size_), epsilon_(other.epsilon_), topics_(other.topics_) {}
+  : Base(other), queue_size_(other.queue_size_), epsilon_(other.epsilon_), topics_(other.topics_) {}
 
 protected:
   void take(size_t which, const Stamped & one)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <limits>
+#include <mutex>
 
 #include "message_filters/synchronizer.h"
 
@@ -200,13 +201,16 @@ private:
 };
 
 template<class ... M>
-class ApproximateTime : public PolicyBase<M...>
+class ApproximateTime : public PolicyOf<ApproximateTime<M...>, M...>
 {
+  using Base = PolicyOf<ApproximateTime, M...>;
+  friend Base;
+
 public:
   ApproximateTime(uint32_t queue_size)  // NOLINT: as Humble's, a number is a policy
   : matcher_(sizeof...(M), queue_size) {}
   ApproximateTime(const ApproximateTime & other)
-  : PolicyBase<M...>(other), matcher_(other.matcher_) {}
+  : Base(other), matcher_(other.matcher_) {}
   /// How much an older set is preferred to a closer one that comes later.
   void setAgePenalty(double penalty) {matcher_.age_penalty = penalty;}
   /// Messages of that topic are at least so far apart.

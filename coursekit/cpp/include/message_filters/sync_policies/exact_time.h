@@ -1,20 +1,29 @@
 // Messages belong together whose stamps are equal.
 #pragma once
+#include <algorithm>
+#include <map>
+#include <mutex>
+
 #include "message_filters/synchronizer.h"
 
 namespace message_filters::sync_policies
 {
 template<class ... M>
-class ExactTime : public PolicyBase<M...>
+class ExactTime : public PolicyOf<ExactTime<M...>, M...>
 {
+  using Base = PolicyOf<ExactTime, M...>;
+  friend Base;
+
 public:
   ExactTime(uint32_t queue_size)  // NOLINT: as Humble's, a number is a policy
   : queue_size_(queue_size) {}
   ExactTime(const ExactTime & other)
-  : PolicyBase<M...>(other), queue_size_(other.queue_size_), sets_(other.sets_), drop_(other.drop_) {}
+  : Base(other), queue_size_(other.queue_size_), sets_(other.sets_), drop_(other.drop_) {}
   /// Have a function called with each set that is given up; what of it has not come is null.
   template<class C>
-  Connection registerDropCallback(const C & callback) {return drop_.add(callback);}
+  Connection registerDropCallback(const C & callback) {return drop_.addCallback(callback);}
+  template<class C, class T>
+  Connection registerDropCallback(const C & member, T * object) {return drop_.addCallback(member, object);}
 
 protected:
   void take(size_t which, const Stamped & one)
@@ -42,7 +51,7 @@ protected:
       this->signal(whole);
     }
     for (auto & set : given_up) {
-      tell(set, std::index_sequence_for<M...>());
+      std::apply([this](const auto & ... one) {drop_.call(one ...);}, Base::events(set, std::make_index_sequence<9>()));
     }
   }
 
@@ -52,14 +61,9 @@ private:
     given_up.push_back(std::move(sets_.begin()->second));
     sets_.erase(sets_.begin());
   }
-  template<size_t ... I>
-  void tell(const std::vector<Stamped> & set, std::index_sequence<I...>)
-  {
-    drop_.call(std::static_pointer_cast<const M>(set[I].message) ...);
-  }
   uint32_t queue_size_;
   std::mutex lock_;
   std::map<int64_t, std::vector<Stamped>> sets_;
-  Signal<std::shared_ptr<const M>...> drop_;
+  typename Base::Signal drop_;
 };
 }  // namespace message_filters::sync_policies

@@ -1,5 +1,7 @@
 // Matrices of three rows: turns.
 #pragma once
+#include <utility>
+
 #include "tf2/LinearMath/Quaternion.h"
 
 namespace tf2
@@ -142,8 +144,54 @@ public:
     tf2Scalar s = 1 / determinant();
     return Matrix3x3(x.x() * s, y.x() * s, z.x() * s, x.y() * s, y.y() * s, z.y() * s, x.z() * s, y.z() * s, z.z() * s);
   }
+  /// Turn this symmetric matrix until it is diagonal, by Jacobi: before it was rot * this * rot.transpose(). It ends when
+  /// what is beside the diagonal is less than the threshold times the sum of the diagonal's sizes, or after so many steps.
+  void diagonalize(Matrix3x3 & rot, tf2Scalar threshold, int maxSteps)
+  {
+    rot.setIdentity();
+    for (int step = 0; step < maxSteps; ++step) {
+      int p = 0, q = 1;
+      for (auto [row, column] : {std::pair(0, 2), std::pair(1, 2)}) {
+        if (std::fabs(rows_[row][column]) > std::fabs(rows_[p][q])) {
+          p = row;
+          q = column;
+        }
+      }
+      tf2Scalar sizes = std::fabs(rows_[0][0]) + std::fabs(rows_[1][1]) + std::fabs(rows_[2][2]);
+      if (rows_[p][q] == 0 || std::fabs(rows_[p][q]) < threshold * sizes) {
+        return;
+      }
+      Matrix3x3 turn = turn_that_clears(p, q);
+      *this = turn.transpose() * *this * turn;
+      rows_[p][q] = rows_[q][p] = 0;  // but for rounding
+      rot *= turn;
+    }
+  }
+  void serialize(Matrix3x3Data & data) const {each_row([&](int i) {rows_[i].serialize(data.m_el[i]);});}
+  void serializeFloat(Matrix3x3FloatData & data) const {each_row([&](int i) {rows_[i].serializeFloat(data.m_el[i]);});}
+  void deSerialize(const Matrix3x3Data & data) {each_row([&](int i) {rows_[i].deSerialize(data.m_el[i]);});}
+  void deSerializeDouble(const Matrix3x3DoubleData & data) {deSerialize(data);}
+  void deSerializeFloat(const Matrix3x3FloatData & data) {each_row([&](int i) {rows_[i].deSerializeFloat(data.m_el[i]);});}
 
 private:
+  template<class F>
+  static void each_row(F what)
+  {
+    for (int row = 0; row < 3; ++row) {
+      what(row);
+    }
+  }
+  /// The turn in the plane of two axes after which this matrix has 0 there; the smaller one of the two that do.
+  Matrix3x3 turn_that_clears(int p, int q) const
+  {
+    tf2Scalar angle = std::atan2(2 * rows_[p][q], rows_[q][q] - rows_[p][p]) / 2;
+    angle = angle > TF2SIMD_PI / 4 ? angle - TF2SIMD_PI / 2 : angle < -TF2SIMD_PI / 4 ? angle + TF2SIMD_PI / 2 : angle;
+    Matrix3x3 turn;
+    turn[p][p] = turn[q][q] = std::cos(angle);
+    turn[p][q] = std::sin(angle);
+    turn[q][p] = -turn[p][q];
+    return turn;
+  }
   static Matrix3x3 rows(const Vector3 & x, const Vector3 & y, const Vector3 & z)
   {
     return Matrix3x3(x.x(), x.y(), x.z(), y.x(), y.y(), y.z(), z.x(), z.y(), z.z());

@@ -48,6 +48,27 @@ public:
     static const Transform identity;
     return identity;
   }
+  void serialize(TransformData & data) const
+  {
+    basis_.serialize(data.m_basis);
+    origin_.serialize(data.m_origin);
+  }
+  void serializeFloat(TransformFloatData & data) const
+  {
+    basis_.serializeFloat(data.m_basis);
+    origin_.serializeFloat(data.m_origin);
+  }
+  void deSerialize(const TransformData & data)
+  {
+    basis_.deSerialize(data.m_basis);
+    origin_.deSerialize(data.m_origin);
+  }
+  void deSerializeDouble(const TransformDoubleData & data) {deSerialize(data);}
+  void deSerializeFloat(const TransformFloatData & data)
+  {
+    basis_.deSerializeFloat(data.m_basis);
+    origin_.deSerializeFloat(data.m_origin);
+  }
 
   Transform inverse() const
   {

@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 
+#include "tf2/LinearMath/Data.h"
 #include "tf2/LinearMath/MinMax.h"
 #include "tf2/LinearMath/Scalar.h"
 
@@ -83,6 +84,22 @@ public:
     Vector3 along = axis * axis.dot(*this);
     return along + (*this - along) * std::cos(angle) + axis.cross(*this) * std::sin(angle);
   }
+  /// The rows of the matrix that takes a vector to its cross product with this one.
+  void getSkewSymmetricMatrix(Vector3 * x, Vector3 * y, Vector3 * z) const
+  {
+    *x = Vector3(0, -m_floats[2], m_floats[1]);
+    *y = Vector3(m_floats[2], 0, -m_floats[0]);
+    *z = Vector3(-m_floats[1], m_floats[0], 0);
+  }
+  void serialize(Vector3Data & data) const {std::copy_n(m_floats, 4, data.m_floats);}
+  void serializeDouble(Vector3DoubleData & data) const {serialize(data);}
+  void serializeFloat(Vector3FloatData & data) const
+  {
+    std::transform(m_floats, m_floats + 4, data.m_floats, [](tf2Scalar one) {return static_cast<float>(one);});
+  }
+  void deSerialize(const Vector3Data & data) {std::copy_n(data.m_floats, 4, m_floats);}
+  void deSerializeDouble(const Vector3DoubleData & data) {deSerialize(data);}
+  void deSerializeFloat(const Vector3FloatData & data) {std::copy_n(data.m_floats, 4, m_floats);}
 
   /// Its three numbers, and one more that fills it up.
   tf2Scalar m_floats[4] = {0, 0, 0, 0};

@@ -38,7 +38,7 @@ EXPORTED = {
     "urdf": "pluginlib urdf_parser_plugin urdfdom urdfdom_headers",
     "rosbag2_cpp": "pluginlib rclcpp rcpputils rcutils rosbag2_storage",
     "rosbag2_compression": "rcpputils rcutils rosbag2_cpp rosbag2_storage",
-    "rosbag2_transport": "rclcpp rosbag2_compression rosbag2_cpp rosbag2_storage",
+    "rosbag2_transport": "rclcpp rosbag2_compression rosbag2_cpp rosbag2_interfaces rosbag2_storage",
 }
 """The exports of upstream's packages; an interface package exports the dependencies in its package.xml."""
 HUMBLE = "16.0.11"

@@ -33,6 +33,7 @@ EXPORTED = {
     "diagnostic_updater": "diagnostic_msgs rclcpp std_msgs",
     "realtime_tools": "rclcpp rclcpp_action",
     "control_toolbox": "control_msgs rclcpp rcutils realtime_tools",
+    "hardware_interface": "control_msgs lifecycle_msgs pluginlib rclcpp_lifecycle rcpputils rcutils",
     "class_loader": "console_bridge rcpputils",
     "pluginlib": "ament_index_cpp class_loader rcpputils rcutils",
     "urdf": "pluginlib urdf_parser_plugin urdfdom urdfdom_headers",

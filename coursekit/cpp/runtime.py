@@ -56,9 +56,7 @@ PACKAGES = (
     "rmw_cyclonedds_cpp",
 )  # fmt: skip
 """The packages found here in addition to those with a folder in the underlay's share."""
-NOT_COMPILED = {
-    "controller_interface", "gazebo_plugins", "gazebo_ros", "hardware_interface", "nav2_util",
-}  # fmt: skip
+NOT_COMPILED = {"gazebo_plugins", "gazebo_ros", "nav2_util"}
 """Packages that come with coursekit, but without C++ headers for others."""
 _MADE_OF = (".hpp", ".h", ".cpp", ".txt", ".msg", ".srv", ".action", ".py")
 SHARED = "COURSEKIT_SHARED"

@@ -15,7 +15,7 @@ import socket
 import sys
 import threading
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy.context import Context
 from rclpy.exceptions import NotInitializedException, ParameterException
@@ -32,6 +32,7 @@ from coursekit.nodes.compiled import (
     entities,
     executing,
     graph,
+    hardware,
     lifecycle,
     listening,
     parameters,
@@ -53,6 +54,9 @@ from coursekit.processes.executables import is_compiled_here
 from coursekit.processes.process import ProcessKilled, current_process
 from coursekit.processes.session import current
 
+if TYPE_CHECKING:
+    from coursekit.nodes.compiled.part import Part
+
 VIRTUAL, STOPPING, SIMULATED = 1, 2, 4
 _LAST_WORDS_S = 1.0
 _COMPUTE_LIMIT_S = 60.0
@@ -62,7 +66,7 @@ _TOO_LONG = (
     "[coursekit] {name} has computed for {limit:g} s without asking rclcpp for anything, and was killed: virtual time "
     "does not advance meanwhile. Let its loops sleep or spin; COURSEKIT_COMPUTE_LIMIT=SECONDS gives it longer.\n"
 )
-_ANOTHER_AGE = (
+ANOTHER_AGE = (
     "[coursekit] {name} was built by another version of coursekit than this one, and cannot talk with it. Build its "
     "workspace again: `colcon build`."
 )
@@ -82,7 +86,7 @@ _NOT_VALID = (
 """rclcpp's messages for nodes and executors made before init() or after shutdown()."""
 _ROOMS = (
     program, entities, topics, graph, parameters, executing, waiting, waitables, lifecycle, listening, actions, transforms,
-    vision, bags, plugins, robots, calibrations, components,
+    vision, bags, plugins, robots, calibrations, components, hardware,
 )  # fmt: skip
 OPERATIONS = {name[3:]: do for room in _ROOMS for name, do in vars(room).items() if name.startswith("do_")}
 
@@ -122,6 +126,8 @@ class Host:
         """Those publishers whose messages may stay in the program."""
         self.news = listening.News(self)
         self.context = contextvars.copy_context()
+        self.served: Part | None = None
+        """What the program carries out requests for, if it is a part of a process of Python."""
         self.caught: set[int] = set()
         """Signals that interrupt the program's waiting, and do not end the program."""
         self._lock = threading.Lock()
@@ -142,12 +148,15 @@ class Host:
         try:
             self._child = Child([self.path, *self.argv], self._door.address, self.process, self._workers.tell_signal)
             self.output = self._child.output
-            for number in (signal.SIGINT, signal.SIGTERM):
-                self.process.handlers[number] = self._on_signal
+            self._begin_signals()
             self.process.cleanups.append(self._child.kill)
             return self._stand_for_it() if self.clock.virtual else self._stand_by()
         finally:
             self._door.close()
+
+    def _begin_signals(self) -> None:
+        for number in (signal.SIGINT, signal.SIGTERM):
+            self.process.handlers[number] = self._on_signal
 
     def _stand_for_it(self) -> int:
         """Represent the program on the virtual clock: one action at a time, in a fixed order."""
@@ -272,7 +281,7 @@ def main(argv: list[str]) -> int:
     """Run a compiled program in a process of the session. Returns its exit code."""
     for word in argv:
         if os.path.isfile(word) and is_compiled_here(Path(word)) and is_of_another_age(Path(word)):
-            print(_ANOTHER_AGE.format(name=os.path.basename(word)), file=sys.stderr)
+            print(ANOTHER_AGE.format(name=os.path.basename(word)), file=sys.stderr)
             return 1
     code = Host(argv[0], argv[1:]).run()
     if code < 0:

@@ -25,6 +25,8 @@ def do_init(host: Host, _channel: Channel, frame: Unpacker) -> None:
     """Initialise rclpy with the program's arguments."""
     context, domain = host.context_called(frame.integer()), frame.integer()
     words = [frame.text() for _ in range(frame.integer())]
+    if host.served is not None and context.ok():
+        return  # it is a part of a process that has done so
     rclpy.init(args=words[1:], context=context, domain_id=None if domain < 0 else domain)
     host.process.on_signal.clear()
 

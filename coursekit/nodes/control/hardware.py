@@ -6,7 +6,20 @@ import math
 
 from .description import HardwareInfo
 
+UNCONFIGURED, INACTIVE, ACTIVE, FINALIZED = "unconfigured", "inactive", "active", "finalized"
+TRANSITIONS = {
+    "configure": INACTIVE, "activate": ACTIVE, "deactivate": INACTIVE, "cleanup": UNCONFIGURED, "shutdown": FINALIZED,
+}  # fmt: skip
+"""The lifecycle's transitions, and the states to which they lead."""
 STANDARD = ("position", "velocity", "acceleration", "effort")
+
+
+class HardwareFault(Exception):
+    """A C++ exception of a driver: its type and its text."""
+
+    def __init__(self, kind: str, text: str) -> None:
+        super().__init__(text)
+        self.kind = kind
 
 
 class Hardware:
@@ -18,16 +31,39 @@ class Hardware:
         self.states: dict[str, float] = {
             name: (one.initial if not math.isnan(one.initial) else 0.0) for name, one in info.interfaces("states").items()
         }
-        self.active = True
+        self.state = UNCONFIGURED
+        self.now_ns = 0
+        """The time of the current step [ns]."""
 
-    def read(self, dt: float) -> None:
-        """Update the states."""
+    @property
+    def is_available(self) -> bool:
+        """Whether its interfaces can be used: from configuration to cleanup."""
+        return self.state in (INACTIVE, ACTIVE)
 
-    def write(self, dt: float) -> None:
-        """Apply the commands."""
+    def transition(self, name: str) -> None:
+        """Carry out one of the TRANSITIONS; `state` tells whether it succeeded. Raises HardwareFault."""
+        self.state = TRANSITIONS[name]
+
+    def prepare_switch(self, start: list[str], stop: list[str]) -> bool:
+        """Whether it accepts that these commands are claimed and those are released."""
+        return True
+
+    def perform_switch(self, start: list[str], stop: list[str]) -> bool:
+        """Change over to other commands; return whether it succeeded."""
+        return True
+
+    def read(self, dt: float) -> bool | None:
+        """Update the states; False after an error."""
+
+    def write(self, dt: float) -> bool | None:
+        """Apply the commands; False after an error."""
+
+    def close(self) -> None:
+        """Handle the end of the manager."""
 
     def released(self, names: list[str]) -> None:
-        """Handle commands released by their controller: they become nan."""
+        """Handle commands released by their controller: they are applied once more, and become nan."""
+        self.write(0.0)
         for name in names:
             self.commands[name] = math.nan
 
@@ -70,4 +106,7 @@ class GenericSystem(Hardware):
 
 MOCKS = ("mock_components/GenericSystem", "fake_components/GenericSystem")
 """Classes of mock hardware; the second is the older name."""
-__all__ = ["MOCKS", "STANDARD", "GenericSystem", "Hardware"]
+__all__ = [
+    "ACTIVE", "FINALIZED", "INACTIVE", "MOCKS", "STANDARD", "TRANSITIONS", "UNCONFIGURED", "GenericSystem", "Hardware",
+    "HardwareFault",
+]  # fmt: skip

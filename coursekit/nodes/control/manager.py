@@ -7,13 +7,15 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import yaml
+from rclpy.logging import get_logger
 from rclpy.node import Node
 
 from coursekit.files import read_text
 from coursekit.urdf.errors import close
 
 from .controller import ControlError, Interfaces, Maker
-from .hardware import Hardware
+from .hardware import ACTIVE, INACTIVE, UNCONFIGURED, Hardware
+from .lifecycle import bring
 from .switching import Loaded, Switching
 from .types import TYPES
 
@@ -26,6 +28,7 @@ class Manager:
     ) -> None:
         self.node, self.executor, self.arguments, self.makers = node, executor, list(arguments), makers
         self.log = node.get_logger()
+        self.hardware_log = get_logger("resource_manager")
         self.lock = threading.RLock()
         self.hardware: list[Hardware] = []
         self.loaded: dict[str, Loaded] = {}
@@ -46,13 +49,19 @@ class Manager:
         return float(rate)
 
     def add(self, hardware: Hardware) -> None:
-        """Add a piece of hardware; its interfaces can then be claimed."""
+        """Add a piece of hardware and bring it to its first state; its interfaces can then be claimed."""
         with self.lock:
             self.hardware.append(hardware)
             self._commands.update(dict.fromkeys(hardware.commands, hardware.commands))
             self._states.update(dict.fromkeys(hardware.states, hardware.states))
-        self.log.info(f"Loading hardware '{hardware.info.name}' ")
-        self.log.info(f"Successful initialization of hardware '{hardware.info.name}'")
+            bring(hardware, self._first_state(hardware.info.name), self.hardware_log)
+
+    def _first_state(self, name: str) -> str:
+        for state in (UNCONFIGURED, INACTIVE):
+            parameter = f"hardware_components_initial_state.{state}"
+            if self.node.has_parameter(parameter) and name in (self.node.get_parameter(parameter).value or ()):
+                return state
+        return ACTIVE
 
     # -- service requests; each returns its success
 
@@ -111,14 +120,46 @@ class Manager:
     def switch(self, start: Sequence[str], stop: Sequence[str], strict: bool) -> bool:
         """Activate and deactivate; `strict` is all or nothing."""
         with self.lock:
-            plan = Switching(self.loaded, self.interfaces, self.log, strict).plan(start, stop)
+            closed = {name for one in self.hardware if not one.is_available for name in (*one.commands, *one.states)}
+            plan = Switching(self.loaded, self.interfaces, self.log, strict, closed).plan(start, stop)
             if plan is None:
                 return False
             starting, stopping = plan
+            claimed = [name for one in starting for name in one.controller.command_names()]
+            released = [name for one in stopping for name in one.claimed]
+            if not self._prepare(claimed, released):
+                self.log.error("Could not switch controllers since prepare command mode switch was rejected.")
+                return False
             for one in stopping:
                 self._deactivate(one)
+            if not self._perform(claimed, released):
+                self.log.error("Error while performing mode switch.")
             done = [self._activate(one) for one in starting]
             return all(done)
+
+    def _prepare(self, claimed: list[str], released: list[str]) -> bool:
+        """Ask the hardware whether commands can be claimed and released."""
+        for hardware in self._asked(claimed, released):
+            if not hardware.prepare_switch(claimed, released):
+                told = "".join(
+                    f"{what} interfaces: \n[\n{''.join(f'  {name}{chr(10)}' for name in names)}]\n"
+                    for what, names in (("Start", claimed), ("Stop", released))
+                )
+                text = f"Component '{hardware.info.name}' did not accept new command resource combination: \n {told}"
+                self.hardware_log.error(text)
+                return False
+        return True
+
+    def _perform(self, claimed: list[str], released: list[str]) -> bool:
+        for hardware in self._asked(claimed, released):
+            if not hardware.perform_switch(claimed, released):
+                self.hardware_log.error(f"Component '{hardware.info.name}' could not perform switch")
+                return False
+        return True
+
+    def _asked(self, claimed: list[str], released: list[str]) -> list[Hardware]:
+        """Return the hardware that must agree to a switch: none if no commands are concerned."""
+        return [one for one in self.hardware if one.is_available] if claimed or released else []
 
     def _activate(self, one: Loaded) -> bool:
         one.controller.now_ns = self.now_ns
@@ -135,9 +176,8 @@ class Manager:
         one.controller.deactivate()
         held = {name for other in self.loaded.values() if other is not one for name in other.claimed}
         for hardware in self.hardware:
-            gone = [name for name in one.claimed if name in hardware.commands and name not in held]
-            hardware.write(0.0)
-            hardware.released(gone)
+            if hardware.is_available:
+                hardware.released([name for name in one.claimed if name in hardware.commands and name not in held])
         one.state, one.claimed = "inactive", []
 
     def unload(self, name: str) -> bool:
@@ -159,14 +199,25 @@ class Manager:
         """Do one step: read, update the active controllers, write."""
         with self.lock:
             self.now_ns = now_ns
-            for hardware in self.hardware:
-                hardware.read(dt)
+            self._exchange("read", dt)
             for one in list(self.loaded.values()):
                 if one.state == "active":
                     one.controller.now_ns = now_ns
                     one.controller.update(now_ns, dt)
-            for hardware in self.hardware:
-                hardware.write(dt)
+            self._exchange("write", dt)
+
+    def _exchange(self, what: str, dt: float) -> None:
+        """Read from or write to all hardware; controllers of hardware with an error are deactivated."""
+        for hardware in [one for one in self.hardware if one.is_available]:
+            hardware.now_ns = self.now_ns
+            if getattr(hardware, what)(dt) is False:
+                self._deactivate_users(hardware)
+
+    def _deactivate_users(self, hardware: Hardware) -> None:
+        names = {*hardware.commands, *hardware.states}
+        for one in list(self.loaded.values()):
+            if one.state == "active" and names & {*one.claimed, *one.controller.state_names()}:
+                self._deactivate(one)
 
     def restart(self, now_ns: int) -> None:
         """Restart the active controllers after a reset of time."""

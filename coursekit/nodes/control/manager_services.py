@@ -19,10 +19,12 @@ from controller_manager_msgs.srv import (
 )
 
 from .hardware import Hardware
+from .lifecycle import bring
 from .manager import Manager
 
 BASE = "controller_interface::ControllerInterface"
 STATES = {1: "unconfigured", 2: "inactive", 3: "active", 4: "finalized"}
+_IDS = {label: number for number, label in STATES.items()}
 
 
 class ManagerServices:
@@ -92,13 +94,14 @@ class ManagerServices:
 
     def _told(self, hardware: Hardware, names: list[str]) -> list[HardwareInterface]:
         claimed = {name for one in self._manager.loaded.values() for name in one.claimed}
-        return [HardwareInterface(name=name, is_available=hardware.active, is_claimed=name in claimed) for name in names]
+        there = hardware.is_available
+        return [HardwareInterface(name=name, is_available=there, is_claimed=name in claimed) for name in names]
 
     def _components(self, _request: Any, answer: Any) -> Any:
         for hardware in self._manager.hardware:
             info = hardware.info
             msg = HardwareComponentState(name=info.name, type=info.kind, class_type=info.plugin)
-            msg.state.id, msg.state.label = (3, "active") if hardware.active else (2, "inactive")
+            msg.state.id, msg.state.label = _IDS.get(hardware.state, 0), hardware.state
             msg.command_interfaces = self._told(hardware, list(hardware.commands))
             msg.state_interfaces = self._told(hardware, list(hardware.states))
             answer.component.append(msg)
@@ -107,11 +110,15 @@ class ManagerServices:
     def _set_component(self, request: Any, answer: Any) -> Any:
         one = next((each for each in self._manager.hardware if each.info.name == request.name), None)
         target = request.target_state.label or STATES.get(request.target_state.id, "")
-        if one is None or target not in ("active", "inactive"):
+        if one is None:
+            self._manager.log.error(f"hardware component with name '{request.name}' does not exist")
+            return answer
+        if target not in _IDS:
             self._manager.log.error(f"hardware component with name '{request.name}' cannot be brought to '{target}'")
             return answer
-        one.active = target == "active"
-        answer.ok, answer.state.label, answer.state.id = True, target, 3 if one.active else 2
+        with self._manager.lock:
+            answer.ok = bring(one, target, self._manager.hardware_log)
+        answer.state.label, answer.state.id = one.state, _IDS.get(one.state, 0)
         return answer
 
 

@@ -1,22 +1,28 @@
-"""`ros2 run controller_manager ros2_control_node`: the controller manager with mock hardware."""
+"""`ros2 run controller_manager ros2_control_node`: the controller manager with mock hardware and compiled drivers."""
 
 from __future__ import annotations
 
+import contextlib
 import sys
 from typing import Any
 
 import rclpy
+from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from std_msgs.msg import String
 
-from coursekit.nodes.running import to_the_end
+from coursekit.nodes.running import terminate, to_the_end
 from coursekit.urdf import UrdfError
 
 from .description import read_hardware
-from .hardware import MOCKS, GenericSystem
+from .hardware import FINALIZED
+from .lifecycle import bring
 from .manager import Manager
 from .manager_services import ManagerServices
+from .resources import WrongInterfaces, load
+
+_NOT_GENUINE = "The published robot description file (urdf) seems not to be genuine. The following error was caught:"
 
 
 def own_arguments(argv: list[str]) -> list[str]:
@@ -62,32 +68,38 @@ class ControlNode:
             log.info("Subscribing to '~/robot_description' topic for robot description file.")
             latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
             for topic in ("~/robot_description", "robot_description"):
-                self.node.create_subscription(String, topic, lambda msg: self.describe(msg.data), latched)
+                self.node.create_subscription(String, topic, self._receive, latched)
         log.info(f"update rate is {self.manager.rate:g} Hz")
         self.manager.now_ns = self._last_ns = self.node.get_clock().now().nanoseconds
         self.node.create_timer(1.0 / self.manager.rate, self._step)
 
     def describe(self, text: str) -> None:
-        """Add the hardware of a description; only the first one counts."""
+        """Add the hardware of a description; only the first one counts. Raises WrongInterfaces."""
         if self.manager.hardware:
             return
         log = self.node.get_logger()
         try:
             _, infos = read_hardware(text)
         except UrdfError as error:
-            log.error(f"The published robot description file (urdf) seems not to be genuine: {error}")
+            log.error(f"{_NOT_GENUINE} {error}")
             return
         if not infos:
             log.error("The robot description has no <ros2_control>: there is nothing to control.")
         for info in infos:
-            if info.plugin in MOCKS:
-                self.manager.add(GenericSystem(info))
-            else:
-                log.error(
-                    f"Caught exception of type : pluginlib::LibraryLoadException while loading hardware '{info.name}': "
-                    f"class {info.plugin} is the driver of a device. Here there is {MOCKS[0]}, which needs none; in a "
-                    "simulation the robot's plugin gazebo_ros2_control or gz_ros2_control is the manager: spawn the robot."
-                )
+            if (hardware := load(info, text, self.manager.hardware_log)) is not None:
+                self.manager.add(hardware)
+
+    def _receive(self, msg: String) -> None:
+        try:
+            self.describe(msg.data)
+        except WrongInterfaces as fault:
+            self.node.get_logger().error(f"{_NOT_GENUINE} {fault}")
+
+    def close(self) -> None:
+        """Shut the hardware down."""
+        for hardware in self.manager.hardware:
+            bring(hardware, FINALIZED, self.manager.hardware_log)
+            hardware.close()
 
     def _step(self) -> None:
         now = self.node.get_clock().now().nanoseconds
@@ -98,7 +110,12 @@ class ControlNode:
 def main(args: list[str] | None = None) -> Any:
     """Run the controller manager until Ctrl-C."""
     rclpy.init(args=args)
-    control = ControlNode()
+    try:
+        control = ControlNode()
+    except WrongInterfaces as fault:
+        return terminate(str(fault))
     with to_the_end():
-        control.executor.spin()
+        with contextlib.suppress(KeyboardInterrupt, ExternalShutdownException):
+            control.executor.spin()
+        control.close()
     return 0

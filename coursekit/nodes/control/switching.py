@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -23,10 +23,13 @@ class Loaded:
 
 
 class Switching:
-    """One switch; a `strict` one is done completely or not at all."""
+    """One switch; a `strict` one is done completely or not at all. `closed` are the interfaces that are not available."""
 
-    def __init__(self, loaded: Mapping[str, Loaded], interfaces: Interfaces, log: Any, strict: bool) -> None:
+    def __init__(
+        self, loaded: Mapping[str, Loaded], interfaces: Interfaces, log: Any, strict: bool, closed: Set[str] = frozenset()
+    ) -> None:
         self._loaded, self._interfaces, self._log, self._strict = loaded, interfaces, log, strict
+        self._closed = closed
 
     def plan(self, start: Sequence[str], stop: Sequence[str]) -> tuple[list[Loaded], list[Loaded]] | None:
         """Return those to start and those to stop; None, with a log message, if it is impossible."""
@@ -78,6 +81,8 @@ class Switching:
                 if name not in there:
                     hint = close(name, there)
                     return f"Can't activate controller '{one.name}': {kind} interface '{name}' does not exist. {hint}"
+                if name in self._closed:
+                    return f"Can't activate controller '{one.name}': {kind} interface '{name}' is not available."
         return ""
 
 

@@ -109,9 +109,9 @@ def _plugin(info: HardwareInfo) -> Plugin:
     raise PluginFault(
         "LibraryLoadException",
         f"According to the loaded plugin descriptions the class {info.plugin} with base class type {base} does not exist. "
-        f"Declared types are  {' '.join([*MOCKS, *known])}. If it is the driver of a device, build its package and source "
-        "its workspace; in a simulation the robot's plugin gazebo_ros2_control or gz_ros2_control is the manager: spawn the "
-        "robot.",
+        f"Declared types are  {' '.join([*MOCKS, *known])}. If {info.plugin} is the driver of a device, build its "
+        "package and source its workspace; in a simulation the robot's plugin gazebo_ros2_control or gz_ros2_control is the "
+        "manager: spawn the robot.",
     )
 
 

@@ -33,6 +33,8 @@ EXPORTED = {
     "diagnostic_updater": "diagnostic_msgs rclcpp std_msgs",
     "realtime_tools": "rclcpp rclcpp_action",
     "control_toolbox": "control_msgs rclcpp rcutils realtime_tools",
+    "controller_interface": "hardware_interface rclcpp_lifecycle sensor_msgs",
+    "controller_manager": "controller_interface controller_manager_msgs hardware_interface pluginlib rclcpp",
     "hardware_interface": "control_msgs lifecycle_msgs pluginlib rclcpp_lifecycle rcpputils rcutils",
     "class_loader": "console_bridge rcpputils",
     "pluginlib": "ament_index_cpp class_loader rcpputils rcutils",

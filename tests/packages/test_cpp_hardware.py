@@ -314,7 +314,7 @@ def test_a_class_that_is_not_there_is_said(workspace, plugin, text):
 
 
 def test_a_program_of_another_version_is_not_run(workspace):
-    path = workspace / "install/k_cart/lib/k_cart/__hardware_k_cart"
+    path = workspace / "install/k_cart/lib/k_cart/__plugins_k_cart"
     data = path.read_bytes()
     at = data.index(MARK) + len(MARK)
     path.write_bytes(data[:at] + b"0" * 16 + data[at + 16 :])
@@ -354,3 +354,56 @@ def test_actuators_and_sensors_are_run(workspace):
     said = told(workspace, body, words=["--params-file", "lifter.yaml"], changes={"</ros2_control>\n</robot>": OTHERS})
     assert "name: lift\n\ttype: actuator\n\tplugin name: k_cart/Lift" in said
     assert "name: scale\n\ttype: sensor\n\tplugin name: k_cart/Scale" in said
+
+
+@pytest.mark.parametrize("virtual", [True, False])
+def test_a_controller_in_cpp_commands_and_hears(workspace, virtual):
+    body = """
+    from std_msgs.msg import Float64
+    spawn("speeds")
+    heard = []
+    node.create_subscription(Float64, "/speeds/mean", heard.append, 10)
+    speed = node.create_publisher(Float64, "/speeds/speed", 10)
+    while not heard or heard[-1].data != 3.0:
+        speed.publish(Float64(data=1.5))
+        rclpy.spin_once(node)
+    print("nodes", sorted(node.get_node_names()))
+    ros2("control", "list_controllers")
+    ros2("control", "list_controller_types")
+    ros2("control", "list_hardware_interfaces")
+    ros2("param", "get", "/speeds", "wheels")
+    ros2("control", "unload_controller", "speeds")
+    ros2("control", "switch_controllers", "--deactivate", "speeds")
+    ros2("control", "unload_controller", "speeds")
+    print("nodes", sorted(node.get_node_names()))
+    """
+    said = told(workspace, body, virtual=virtual)
+    assert "nodes ['controller_manager', 'driver', 'robot_state_publisher', 'speeds']" in said
+    assert "nodes ['controller_manager', 'driver', 'robot_state_publisher']" in said
+    assert "k_cart/Speeds" in said and "k_cart/Turns" in said and "right/velocity [available] [claimed]" in said
+    assert "String values are: ['right', 'left']" in said
+    assert re.findall(r"\[speeds\]: (.*)", said) == [
+        "configured from unconfigured", "activated with 2 commands, 4 states", "deactivated",
+    ]  # fmt: skip
+    assert "ended 0" in said
+
+
+def test_a_chainable_controller_in_cpp_runs_alone(workspace):
+    body = """
+    spawn("joint_state_broadcaster", "turns")
+    while not joints or abs(joints[-1].position[joints[-1].name.index("right")] - 1.0) > 1e-3:
+        rclpy.spin_once(node)
+    """
+    assert "ended 0" in told(workspace, body)
+
+
+@pytest.mark.parametrize(
+    ("name", "text"),
+    [
+        ("broken", "[ERROR] [controller_manager]: Could not initialize the controller named 'broken'"),
+        ("wheelless", "After configuring, controller 'wheelless' is in state 'unconfigured' , expected inactive."),
+    ],
+)
+def test_a_controller_in_cpp_that_fails_is_said(workspace, name, text):
+    said = told(workspace, f"spawn('{name}')")
+    assert text in said and "spawned 1" in said and "ended 0" in said

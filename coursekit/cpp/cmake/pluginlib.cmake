@@ -15,15 +15,16 @@ function(pluginlib_export_plugin_description_file category file)
     "share/${PROJECT_NAME}/${file}\n")
   get_property(content DIRECTORY "${PROJECT_SOURCE_DIR}" PROPERTY COURSEKIT_PLUGINS_${category})
   ament_index_register_resource(${category}__pluginlib__plugin CONTENT "${content}")
-  if(category STREQUAL "hardware_interface")
-    set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY COURSEKIT_HARDWARE "${PROJECT_SOURCE_DIR}/${file}")
-    cmake_language(DEFER DIRECTORY "${PROJECT_SOURCE_DIR}" CALL _coursekit_add_hardware_programs)  # when all libraries are known
+  if(category MATCHES "^(hardware|controller)_interface$")
+    set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY COURSEKIT_CONTROLLED "${PROJECT_SOURCE_DIR}/${file}")
+    cmake_language(DEFER DIRECTORY "${PROJECT_SOURCE_DIR}" CALL _coursekit_add_plugin_programs)  # when all libraries are known
   endif()
 endfunction()
 
-# Each library of hardware also becomes a program, which the controller manager starts where a robot would load the library.
-function(_coursekit_add_hardware_programs)
-  get_property(files DIRECTORY "${PROJECT_SOURCE_DIR}" PROPERTY COURSEKIT_HARDWARE)
+# Each library of ros2_control's hardware or controllers also becomes a program, which the controller manager starts where a
+# robot would load the library.
+function(_coursekit_add_plugin_programs)
+  get_property(files DIRECTORY "${PROJECT_SOURCE_DIR}" PROPERTY COURSEKIT_CONTROLLED)
   set(libraries "")
   foreach(file ${files})
     file(READ "${file}" text)
@@ -35,17 +36,17 @@ function(_coursekit_add_hardware_programs)
     if(NOT TARGET ${target})
       string(REGEX REPLACE "^lib" "" target "${target}")
     endif()
-    if(TARGET ${target} AND NOT TARGET __hardware_${target})
-      _coursekit_add_hardware_program(${target})
+    if(TARGET ${target} AND NOT TARGET __plugins_${target})
+      _coursekit_add_plugin_program(${target})
     endif()
   endforeach()
 endfunction()
 
-function(_coursekit_add_hardware_program target)
-  set(program __hardware_${target})
-  set(source "${CMAKE_CURRENT_BINARY_DIR}/hardware/${program}.cpp")
-  file(GENERATE OUTPUT "${source}" CONTENT "#include \"hardware_interface/coursekit_run.hpp\"
-int main(int argc, char ** argv) {return hardware_interface::run(argc, argv);}
+function(_coursekit_add_plugin_program target)
+  set(program __plugins_${target})
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/plugins/${program}.cpp")
+  file(GENERATE OUTPUT "${source}" CONTENT "#include \"coursekit/plugins.hpp\"
+int main(int argc, char ** argv) {return coursekit::run_plugins(argc, argv);}
 ")
   add_executable(${program} "${source}" $<TARGET_OBJECTS:${target}>)  # the objects, so that the classes are entered
   set_property(TARGET ${program} APPEND PROPERTY LINK_LIBRARIES $<TARGET_PROPERTY:${target},LINK_LIBRARIES> coursekit_headers)

@@ -77,6 +77,7 @@ if(CMAKE_CXX_COMPILER MATCHES "zig")
   file(GLOB _coursekit_lent "${COURSEKIT_CPP}/lib/libc++*.a")
   if(_coursekit_lent)
     set(CMAKE_CXX_IMPLICIT_LINK_LIBRARIES "")
+    enable_language(C)  # a project may have C++ alone
   else()
     set(COURSEKIT_LOADS FALSE)
   endif()

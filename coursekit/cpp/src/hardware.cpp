@@ -1,14 +1,12 @@
-// The program that has a package's hardware: the controller manager asks, the hardware's class does.
+// Hardware: the controller manager asks, its classes do.
 #include <cmath>
 #include <memory>
 #include <stdexcept>
-#include <typeinfo>
 
 #include "class_loader/class_loader.hpp"
-#include "coursekit/link.hpp"
+#include "coursekit/plugins.hpp"
 #include "hardware_interface/actuator_interface.hpp"
 #include "hardware_interface/component_parser.hpp"
-#include "hardware_interface/coursekit_run.hpp"
 #include "hardware_interface/sensor_interface.hpp"
 #include "hardware_interface/system_interface.hpp"
 #include "rclcpp/rclcpp.hpp"
@@ -104,10 +102,10 @@ constexpr const char * LABELS[] = {
   lifecycle_state_names::ACTIVE, lifecycle_state_names::FINALIZED};
 
 /// A class's object with its lifecycle and the interfaces that it exported.
-class Host
+class HardwareHost
 {
 public:
-  explicit Host(std::unique_ptr<HardwareComponent> hardware)
+  explicit HardwareHost(std::unique_ptr<HardwareComponent> hardware)
   : hardware_(std::move(hardware)) {}
 
   void initialize(Unpacker & from)
@@ -236,24 +234,11 @@ std::unique_ptr<HardwareComponent> make(const std::string & type)
   }
   throw class_loader::CreateClassException("Could not create instance of type " + type);
 }
-/// Do what may fail without an end of the program; pack what was thrown: its type and text, two empty texts for nothing.
-template<class F>
-void careful(Packer & to, F act)
-{
-  try {
-    act();
-    to.s("").s("");
-  } catch (const std::exception & error) {
-    to.s(typeid(error).name()).s(error.what());
-  } catch (...) {
-    to.s("...").s("");
-  }
-}
-void serve(std::unique_ptr<Host> & host, const std::string & type, Unpacker & from, Packer & to)
+void serve(std::unique_ptr<HardwareHost> & host, const std::string & type, Unpacker & from, Packer & to)
 {
   const std::string what = from.s();
   if (what == "make") {
-    careful(to, [&] {host = std::make_unique<Host>(make(type));});
+    coursekit::careful(to, [&](Packer &) {host = std::make_unique<HardwareHost>(make(type));});
   } else if (what == "read" || what == "write") {
     to.i(static_cast<int64_t>(host->cycle(from, what == "write")));
     host->tell(to);
@@ -263,7 +248,7 @@ void serve(std::unique_ptr<Host> & host, const std::string & type, Unpacker & fr
     host->export_interfaces(to);
     host->tell(to);
   } else {
-    careful(to, [&] {what == "initialize" ? host->initialize(from) : host->transition(what);});
+    coursekit::careful(to, [&](Packer &) {what == "initialize" ? host->initialize(from) : host->transition(what);});
     host->tell(to);
   }
 }
@@ -282,16 +267,10 @@ std::vector<HardwareInfo> parse_control_resources_from_urdf(const std::string & 
     throw std::runtime_error(refusal.what());
   }
 }
-
-int run(int argc, char ** argv)
-{
-  rclcpp::init(argc, argv);
-  const std::string type = argc > 1 ? argv[1] : "";
-  std::unique_ptr<Host> host;
-  const int64_t handler = coursekit::add_handler([&](Unpacker & from, Packer & to) {serve(host, type, from, to);});
-  coursekit::request("serve_hardware", Packer{}.i(handler));  // until the controller manager ends
-  coursekit::remove_handler(handler);
-  host.reset();
-  return 0;
-}
 }  // namespace hardware_interface
+
+coursekit::Handler coursekit::hardware_of(const std::string & type)
+{
+  auto host = std::make_shared<std::unique_ptr<hardware_interface::HardwareHost>>();
+  return [host, type](Unpacker & from, Packer & to) {serve(*host, type, from, to);};
+}

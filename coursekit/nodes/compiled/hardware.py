@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host
 
 
-def do_serve_hardware(host: Host, _channel: Channel, frame: Unpacker) -> None:
+def do_serve(host: Host, _channel: Channel, frame: Unpacker) -> None:
     """Offer a handler to the process that the program is a part of, and wait until that needs it no longer."""
     if host.served is None:
         raise RuntimeError("it is started by the controller manager")

@@ -117,8 +117,13 @@ class Controller:
         node = self.node
         return [*node.publishers, *node.subscriptions, *node.services, *node.timers, *node.waitables]
 
-    def close(self) -> None:
+    def leave(self, executor: Any) -> None:
         """Handle the unloading."""
+        executor.remove_node(self.node)
+        self.close()
+
+    def close(self) -> None:
+        """Destroy the node."""
         self.node.destroy_node()
 
 

@@ -4,16 +4,12 @@ from __future__ import annotations
 
 import math
 import struct
-from typing import NoReturn
 
-from coursekit.nodes.compiled.channel import Gone
-from coursekit.nodes.compiled.frames import Unpacker, packed
-from coursekit.nodes.compiled.part import Part
-from coursekit.processes.process import ProcessKilled
-from coursekit.systems import signal_names
+from coursekit.nodes.compiled.frames import Unpacker
 
 from .description import HardwareInfo
-from .hardware import ACTIVE, FINALIZED, INACTIVE, UNCONFIGURED, Hardware, HardwareFault
+from .hardware import ACTIVE, FINALIZED, INACTIVE, UNCONFIGURED, Hardware
+from .programs import Program, check
 
 _STATES = ("unknown", UNCONFIGURED, INACTIVE, ACTIVE, FINALIZED)
 """The states by lifecycle_msgs's numbers."""
@@ -23,30 +19,26 @@ class Driver(Hardware):
     """A class derived from SystemInterface, ActuatorInterface or SensorInterface.
 
     `program` is its program, `kind` the class. As on a robot, what ends the program ends this process.
-    Raises HardwareFault when the class cannot be made.
+    Raises CppFault when the class cannot be made.
     """
 
     def __init__(self, info: HardwareInfo, program: str, kind: str) -> None:
         super().__init__(info)
         self.state = _STATES[0]
         self.commands, self.states = {}, {}
-        self._part = Part(program, [kind])
-        try:
-            self._part.start()
-        except Gone:
-            self._end()
-        _check(self._ask("make"))
+        self._program = Program(program, "hardware", kind)
+        check(self._program.ask("make"))
 
     def initialize(self, description: str) -> bool:
-        """Call on_init; return whether it succeeded. Raises HardwareFault."""
-        answer = self._ask("initialize", self.info.name, description)
-        _check(answer)
+        """Call on_init; return whether it succeeded. Raises CppFault."""
+        answer = self._program.ask("initialize", self.info.name, description)
+        check(answer)
         self._take_numbers(answer)
         return self.state == UNCONFIGURED
 
     def export(self) -> None:
         """Read the names of the interfaces."""
-        answer = self._ask("export")
+        answer = self._program.ask("export")
         self.states, self.commands = (
             dict.fromkeys([answer.text() for _ in range(answer.integer())], math.nan) for _ in range(2)
         )
@@ -54,9 +46,9 @@ class Driver(Hardware):
 
     def transition(self, name: str) -> None:
         """Call its on_configure, on_activate, on_deactivate, on_cleanup or on_shutdown; on_error after an error."""
-        answer = self._ask(name)
+        answer = self._program.ask(name)
         try:
-            _check(answer)
+            check(answer)
         finally:
             self._take_numbers(answer)
 
@@ -69,7 +61,7 @@ class Driver(Hardware):
         return self._switch("perform", start, stop)
 
     def _switch(self, what: str, start: list[str], stop: list[str]) -> bool:
-        return self._ask(what, len(start), *start, len(stop), *stop).integer() == 0
+        return self._program.ask(what, len(start), *start, len(stop), *stop).integer() == 0
 
     def read(self, dt: float) -> bool:
         """Call read()."""
@@ -81,7 +73,7 @@ class Driver(Hardware):
 
     def _step(self, what: str, dt: float) -> bool:
         numbers = struct.pack(f"<{len(self.commands)}d", *self.commands.values())
-        answer = self._asked(packed(what, self.now_ns, round(dt * 1e9)) + numbers)
+        answer = self._program.ask(what, self.now_ns, round(dt * 1e9), rest=numbers)
         done = answer.integer() == 0
         self._take_numbers(answer)
         return done
@@ -91,36 +83,13 @@ class Driver(Hardware):
 
     def close(self) -> None:
         """Destroy the object, and end its program."""
-        self._part.close()
+        self._program.close()
 
     def _take_numbers(self, answer: Unpacker) -> None:
         self.state = _STATES[answer.integer()]
         for table in (self.states, self.commands):
             for name in table:
                 table[name] = answer.real()
-
-    def _ask(self, *words: str | int) -> Unpacker:
-        return self._asked(packed(*words))
-
-    def _asked(self, data: bytes) -> Unpacker:
-        try:
-            return self._part.ask(data)
-        except Gone:
-            self._end()
-
-    def _end(self) -> NoReturn:
-        """End this process as its program ended."""
-        code = self._part.code or 0
-        if code > 0:
-            raise SystemExit(code)
-        raise ProcessKilled(-code or signal_names.ABORT)
-
-
-def _check(answer: Unpacker) -> None:
-    """Raise the exception of an answer, if it has one."""
-    kind, text = answer.text(), answer.text()
-    if kind:
-        raise HardwareFault(kind, text)
 
 
 __all__ = ["Driver"]

@@ -14,14 +14,6 @@ TRANSITIONS = {
 STANDARD = ("position", "velocity", "acceleration", "effort")
 
 
-class HardwareFault(Exception):
-    """A C++ exception of a driver: its type and its text."""
-
-    def __init__(self, kind: str, text: str) -> None:
-        super().__init__(text)
-        self.kind = kind
-
-
 class Hardware:
     """A piece of hardware; all interfaces are named by their full names, such as `wheel/velocity`."""
 
@@ -41,7 +33,7 @@ class Hardware:
         return self.state in (INACTIVE, ACTIVE)
 
     def transition(self, name: str) -> None:
-        """Carry out one of the TRANSITIONS; `state` tells whether it succeeded. Raises HardwareFault."""
+        """Carry out one of the TRANSITIONS; `state` tells whether it succeeded. Raises CppFault."""
         self.state = TRANSITIONS[name]
 
     def prepare_switch(self, start: list[str], stop: list[str]) -> bool:
@@ -108,5 +100,4 @@ MOCKS = ("mock_components/GenericSystem", "fake_components/GenericSystem")
 """Classes of mock hardware; the second is the older name."""
 __all__ = [
     "ACTIVE", "FINALIZED", "INACTIVE", "MOCKS", "STANDARD", "TRANSITIONS", "UNCONFIGURED", "GenericSystem", "Hardware",
-    "HardwareFault",
 ]  # fmt: skip

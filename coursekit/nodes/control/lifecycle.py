@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from .hardware import ACTIVE, FINALIZED, INACTIVE, TRANSITIONS, UNCONFIGURED, Hardware, HardwareFault
+from .hardware import ACTIVE, FINALIZED, INACTIVE, TRANSITIONS, UNCONFIGURED, Hardware
+from .programs import CppFault
 
 _WAYS: dict[str, dict[str, tuple[str, ...]]] = {
     UNCONFIGURED: {INACTIVE: ("cleanup",), ACTIVE: ("deactivate", "cleanup")},
@@ -32,7 +33,7 @@ def _go(hardware: Hardware, name: str, log: Any) -> bool:
     log.info(f"'{name}' hardware '{label}' ")
     try:
         hardware.transition(name)
-    except HardwareFault as fault:
+    except CppFault as fault:
         log.error(f"Exception of type : {fault.kind} occurred while {_DOING[name]} hardware '{label}': {fault}")
         return False
     if hardware.state != TRANSITIONS[name]:

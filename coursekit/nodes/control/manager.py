@@ -13,7 +13,8 @@ from rclpy.node import Node
 from coursekit.files import read_text
 from coursekit.urdf.errors import close
 
-from .controller import ControlError, Interfaces, Maker
+from .controller import ControlError, Controller, Interfaces, Maker
+from .foreign import CppFault, PluginFault, make_foreign
 from .hardware import ACTIVE, INACTIVE, UNCONFIGURED, Hardware
 from .lifecycle import bring
 from .switching import Loaded, Switching
@@ -77,16 +78,31 @@ class Manager:
             if not kind:
                 self.log.error(f"The 'type' param was not defined for '{name}'.")
                 return False
-            if kind not in self.makers:
-                self.log.error(f"Loader for controller '{name}' (type '{kind}') not found. {close(kind, self.makers)}")
-                return False
             words = self.arguments + (["--params-file", file] if file else [])
-            cli = ["--ros-args", *words] if words else []
-            space, context = self.node.get_namespace(), self.node.context
-            node = Node(name, context=context, namespace=space, cli_args=cli, use_global_arguments=False)
-            self.executor.add_node(node)
-            self.loaded[name] = Loaded(name, kind, self.makers[kind](node, self.interfaces, self.rate))
-            return True
+            made = self._make(name, kind, words) if kind in self.makers else self._make_foreign(name, kind, words)
+            if made is not None:
+                self.loaded[name] = Loaded(name, kind, made)
+            return made is not None
+
+    def _make(self, name: str, kind: str, words: list[str]) -> Controller:
+        cli = ["--ros-args", *words] if words else []
+        space, context = self.node.get_namespace(), self.node.context
+        node = Node(name, context=context, namespace=space, cli_args=cli, use_global_arguments=False)
+        self.executor.add_node(node)
+        return self.makers[kind](node, self.interfaces, self.rate)
+
+    def _make_foreign(self, name: str, kind: str, words: list[str]) -> Controller | None:
+        try:
+            made = make_foreign(kind, self.node, name, words, self.interfaces, self.rate)
+            if made is None:
+                self.log.error(f"Loader for controller '{name}' (type '{kind}') not found. {close(kind, self.makers)}")
+            return made
+        except ControlError as error:
+            self.log.error(str(error))
+        except (CppFault, PluginFault) as fault:
+            what = f"Caught exception of type : {fault.kind} while loading the controller '{name}' of plugin type '{kind}'"
+            self.log.error(f"{what}:\n{fault}")
+        return None
 
     def _told(self, name: str) -> str:
         return str(self.node.get_parameter(name).value or "") if self.node.has_parameter(name) else ""
@@ -111,7 +127,7 @@ class Manager:
             try:
                 one.controller.configure()
             except ControlError as error:
-                one.controller.log.error(str(error))
+                _say(one, error)
                 self.log.error(f"After configuring, controller '{name}' is in state 'unconfigured' , expected inactive.")
                 return False
             one.state = "inactive"
@@ -166,7 +182,7 @@ class Manager:
         try:
             one.controller.activate()
         except ControlError as error:
-            one.controller.log.error(str(error))
+            _say(one, error)
             self.log.error(f"After activating, controller '{one.name}' is in state 'inactive' (2), expected active (3).")
             return False
         one.state, one.claimed = "active", one.controller.command_names()
@@ -189,8 +205,7 @@ class Manager:
                 self.log.error(f"Could not unload controller with name '{name}' because {why}")
                 return False
             del self.loaded[name]
-            self.executor.remove_node(one.controller.node)
-            one.controller.close()
+            one.controller.leave(self.executor)
             return True
 
     # -- work
@@ -233,11 +248,16 @@ class Manager:
             for one in list(self.loaded.values()):
                 if one.state == "active":
                     one.controller.deactivate()
-                self.executor.remove_node(one.controller.node)
-                one.controller.close()
+                one.controller.leave(self.executor)
             self.loaded.clear()
             self.executor.remove_node(self.node)
             self.node.destroy_node()
+
+
+def _say(one: Loaded, error: ControlError) -> None:
+    """Write the reason of an error, unless the controller has written it."""
+    if str(error):
+        one.controller.log.error(str(error))
 
 
 def _type_in(file: str, name: str) -> str:

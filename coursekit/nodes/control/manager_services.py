@@ -18,6 +18,7 @@ from controller_manager_msgs.srv import (
     UnloadController,
 )
 
+from .foreign import foreign_types
 from .hardware import Hardware
 from .lifecycle import bring
 from .manager import Manager
@@ -82,7 +83,7 @@ class ManagerServices:
         return answer
 
     def _types(self, _request: Any, answer: Any) -> Any:
-        answer.types = sorted(self._manager.makers)
+        answer.types = sorted({*self._manager.makers, *foreign_types()})
         answer.base_classes = [BASE] * len(answer.types)
         return answer
 

@@ -96,7 +96,9 @@ class ControlNode:
             self.node.get_logger().error(f"{_NOT_GENUINE} {fault}")
 
     def close(self) -> None:
-        """Shut the hardware down."""
+        """End the controllers, and shut the hardware down."""
+        for one in self.manager.loaded.values():
+            one.controller.leave(self.executor)
         for hardware in self.manager.hardware:
             bring(hardware, FINALIZED, self.manager.hardware_log)
             hardware.close()

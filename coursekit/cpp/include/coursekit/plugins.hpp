@@ -1,0 +1,31 @@
+// The program that has the hardware and controllers of a package's library, for the controller manager.
+#pragma once
+#include <exception>
+#include <string>
+#include <typeinfo>
+
+#include "coursekit/link.hpp"
+
+namespace coursekit
+{
+/// Make the object that the arguments name ("hardware" or "controller", and its class), and serve it until the manager ends.
+int run_plugins(int argc, char ** argv);
+/// A handler of the manager's requests to an object of that class.
+Handler hardware_of(const std::string & type);
+Handler controller_of(const std::string & type);
+
+/// Do what may fail without an end of the program. Packs what was thrown, type and text, or two empty texts and the result.
+template<class F>
+void careful(Packer & to, F act)
+{
+  try {
+    Packer result;
+    act(result);
+    to.s("").s("").raw(result.bytes.data(), result.bytes.size());
+  } catch (const std::exception & error) {
+    to.s(typeid(error).name()).s(error.what());
+  } catch (...) {
+    to.s("...").s("");
+  }
+}
+}  // namespace coursekit

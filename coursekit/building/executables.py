@@ -195,6 +195,9 @@ EXECUTABLES: dict[str, dict[str, str]] = {
         "joy_enumerate_devices": "coursekit.nodes.joy.joy_node:enumerate_devices",
         "joy_node": "coursekit.nodes.joy.joy_node:main",
     },
+    "joy_linux": {
+        "joy_linux_node": "coursekit.nodes.joy.joy_linux_node:main",
+    },
     "laser_filters": {
         "scan_to_scan_filter_chain": "coursekit.nodes.laser_filters.chain:main",
     },

@@ -44,7 +44,7 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"cartographer_ros|slam_gmapping|gmapping|hector_\w+|rtabmap\w*", _CPP, _SLAM),
     (r"imu_(?!sensor_broadcaster$|tools$|filter_madgwick$|complementary_filter$)\w+|robot_pose_ekf", _CPP,
      "robot_localization's ekf_node takes an IMU's messages as they are"),
-    (r"joy_linux|spacenav|wiimote", _DRIVER, f"`ros2 run joy joy_node` reads a gamepad; {_DRIVE}"),
+    (r"spacenav|wiimote", _DRIVER, f"`ros2 run joy joy_node` reads a gamepad; {_DRIVE}"),
     (r"moveit\w*|pymoveit2", "belongs to MoveIt, whose planners are C++ libraries that are not here",
      "to move an arm: goals for its joint_trajectory_controller, or the sliders of joint_state_publisher_gui"),
     (r"ros_gz_(sim_demos|point_cloud)|ros_ign_(gazebo_demos|point_cloud)|(gz|ign)_(?!ros2_control$)\w+", _GAZEBO,

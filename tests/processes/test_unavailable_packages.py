@@ -16,7 +16,7 @@ from coursekit.urdf import UrdfError, load
 
 
 @pytest.mark.parametrize(
-    "package", ["cartographer_ros", "joy_linux", "moveit_configs_utils", "ros_gz_sim_demos", "aruco_ros", "moveit_msgs"]
+    "package", ["cartographer_ros", "spacenav", "moveit_configs_utils", "ros_gz_sim_demos", "aruco_ros", "moveit_msgs"]
 )
 def test_a_known_package_has_a_reason_and_a_way_out(package):
     assert remark(package).startswith(f"{package} is not part of coursekit: it ") and "; " in remark(package)

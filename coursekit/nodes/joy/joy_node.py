@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import Any
+
 from rclpy.node import Node
 from rclpy.qos import QoSProfile
 from sensor_msgs.msg import Joy, JoyFeedback
@@ -14,54 +17,57 @@ FULL = 32767
 LOOK_SECONDS = 1.0
 """How often to look for a gamepad while there is none."""
 POLL_SECONDS = 0.005
-_DEFAULTS = {
+_DEFAULTS: dict[str, Any] = {
     "device_id": 0, "device_name": "", "deadzone": 0.05, "autorepeat_rate": 20.0, "sticky_buttons": False,
     "coalesce_interval_ms": 1,
 }  # fmt: skip
 
 
-class JoyNode(Node):
-    """Publishes on changes, and `autorepeat_rate` times a second. ValueError for invalid parameters."""
+class GamepadNode(Node):
+    """Publishes a gamepad on changes, and `autorepeat_rate` times a second; `given` has its parameters."""
 
-    def __init__(self) -> None:
-        super().__init__("joy_node")
-        self._given = given = declare(self, _DEFAULTS)
-        if not 0.0 <= given["deadzone"] <= 1.0:
-            raise ValueError("Deadzone must be between 0.0 and 1.0")
-        if given["autorepeat_rate"] < 0.0:
-            raise ValueError("Autorepeat rate must be >= 0.0")
-        if given["autorepeat_rate"] > 1000.0:
-            raise ValueError("Autorepeat rate must be <= 1000.0")
-        if given["coalesce_interval_ms"] < 0:
-            raise ValueError("coalesce_interval_ms must be positive")
+    def __init__(self, name: str, defaults: dict[str, Any]) -> None:
+        super().__init__(name)
+        self._given = declare(self, defaults)
+        self._deadzone, self._rate, coalesce = self.settings()
         self._device: Device | None = None
         self._toggled: list[int] = []
         self._said_ns = 0
         self._out = self.create_publisher(Joy, "joy", QoSProfile(depth=10))
-        self.create_subscription(JoyFeedback, "joy/set_feedback", lambda msg: None, 10)
-        self._poll = self.create_timer(max(POLL_SECONDS, given["coalesce_interval_ms"] * 1e-3), self._work)
+        self._poll = self.create_timer(max(POLL_SECONDS, coalesce), self._work)
         self._poll.cancel()
         self._look()
         self.create_timer(LOOK_SECONDS, self._look)
 
+    def settings(self) -> tuple[float, float, float]:
+        """Return the dead zone, the rate of repetition and the seconds between two readings."""
+        raise NotImplementedError
+
+    def wanted(self) -> Path | None:
+        """Return the selected gamepad, if it is there."""
+        raise NotImplementedError
+
+    def opened(self, device: Device) -> None:
+        """Say that the gamepad is open."""
+        raise NotImplementedError
+
+    def missing(self, fault: OSError | None) -> None:
+        """Say, if it shall be said, that there is no gamepad, or none that can be opened."""
+        raise NotImplementedError
+
     def _look(self) -> None:
-        """Open the gamepad selected by the parameters, if it is there."""
+        """Open the selected gamepad, if it is there."""
         if self._device is not None:
             return
-        name, number = self._given["device_name"], self._given["device_id"]
-        found = devices()
-        wanted = [path for path in found if name_of(path) == name][:1] if name else found[number : number + 1]
-        if number < 0 or not wanted:
-            return
+        path = self.wanted()
+        if path is None:
+            return self.missing(None)
         try:
-            self._device = Device(wanted[0])
+            self._device = Device(path)
         except OSError as fault:
-            self.get_logger().warning(f"Unable to open joystick {number}: {fault}", throttle_duration_sec=10.0)
-            return
+            return self.missing(fault)
         self._toggled.clear()
-        log = self.get_logger()
-        log.info("No haptic (rumble) available, skipping initialization")
-        log.info(f"Opened joystick: {self._device.name}.  deadzone: {self._given['deadzone']:f}")
+        self.opened(self._device)
         self._poll.reset()
 
     def _work(self) -> None:
@@ -75,7 +81,7 @@ class JoyNode(Node):
             self._device = None
             self._poll.cancel()
             return
-        rate, now = self._given["autorepeat_rate"], self.get_clock().now().nanoseconds
+        rate, now = self._rate, self.get_clock().now().nanoseconds
         if moved or (rate > 0 and now - self._said_ns >= 1e9 / rate):
             self._said_ns = now
             self._publish(self._device)
@@ -83,7 +89,7 @@ class JoyNode(Node):
     def _publish(self, device: Device) -> None:
         msg = Joy()
         msg.header.frame_id, msg.header.stamp = "joy", self.get_clock().now().to_msg()
-        msg.axes = [scaled(value, self._given["deadzone"]) for value in device.axes]
+        msg.axes = [scaled(value, self._deadzone) for value in device.axes]
         msg.buttons = self._sticky(device) if self._given["sticky_buttons"] else list(device.buttons)
         self._out.publish(msg)
 
@@ -94,6 +100,46 @@ class JoyNode(Node):
             self._toggled[number] = 1 - self._toggled[number]
         device.pressed.clear()
         return list(self._toggled)
+
+
+class JoyNode(GamepadNode):
+    """joy's node: gamepads by number or name. ValueError for invalid parameters."""
+
+    def __init__(self) -> None:
+        super().__init__("joy_node", _DEFAULTS)
+        self.create_subscription(JoyFeedback, "joy/set_feedback", lambda msg: None, 10)
+
+    def settings(self) -> tuple[float, float, float]:
+        """Refuse what Humble's refuses."""
+        given = self._given
+        if not 0.0 <= given["deadzone"] <= 1.0:
+            raise ValueError("Deadzone must be between 0.0 and 1.0")
+        if given["autorepeat_rate"] < 0.0:
+            raise ValueError("Autorepeat rate must be >= 0.0")
+        if given["autorepeat_rate"] > 1000.0:
+            raise ValueError("Autorepeat rate must be <= 1000.0")
+        if given["coalesce_interval_ms"] < 0:
+            raise ValueError("coalesce_interval_ms must be positive")
+        return given["deadzone"], given["autorepeat_rate"], given["coalesce_interval_ms"] * 1e-3
+
+    def wanted(self) -> Path | None:
+        """Look for the name, or take the gamepad of that number."""
+        name, number = self._given["device_name"], self._given["device_id"]
+        found = devices()
+        chosen = [path for path in found if name_of(path) == name][:1] if name else found[number : number + 1]
+        return chosen[0] if number >= 0 and chosen else None
+
+    def opened(self, device: Device) -> None:
+        """Say it as Humble does."""
+        log = self.get_logger()
+        log.info("No haptic (rumble) available, skipping initialization")
+        log.info(f"Opened joystick: {device.name}.  deadzone: {self._deadzone:f}")
+
+    def missing(self, fault: OSError | None) -> None:
+        """Wait quietly, but tell what cannot be opened."""
+        if fault is not None:
+            number = self._given["device_id"]
+            self.get_logger().warning(f"Unable to open joystick {number}: {fault}", throttle_duration_sec=10.0)
 
 
 def scaled(value: int, deadzone: float) -> float:

@@ -89,6 +89,28 @@ def test_wrong_parameters_end_it_as_in_humble(friend, run):
     assert process.wait(2.0) == -6 and "what():  Deadzone must be between 0.0 and 1.0" in process.output
 
 
+def test_joy_linux_opens_a_path_and_says_once_that_there_is_none(friend, run, pad, tmp_path):
+    path = str(tmp_path / "js0")
+    process = run("joy_linux", "joy_linux_node", "--ros-args", "-p", f"dev:={path}", "-p", "deadzone:=0.5")
+    heard = friend.hear(Joy, "joy")
+    friend.spin(3.0)
+    assert process.output.count(f"Couldn't open joystick {path}. Will retry every second.") == 1
+    gamepad = pad()
+    gamepad.begin()
+    friend.spin(1.5)
+    assert f"Opened joystick: {path}. deadzone_: 0.500000." in process.output
+    gamepad.tell(AXIS, 1, -32767)
+    friend.spin(0.5)
+    assert heard[-1].axes.tolist() == [0.0, 1.0]
+
+
+def test_joy_linux_corrects_a_dead_zone_in_the_units_of_old(run, pad):
+    process = run("joy_linux", "joy_linux_node", "--ros-args", "-p", "deadzone:=16383.5", "-p", "dev_name:=Wheel")
+    process.wait(0.5)
+    assert "divided by 32767" in process.output and process.exit_code is None
+    assert "Couldn't find a joystick with name containing Wheel." in process.output
+
+
 def test_gamepads_are_listed(run, pad):
     pad()
     process = run("joy", "joy_enumerate_devices")

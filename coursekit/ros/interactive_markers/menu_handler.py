@@ -93,9 +93,7 @@ class MenuHandler:
         entries: list[MenuEntry] = []
         self.pushMenuEntries(self.top_level_handles_, entries, 0)
         marker.menu_entries = entries
-        server.insert(
-            marker, feedback_callback=self.processFeedback, feedback_type=InteractiveMarkerFeedback.MENU_SELECT
-        )
+        server.insert(marker, feedback_callback=self.processFeedback, feedback_type=InteractiveMarkerFeedback.MENU_SELECT)
         self.managed_markers_.add(marker_name)
         return True
 

@@ -211,6 +211,13 @@ std::ostream & operator<<(std::ostream & stream, const std::vector<Parameter> & 
 {
   return stream << std::to_string(parameters);
 }
+std::string _to_json_dict_entry(const Parameter & parameter)
+{
+  std::ostringstream text;
+  text << '"' << parameter.get_name() << "\": {\"type\": \"" << parameter.get_type_name() << "\", \"value\": \"" <<
+    parameter.value_to_string() << "\"}";
+  return text.str();
+}
 std::string qos_policy_name_from_kind(rmw_qos_policy_kind_t kind)
 {
   switch (kind) {
@@ -236,8 +243,7 @@ std::string std::to_string(const std::vector<rclcpp::Parameter> & parameters)
   std::ostringstream text;
   text << "{";
   for (size_t i = 0; i < parameters.size(); ++i) {
-    text << (i ? ", " : "") << '"' << parameters[i].get_name() << "\": {\"type\": \"" << parameters[i].get_type_name() <<
-      "\", \"value\": \"" << parameters[i].value_to_string() << "\"}";
+    text << (i ? ", " : "") << rclcpp::_to_json_dict_entry(parameters[i]);
   }
   text << "}";
   return text.str();

@@ -1,6 +1,7 @@
 // Buffers of transforms, which are the session's.
 #include "tf2_ros/buffer.h"
 #include "tf2_ros/buffer_server.h"
+#include "tf2_ros/create_timer_ros.h"
 #include "tf2_ros/transform_listener.h"
 
 using coursekit::Packer;
@@ -79,6 +80,7 @@ bool BufferCore::_frameExists(const std::string & name) const
 bool BufferCore::setTransform(const geometry_msgs::msg::TransformStamped & transform, const std::string & authority, bool is_static)
 {
   asked("tf_set", Packer{}.i(id).s(authority).i(is_static).m(transform));
+  transform_was_set();
   return true;
 }
 void BufferCore::clear() {asked("tf_clear", Packer{}.i(id));}
@@ -107,8 +109,12 @@ void BufferCore::_chainAsVector(
 
 namespace tf2_ros
 {
-Buffer::Buffer(rclcpp::Clock::SharedPtr, tf2::Duration cache_time, rclcpp::Node::SharedPtr node)
-: BufferCore(cache_time, node ? node->get_node_base_interface()->id : 0) {}
+namespace
+{
+constexpr tf2::Duration LOOKS_EACH = std::chrono::milliseconds(10);
+}  // namespace
+Buffer::Buffer(rclcpp::Clock::SharedPtr clock, tf2::Duration cache_time, rclcpp::Node::SharedPtr node)
+: BufferCore(cache_time, node ? node->get_node_base_interface()->id : 0), clock_(std::move(clock)) {}
 geometry_msgs::msg::TransformStamped Buffer::lookupTransform(
   const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout) const
 {
@@ -145,48 +151,110 @@ TransformStampedFuture Buffer::waitForTransform(
   auto promise = std::make_shared<std::promise<geometry_msgs::msg::TransformStamped>>();
   TransformStampedFuture future(promise->get_future().share());
   future.setHandle(++waits_);
-  int64_t end = coursekit::steady_now() + timeout.count();
-  auto settled = [this, target, source, time, end, promise, future, callback] {
-      if (canTransform(target, source, time)) {
+  auto done = std::make_shared<std::atomic<bool>>(false);
+  auto settle = [this, target, source, time, promise, future, callback, done](bool over) {
+      const bool can = canTransform(target, source, time);
+      if ((!can && !over) || done->exchange(true)) {
+        return done->load();
+      }
+      if (can) {
         promise->set_value(lookupTransform(target, source, time, tf2::Duration::zero()));
-      } else if (coursekit::steady_now() >= end) {
+      } else {
         promise->set_exception(
           std::make_exception_ptr(tf2::TimeoutException(std::string("Timed out waiting for transform from ") +
           source + " to " + target)));
-      } else {
-        return false;
       }
       callback(future);
       return true;
     };
-  if (settled()) {
+  if (settle(timeout <= tf2::Duration::zero())) {
     return future;
   }
-  auto look = [settled](rclcpp::TimerBase & timer) {
-      if (settled()) {
-        timer.cancel();
+  // A node's timer looks often: transforms come to the session's buffer. One of the program's own is for the end of the time.
+  const bool looks = std::dynamic_pointer_cast<CreateTimerROS>(timers_) != nullptr;
+  const int64_t end = coursekit::steady_now() + timeout.count();
+  auto tick = [this, settle, looks, end, handle = future.getHandle()](const TimerHandle &) {
+      if (settle(!looks || coursekit::steady_now() >= end)) {
+        forget(handle);
       }
     };
   std::lock_guard<std::mutex> hold(lock_);
-  forget_ended();
-  waiting_.emplace_back(
-    future.getHandle(), rclcpp::detail::timer(*timers_->base, std::chrono::milliseconds(10), look, timers_->group, nullptr));
+  const TimerHandle timer = timers_->createTimer(looks ? nullptr : clock_, looks ? LOOKS_EACH : timeout, tick);
+  waiting_.push_back({future.getHandle(), settle, timers_, timer});
   return future;
 }
-void Buffer::forget_ended()
+Buffer::~Buffer()
 {
-  waiting_.remove_if([](auto & wait) {return wait.second->is_canceled();});
-}
-void Buffer::cancel(const TransformStampedFuture & future)
-{
-  std::lock_guard<std::mutex> hold(lock_);
   for (auto & wait : waiting_) {
-    if (wait.first == future.getHandle()) {
-      wait.second->cancel();
+    wait.timers->remove(wait.timer);
+  }
+}
+void Buffer::transform_was_set()
+{
+  std::list<Wait> now;
+  {
+    std::lock_guard<std::mutex> hold(lock_);
+    now = waiting_;
+  }
+  for (auto & wait : now) {
+    if (wait.settle(false)) {
+      forget(wait.handle);
     }
   }
-  forget_ended();
 }
+void Buffer::forget(TransformRequestHandle handle)
+{
+  std::list<Wait> gone;
+  {
+    std::lock_guard<std::mutex> hold(lock_);
+    auto found = std::find_if(waiting_.begin(), waiting_.end(), [&](auto & wait) {return wait.handle == handle;});
+    if (found != waiting_.end()) {
+      gone.splice(gone.end(), waiting_, found);
+    }
+  }
+  for (auto & wait : gone) {
+    wait.timers->remove(wait.timer);
+  }
+}
+void Buffer::cancel(const TransformStampedFuture & future) {forget(future.getHandle());}
+
+CreateTimerROS::CreateTimerROS(
+  rclcpp::node_interfaces::NodeBaseInterface::SharedPtr node_base,
+  rclcpp::node_interfaces::NodeTimersInterface::SharedPtr node_timers, rclcpp::CallbackGroup::SharedPtr callback_group)
+: base_(std::move(node_base)), timers_(std::move(node_timers)), group_(std::move(callback_group)) {}
+TimerHandle CreateTimerROS::createTimer(rclcpp::Clock::SharedPtr clock, const tf2::Duration & period, TimerCallbackType callback)
+{
+  std::lock_guard<std::mutex> hold(lock_);
+  const TimerHandle handle = ++last_;
+  made_[handle] = rclcpp::create_timer(
+    base_, timers_, clock, rclcpp::Duration(period), [callback, handle] {callback(handle);}, group_);
+  return handle;
+}
+rclcpp::TimerBase::SharedPtr CreateTimerROS::timer_of(TimerHandle timer_handle, const char * where)
+{
+  auto found = made_.find(timer_handle);
+  if (found == made_.end()) {
+    throw InvalidTimerHandleException(std::string("Invalid timer handle in ") + where + "()");
+  }
+  return found->second;
+}
+void CreateTimerROS::cancel(const TimerHandle & timer_handle)
+{
+  std::lock_guard<std::mutex> hold(lock_);
+  timer_of(timer_handle, "cancel")->cancel();
+}
+void CreateTimerROS::reset(const TimerHandle & timer_handle)
+{
+  std::lock_guard<std::mutex> hold(lock_);
+  timer_of(timer_handle, "reset")->reset();
+}
+void CreateTimerROS::remove(const TimerHandle & timer_handle)
+{
+  std::lock_guard<std::mutex> hold(lock_);
+  timer_of(timer_handle, "remove")->cancel();
+  made_.erase(timer_handle);
+}
+
 BufferServer::BufferServer(
   const tf2::BufferCore & buffer, const rclcpp::node_interfaces::NodeBaseInterface & node, const std::string & ns,
   tf2::Duration check_period)

@@ -91,7 +91,6 @@ public:
   : std::runtime_error("event already registered") {}
 };
 }  // namespace exceptions
-COURSEKIT_ERROR(ParameterTypeException, std::runtime_error)
 
 using coursekit::Packer;
 using coursekit::Unpacker;

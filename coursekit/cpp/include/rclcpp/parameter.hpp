@@ -71,6 +71,8 @@ private:
 };
 std::ostream & operator<<(std::ostream & stream, const ParameterValue & value);
 std::ostream & operator<<(std::ostream & stream, const Parameter & parameter);
+/// A parameter as a part of JSON: "a": {"type": "integer", "value": "1"}
+std::string _to_json_dict_entry(const Parameter & parameter);
 std::ostream & operator<<(std::ostream & stream, const std::vector<Parameter> & parameters);
 }  // namespace rclcpp
 

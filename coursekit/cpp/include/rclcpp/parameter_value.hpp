@@ -18,6 +18,13 @@ enum ParameterType : uint8_t
 };
 std::string to_string(ParameterType type);
 std::ostream & operator<<(std::ostream & stream, ParameterType type);
+/// Somebody asked for a value of another type.
+class ParameterTypeException : public std::runtime_error
+{
+public:
+  ParameterTypeException(ParameterType expected, ParameterType actual)
+  : std::runtime_error("expected [" + to_string(expected) + "] got [" + to_string(actual) + "]") {}
+};
 
 namespace detail
 {
@@ -96,7 +103,7 @@ public:
     using Kind = detail::ParameterKind<std::decay_t<T>>;
     using Field = std::decay_t<decltype(Kind::of(message_))>;
     if (get_type() != Kind::type) {
-      throw ParameterTypeException("expected [" + to_string(Kind::type) + "] got [" + to_string(get_type()) + "]");
+      throw ParameterTypeException(Kind::type, get_type());
     }
     if constexpr (std::is_same_v<Field, std::decay_t<T>>) {
       return Kind::of(message_);

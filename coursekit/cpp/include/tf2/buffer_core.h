@@ -54,6 +54,8 @@ public:
 protected:
   /// A buffer that answers `tf2_frames` for a node, by its number at the session; 0 for none.
   BufferCore(Duration cache_time, int64_t node);
+  /// Called when this program has set a transform.
+  virtual void transform_was_set() {}
 
 private:
   Duration cache_time_;

@@ -214,6 +214,14 @@ inline std::array<std::array<double, 6>, 6> getCovarianceMatrix(const gm::PoseWi
 {
   return covarianceRowMajorToNested(message.pose.covariance);
 }
+inline std::array<double, 36> covarianceNestedToRowMajor(const std::array<std::array<double, 6>, 6> & rows)
+{
+  std::array<double, 36> flat{};
+  for (size_t at = 0; at < flat.size(); ++at) {
+    flat[at] = rows[at / 6][at % 6];
+  }
+  return flat;
+}
 #define COURSEKIT_STAMPED(Type, field) \
   inline void doTransform(const gm::Type & in, gm::Type & out, const gm::TransformStamped & transform) \
   { \
@@ -236,4 +244,20 @@ COURSEKIT_STAMPED(TransformStamped, transform)
 COURSEKIT_STAMPED(PoseWithCovarianceStamped, pose)
 COURSEKIT_STAMPED(WrenchStamped, wrench)
 COURSEKIT_STAMPED(PolygonStamped, polygon)
+
+inline gm::PoseWithCovarianceStamped toMsg(const WithCovarianceStamped<Transform> & in)
+{
+  gm::PoseWithCovarianceStamped out;
+  out.header = header_of(Stamped<Transform>(in, in.stamp_, in.frame_id_));
+  out.pose.covariance = covarianceNestedToRowMajor(in.cov_mat_);
+  toMsg(static_cast<const Transform &>(in), out.pose.pose);
+  return out;
+}
+inline void fromMsg(const gm::PoseWithCovarianceStamped & in, WithCovarianceStamped<Transform> & out)
+{
+  out.stamp_ = getTimestamp(in);
+  out.frame_id_ = in.header.frame_id;
+  out.cov_mat_ = getCovarianceMatrix(in);
+  fromMsg(in.pose.pose, static_cast<Transform &>(out));
+}
 }  // namespace tf2

@@ -5,6 +5,7 @@
 
 #include "tf2/buffer_core.h"
 #include "tf2_ros/buffer_interface.h"
+#include "tf2_ros/create_timer_interface.h"
 
 namespace tf2_ros
 {
@@ -26,19 +27,6 @@ private:
 };
 using TransformReadyCallback = std::function<void (const TransformStampedFuture &)>;
 
-/// Whose timers look whether a transform has come that is waited for.
-struct CreateTimerInterface
-{
-  using SharedPtr = std::shared_ptr<CreateTimerInterface>;
-  rclcpp::node_interfaces::NodeBaseInterface::SharedPtr base;
-  rclcpp::CallbackGroup::SharedPtr group;
-};
-class CreateTimerInterfaceException : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
-
 class Buffer : public BufferInterface, public tf2::BufferCore
 {
 public:
@@ -46,6 +34,7 @@ public:
   explicit Buffer(
     rclcpp::Clock::SharedPtr clock, tf2::Duration cache_time = tf2::BUFFER_CORE_DEFAULT_CACHE_TIME,
     rclcpp::Node::SharedPtr node = nullptr);
+  ~Buffer() override;
 
   using tf2::BufferCore::canTransform;
   using tf2::BufferCore::lookupTransform;
@@ -104,10 +93,22 @@ public:
   /// Wait for it no more.
   void cancel(const TransformStampedFuture & future);
 
+protected:
+  void transform_was_set() override;
+
 private:
-  void forget_ended();
+  /// A request that waits, and the timer that looks for its transform or ends it.
+  struct Wait
+  {
+    TransformRequestHandle handle;
+    std::function<bool(bool over)> settle;
+    CreateTimerInterface::SharedPtr timers;
+    TimerHandle timer;
+  };
+  void forget(TransformRequestHandle handle);
+  rclcpp::Clock::SharedPtr clock_;
   CreateTimerInterface::SharedPtr timers_;
-  std::list<std::pair<TransformRequestHandle, rclcpp::TimerBase::SharedPtr>> waiting_;
+  std::list<Wait> waiting_;
   std::atomic<TransformRequestHandle> waits_{0};
   std::mutex lock_;
 };

@@ -149,7 +149,8 @@ private:
   static tf2::Transform looked_up(
     Buffer & tf, const std::string & target, const std::string & source, const rclcpp::Time & time)
   {
-    auto found = tf.lookupTransform(target, source, time).transform;
+    const tf2::TimePoint point(std::chrono::nanoseconds(time.nanoseconds()));
+    auto found = tf.lookupTransform(target, source, point).transform;
     auto & r = found.rotation;
     auto & t = found.translation;
     return tf2::Transform(tf2::Quaternion(r.x, r.y, r.z, r.w), tf2::Vector3(t.x, t.y, t.z));

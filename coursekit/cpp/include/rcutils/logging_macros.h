@@ -86,3 +86,40 @@
   COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_FATAL, time_now, duration, __VA_ARGS__)
 #define RCUTILS_LOG_FATAL_THROTTLE_NAMED(time_now, duration, name, ...) \
   COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_FATAL_NAMED, time_now, duration, name, __VA_ARGS__)
+
+/// Log where a function says so, and at most once in so many milliseconds from the second time on.
+#define RCUTILS_LOG_DEBUG_FUNCTION(function, ...) RCUTILS_LOG_DEBUG_EXPRESSION((function)(), __VA_ARGS__)
+#define RCUTILS_LOG_DEBUG_FUNCTION_NAMED(function, name, ...) \
+  RCUTILS_LOG_DEBUG_EXPRESSION_NAMED((function)(), name, __VA_ARGS__)
+#define RCUTILS_LOG_DEBUG_SKIPFIRST_THROTTLE(time_now, duration, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_DEBUG_SKIPFIRST, time_now, duration, __VA_ARGS__)
+#define RCUTILS_LOG_DEBUG_SKIPFIRST_THROTTLE_NAMED(time_now, duration, name, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_DEBUG_SKIPFIRST_NAMED, time_now, duration, name, __VA_ARGS__)
+#define RCUTILS_LOG_INFO_FUNCTION(function, ...) RCUTILS_LOG_INFO_EXPRESSION((function)(), __VA_ARGS__)
+#define RCUTILS_LOG_INFO_FUNCTION_NAMED(function, name, ...) \
+  RCUTILS_LOG_INFO_EXPRESSION_NAMED((function)(), name, __VA_ARGS__)
+#define RCUTILS_LOG_INFO_SKIPFIRST_THROTTLE(time_now, duration, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_INFO_SKIPFIRST, time_now, duration, __VA_ARGS__)
+#define RCUTILS_LOG_INFO_SKIPFIRST_THROTTLE_NAMED(time_now, duration, name, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_INFO_SKIPFIRST_NAMED, time_now, duration, name, __VA_ARGS__)
+#define RCUTILS_LOG_WARN_FUNCTION(function, ...) RCUTILS_LOG_WARN_EXPRESSION((function)(), __VA_ARGS__)
+#define RCUTILS_LOG_WARN_FUNCTION_NAMED(function, name, ...) \
+  RCUTILS_LOG_WARN_EXPRESSION_NAMED((function)(), name, __VA_ARGS__)
+#define RCUTILS_LOG_WARN_SKIPFIRST_THROTTLE(time_now, duration, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_WARN_SKIPFIRST, time_now, duration, __VA_ARGS__)
+#define RCUTILS_LOG_WARN_SKIPFIRST_THROTTLE_NAMED(time_now, duration, name, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_WARN_SKIPFIRST_NAMED, time_now, duration, name, __VA_ARGS__)
+#define RCUTILS_LOG_ERROR_FUNCTION(function, ...) RCUTILS_LOG_ERROR_EXPRESSION((function)(), __VA_ARGS__)
+#define RCUTILS_LOG_ERROR_FUNCTION_NAMED(function, name, ...) \
+  RCUTILS_LOG_ERROR_EXPRESSION_NAMED((function)(), name, __VA_ARGS__)
+#define RCUTILS_LOG_ERROR_SKIPFIRST_THROTTLE(time_now, duration, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_ERROR_SKIPFIRST, time_now, duration, __VA_ARGS__)
+#define RCUTILS_LOG_ERROR_SKIPFIRST_THROTTLE_NAMED(time_now, duration, name, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_ERROR_SKIPFIRST_NAMED, time_now, duration, name, __VA_ARGS__)
+#define RCUTILS_LOG_FATAL_FUNCTION(function, ...) RCUTILS_LOG_FATAL_EXPRESSION((function)(), __VA_ARGS__)
+#define RCUTILS_LOG_FATAL_FUNCTION_NAMED(function, name, ...) \
+  RCUTILS_LOG_FATAL_EXPRESSION_NAMED((function)(), name, __VA_ARGS__)
+#define RCUTILS_LOG_FATAL_SKIPFIRST_THROTTLE(time_now, duration, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_FATAL_SKIPFIRST, time_now, duration, __VA_ARGS__)
+#define RCUTILS_LOG_FATAL_SKIPFIRST_THROTTLE_NAMED(time_now, duration, name, ...) \
+  COURSEKIT_LOG_THROTTLE(RCUTILS_LOG_FATAL_SKIPFIRST_NAMED, time_now, duration, name, __VA_ARGS__)

@@ -3,8 +3,12 @@
 #include "cv_bridge/rgb_colors.h"
 #include "image_transport/camera_common.hpp"
 #include "image_transport/single_subscriber_publisher.hpp"
+#include "laser_geometry/laser_geometry.hpp"
 #include "rcl/rcl.h"
 #include "rclcpp_action/rclcpp_action.hpp"
+#include "rcutils/logging_macros.h"
+#include "sensor_msgs/point_cloud2_iterator.hpp"
+#include "tf2/buffer_core.h"
 
 static int made = 0;
 struct Shared
@@ -49,5 +53,28 @@ int main(int argc, char ** argv)
   one.publish(image);
   one.publish(std::make_shared<sensor_msgs::msg::Image>(image));
   check("a publisher for one", published == 8 && one.getNumSubscribers() == 7 && one.getSubscriberName() + one.getTopic() == "viewer/image");
+
+  tf2::BufferCore buffer;
+  geometry_msgs::msg::TransformStamped transform;
+  transform.header.frame_id = "map";
+  transform.child_frame_id = "lidar";
+  transform.transform.translation.y = 5;
+  transform.transform.rotation.w = 1;
+  buffer.setTransform(transform, "test", true);
+  sensor_msgs::msg::LaserScan scan;
+  scan.header.frame_id = "lidar";
+  scan.header.stamp.sec = 3;
+  scan.range_max = 9;
+  scan.ranges = {2};
+  sensor_msgs::msg::PointCloud2 cloud;
+  laser_geometry::LaserProjection().transformLaserScanToPointCloud("map", scan, cloud, buffer);
+  check("a scan by a buffer without a clock", *sensor_msgs::PointCloud2ConstIterator<float>(cloud, "y") == 5.0f);
+  int asked = 0;
+  const auto says = [&asked] {return ++asked > 1;};
+  for (int i = 0; i < 2; ++i) {
+    RCUTILS_LOG_FATAL_FUNCTION_NAMED(says, "small", "LINE %d", i);
+    RCUTILS_LOG_FATAL_SKIPFIRST_THROTTLE(rcutils_steady_time_now, 0, "LINE skipped %d", i);
+  }
+  equal("a function is asked each time", asked, 2);
   rclcpp::shutdown();
 }

@@ -156,6 +156,24 @@ def test_a_velocity_goes_in_and_joint_states_come_out(workspace, virtual):
     assert resources(said) == LIFE + END
 
 
+def test_a_driver_sleeps_and_has_a_node(workspace):
+    body = """
+    from std_msgs.msg import Float64
+    spawn("joint_state_broadcaster", "drive")
+    print("at", session.clock.now() // 10**6)
+    drive(0.5)
+    gain = node.create_publisher(Float64, "/gain", 1)
+    while joints[-1].velocity[0] != 5.0:
+        gain.publish(Float64(data=1.0))
+        rclpy.spin_once(node)
+    print("cart_io" in node.get_node_names())
+    """
+    gain = '<param name="gain">2.0</param>'
+    said = told(workspace, body, changes={gain: f'{gain}<param name="slow">1.25</param>'})
+    assert "at 1700000001250\nTrue\nended 0" in said.replace("spawned 0\n", "")
+    assert resources(said) == LIFE + END
+
+
 def test_the_command_lists_hardware_and_interfaces(workspace):
     body = """
     spawn("joint_state_broadcaster", "drive")
@@ -273,7 +291,7 @@ def test_an_error_of_read_deactivates_the_controllers(workspace):
 @pytest.mark.parametrize(
     ("fault", "code", "text"),
     [
-        ("throw", -6, "terminate called after throwing an instance of 'std::runtime_error'\n  what():  no wheel\n"),
+        ("throw", -6, "no wheel"),
         ("crash", -6, ""),
         ("exit", 3, ""),
     ],
@@ -282,7 +300,7 @@ def test_an_error_of_read_deactivates_the_controllers(workspace):
 def test_the_end_of_the_driver_is_the_end_of_the_manager(workspace, fault, code, text, virtual):
     said = told(workspace, "print('died', control.wait(20.0))", virtual=virtual, changes=faulty(fault))
     assert f"died {code}\n" in said
-    assert text.replace("std::runtime_error", "") in said.replace("std::runtime_error", "")
+    assert text in said
 
 
 def test_a_mode_that_the_driver_refuses_is_not_switched_to(workspace):
@@ -378,8 +396,8 @@ def test_a_controller_in_cpp_commands_and_hears(workspace, virtual):
     print("nodes", sorted(node.get_node_names()))
     """
     said = told(workspace, body, virtual=virtual)
-    assert "nodes ['controller_manager', 'driver', 'robot_state_publisher', 'speeds']" in said
-    assert "nodes ['controller_manager', 'driver', 'robot_state_publisher']" in said
+    assert "nodes ['cart_io', 'controller_manager', 'driver', 'robot_state_publisher', 'speeds']" in said
+    assert "nodes ['cart_io', 'controller_manager', 'driver', 'robot_state_publisher']" in said
     assert "k_cart/Speeds" in said and "k_cart/Turns" in said and "right/velocity [available] [claimed]" in said
     assert "String values are: ['right', 'left']" in said
     assert re.findall(r"\[speeds\]: (.*)", said) == [

@@ -1,0 +1,33 @@
+"""Compiled programs: ros2_control's handles, loans, descriptions and semantic components."""
+
+from __future__ import annotations
+
+from coursekit.processes.executables import make_process
+from tests.nodes.compiled.conftest import program
+
+ROBOT = """<robot name="r"><ros2_control name="arm" type="system">
+<hardware><plugin>a/Arm</plugin><param name="port">/dev/arm</param></hardware>
+<gpio name="lamp"><command_interface name="on" data_type="bool" size="2"/></gpio>
+<transmission name="gear"><plugin>transmission_interface/SimpleTransmission</plugin>
+<actuator name="motor" role="first"><offset>0.25</offset></actuator>
+<joint name="elbow" role="main"><mechanical_reduction>50</mechanical_reduction></joint></transmission>
+</ros2_control></robot>"""
+
+
+def test_the_names_do_what_they_say(session, build):
+    path = build("interfaces", program("interfaces.cpp"))
+    process = session.launch(make_process(session, path, [ROBOT], name="interfaces"))
+    assert process.wait(20.0) == 0, process.output
+    assert process.output.splitlines() == [
+        "wheel/velocity wheel velocity 2.5",
+        "given back",
+        "10",
+        "failed. value_ptr_ is null.",
+        "11 4 5 10",
+        "10 nan 2",
+        "arm system a/Arm /dev/arm bool 2",
+        "gear transmission_interface/SimpleTransmission main 50 motor 0.25",
+        "no description",
+        "0.510active0",
+        "Failed converting string to real number",
+    ]

@@ -168,7 +168,9 @@ public:
     auto node = controller_->get_node();
     if (what == "configure") {
       const uint8_t state = controller_->configure().id();
-      references_ = controller_->export_reference_interfaces();
+      if (state == lifecycle_msgs::msg::State::PRIMARY_STATE_INACTIVE) {
+        references_ = controller_->export_reference_interfaces();
+      }
       return state;
     }
     if (what == "activate") {

@@ -157,10 +157,7 @@ class Manager:
         """Ask the hardware whether commands can be claimed and released."""
         for hardware in self._asked(claimed, released):
             if not hardware.prepare_switch(claimed, released):
-                told = "".join(
-                    f"{what} interfaces: \n[\n{''.join(f'  {name}{chr(10)}' for name in names)}]\n"
-                    for what, names in (("Start", claimed), ("Stop", released))
-                )
+                told = _listed("Start", claimed) + _listed("Stop", released)
                 text = f"Component '{hardware.info.name}' did not accept new command resource combination: \n {told}"
                 self.hardware_log.error(text)
                 return False
@@ -252,6 +249,10 @@ class Manager:
             self.loaded.clear()
             self.executor.remove_node(self.node)
             self.node.destroy_node()
+
+
+def _listed(what: str, names: list[str]) -> str:
+    return "\n".join([f"{what} interfaces: ", "[", *(f"  {name}" for name in names), "]", ""])
 
 
 def _say(one: Loaded, error: ControlError) -> None:

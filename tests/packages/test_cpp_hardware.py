@@ -122,15 +122,7 @@ LIFE = [
     "activate from inactive",
     "Successful 'activate' of hardware 'cart'",
 ]
-END = [
-    "'deactivate' hardware 'cart'",
-    "deactivate from active",
-    "Successful 'deactivate' of hardware 'cart'",
-    "'shutdown' hardware 'cart'",
-    "shutdown from inactive",
-    "Successful 'shutdown' of hardware 'cart'",
-    "destroyed",
-]
+END = ["destroyed"]  # by Ctrl-C, without a transition
 
 
 def test_a_launch_file_drives_the_driver_through_its_life(workspace):

@@ -16,8 +16,6 @@ from coursekit.nodes.running import terminate, to_the_end
 from coursekit.urdf import UrdfError
 
 from .description import read_hardware
-from .hardware import FINALIZED
-from .lifecycle import bring
 from .manager import Manager
 from .manager_services import ManagerServices
 from .resources import WrongInterfaces, load
@@ -96,11 +94,13 @@ class ControlNode:
             self.node.get_logger().error(f"{_NOT_GENUINE} {fault}")
 
     def close(self) -> None:
-        """End the controllers, and shut the hardware down."""
+        """End the controllers and the hardware.
+
+        As on Humble, hardware is destroyed as it is: a driver that has to stop its motors does that in its destructor.
+        """
         for one in self.manager.loaded.values():
             one.controller.leave(self.executor)
         for hardware in self.manager.hardware:
-            bring(hardware, FINALIZED, self.manager.hardware_log)
             hardware.close()
 
     def _step(self) -> None:

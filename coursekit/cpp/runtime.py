@@ -53,7 +53,7 @@ PACKAGES = (
     "rosidl_generator_c", "rosidl_generator_py", "rosidl_typesupport_introspection_c",
     "rosidl_typesupport_introspection_cpp",
     "rosidl_typesupport_fastrtps_c", "rosidl_typesupport_fastrtps_cpp", "rcl_logging_interface", "rcl_logging_spdlog",
-    "rmw_cyclonedds_cpp",
+    "rmw_coursekit", "rmw_cyclonedds_cpp",
 )  # fmt: skip
 """The packages found here in addition to those with a folder in the underlay's share."""
 NOT_COMPILED = {"gazebo_plugins", "gazebo_ros", "nav2_util"}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import pytest
 
 from tests.needs import compiler_or_skip, posix
@@ -90,3 +92,46 @@ def test_what_is_passed_for_interfaces_is_refused_as_rosidl_refuses_it(tmp_path,
     package(tmp_path, "late", {"CMakeLists.txt": text, "late.cpp": "int main() {}"})
     built = colcon(tmp_path, "build")
     assert built.returncode == 1 and said in " ".join(built.stderr.split())
+
+
+TESTED = """cmake_minimum_required(VERSION 3.8)
+project(tested)
+find_package(ament_cmake REQUIRED)
+find_package(rclcpp REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
+find_package(ament_cmake_gtest REQUIRED)
+rosidl_generate_interfaces(${PROJECT_NAME} msg/Length.msg SKIP_INSTALL)
+ament_add_gtest(test_length test_length.cpp)
+ament_target_dependencies(test_length rclcpp)
+rosidl_get_typesupport_target(generated ${PROJECT_NAME} rosidl_typesupport_cpp)
+target_link_libraries(test_length ${generated})
+ament_package()
+"""
+TEST = """#include <gtest/gtest.h>
+#include "rclcpp/rclcpp.hpp"
+#include "tested/msg/length.hpp"
+TEST(Length, comes)
+{
+  rclcpp::init(0, nullptr);
+  auto node = std::make_shared<rclcpp::Node>("node");
+  float metres = 0;
+  auto hear = [&](const tested::msg::Length & message) {metres = message.metres;};
+  auto subscription = node->create_subscription<tested::msg::Length>("length", 10, hear);
+  tested::msg::Length sent;
+  sent.metres = 2.5;
+  node->create_publisher<tested::msg::Length>("length", 10)->publish(sent);
+  rclcpp::spin_some(node);
+  EXPECT_EQ(metres, 2.5f);
+  rclcpp::shutdown();
+}
+"""
+
+
+@pytest.mark.skipif(not os.path.isfile("/usr/include/gtest/gtest.h"), reason="needs libgtest-dev")
+def test_interfaces_that_are_not_installed_serve_the_package_s_own_tests(tmp_path):
+    files = {"CMakeLists.txt": TESTED, "msg/Length.msg": "float32 metres\n", "test_length.cpp": TEST}
+    package(tmp_path, "tested", files, depend="rclcpp")
+    assert colcon(tmp_path, "build").returncode == 0
+    tested = colcon(tmp_path, "test", "--event-handlers", "console_direct+")
+    assert colcon(tmp_path, "test-result").stdout == "Summary: 2 tests, 0 errors, 0 failures, 0 skipped\n", tested.stdout
+    assert not (tmp_path / "install" / "tested" / "share" / "tested" / "msg").exists()

@@ -359,7 +359,9 @@ EXECUTABLES: dict[str, dict[str, str]] = {
         "drop": "coursekit.nodes.topic_tools.tools:drop",
         "mux": "coursekit.nodes.topic_tools.mux:main",
         "relay": "coursekit.nodes.topic_tools.tools:relay",
+        "relay_field": "coursekit.nodes.topic_tools.computed:relay_field",
         "throttle": "coursekit.nodes.topic_tools.tools:throttle",
+        "transform": "coursekit.nodes.topic_tools.computed:transform",
     },
     "turtle_tf2_cpp": {
         "dynamic_frame_tf2_broadcaster": "coursekit.nodes.turtle_tf2.broadcasters:dynamic",

@@ -1,8 +1,9 @@
 """topic_tools: messages of any type, handed on."""
 
 import pytest
-from sensor_msgs.msg import LaserScan
-from std_msgs.msg import String
+from geometry_msgs.msg import Quaternion
+from sensor_msgs.msg import Imu, LaserScan
+from std_msgs.msg import Float64, Header, String
 from topic_tools_interfaces.srv import MuxAdd, MuxDelete, MuxList, MuxSelect
 
 
@@ -102,3 +103,53 @@ def test_mux_hands_the_selected_topic_on(friend, run):
 def test_words_that_cannot_work_are_told(run, words):
     process = run("topic_tools", *words.split())
     assert process.wait(2.0) == 1 and process.output.strip()
+
+
+NORM = "std_msgs.msg.Float64(data=numpy.linalg.norm([m.x, m.y, m.z, m.w]))"
+
+
+def test_transform_publishes_the_value_of_an_expression(friend, run):
+    friend.say("imu", Imu())
+    words = ["imu", "norm", "std_msgs/Float64", NORM, "--field", "orientation", "-i", "std_msgs", "numpy"]
+    run("topic_tools", "transform", *words)
+    heard = friend.hear(Float64, "norm")
+    friend.spin(0.5)
+    friend.say("imu", Imu(orientation=Quaternion(x=3.0, y=4.0, z=0.0, w=0.0)))
+    friend.spin(0.5)
+    assert [msg.data for msg in heard] == [5.0]
+
+
+def test_transform_waits_for_its_topic_or_refuses_one_without_a_publisher(friend, run):
+    words = ["topic_tools", "transform", "in", "out", "std_msgs/String", "m"]
+    refused = run(*words)
+    friend.spin(0.5)
+    assert refused.exit_code == 1 and "RuntimeError: ERROR: Wrong input topic: /in" in refused.output
+    waiting = run(*words, "--wait-for-start", "--qos-reliability", "reliable")
+    heard = friend.hear(String, "out")
+    talk(friend, "in", 3, 0.2)
+    assert [msg.data for msg in heard] == ["0", "1", "2"]
+    waiting.interrupt()
+    friend.spin(0.5)
+    assert waiting.output.endswith("transform stopped cleanly\n")
+
+
+def test_an_expression_that_fails_ends_the_program(friend, run):
+    friend.say("in", String())
+    process = run("topic_tools", "transform", "in", "out", "std_msgs/String", "m", "--field", "head.er")
+    friend.spin(0.5)
+    friend.say("in", String())
+    friend.spin(0.5)
+    assert process.exit_code == 1 and "exception in transform:" in process.output
+    assert "RuntimeError: Invalid field 'head.er': 'String' object has no attribute 'head'" in process.output
+
+
+def test_relay_field_fills_a_message_with_values(friend, run):
+    friend.say("in", String())
+    run("topic_tools", "relay_field", "in", "header", "std_msgs/Header", "{stamp: {sec: 7}, frame_id: m.data}")
+    run("topic_tools", "relay_field", "in", "now", "std_msgs/Header", "{stamp: now, frame_id: map}")
+    header, now = friend.hear(Header, "header"), friend.hear(Header, "now")
+    friend.spin(0.5)
+    friend.say("in", String(data="laser"))
+    friend.spin(0.5)
+    assert [(msg.stamp.sec, msg.frame_id) for msg in header] == [(7, "laser")]
+    assert [(msg.stamp.sec > 1_600_000_000, msg.frame_id) for msg in now] == [(True, "map")]

@@ -76,6 +76,9 @@ EXECUTABLES: dict[str, dict[str, str]] = {
     "depthimage_to_laserscan": {
         "depthimage_to_laserscan_node": "coursekit.nodes.pointcloud_to_laserscan.depth:main",
     },
+    "diagnostic_aggregator": {
+        "aggregator_node": "coursekit.nodes.diagnostic_aggregator.aggregator:main",
+    },
     "dummy_map_server": {
         "dummy_map_server": "coursekit.nodes.dummy_robot.map_server:main",
     },

@@ -1,0 +1,1 @@
+"""diagnostic_aggregator: the statuses of a robot's parts, put together in groups."""

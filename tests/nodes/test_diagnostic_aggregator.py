@@ -107,7 +107,7 @@ def test_expected_names_and_numbers_are_checked(friend, aggregator, settings, le
     [
         ({"type": GENERIC, "path": "A"}, "GenericAnalyzer 'A' was not initialized with any way of checking diagnostics."),
         ({"type": GENERIC, "contains": "x"}, "Unable to initialize analyzer a, type: diagnostic_aggregator/GenericAnalyzer"),
-        ({"type": "diagnostic_aggregator/GenericAnalyser", "path": "A"}, "there is no such class. Did you mean GenericAnalyzer?"),
+        ({"type": "diagnostic_aggregator/GenericAnalyser", "path": "A"}, "no such class. Did you mean GenericAnalyzer?"),
         ({"type": GENERIC, "path": "A", "regex": ["("], "name": "x"}, "Attempted to make regex from (."),
     ],
 )

@@ -29,10 +29,12 @@ _REPOSITORIES = {
     "ros2_numpy of Box-Robotics": r"ros2_numpy",
     "teleop_tools of ros-teleop": r"(joy|key|mouse)_teleop|teleop_tools\w*",
     "simple_launch of oKermorgant": r"simple_launch",
+    "examples of ros2": r"examples_rclcpp_\w+",
+    "demos of ros2": r"pendulum_control",
     "aws-robomaker-small-house-world of aws-robotics": r"aws_robomaker_small_house_world",
     "aws-robomaker-small-warehouse-world of aws-robotics": r"aws_robomaker_small_warehouse_world",
 }
-"""GitHub repositories with packages that are often used and need no C++ here."""
+"""GitHub repositories with packages that are often used and build here."""
 _ON_PIP = {"py_trees": "py_trees", "urdf_parser_py": "urdf-parser-py", "rospkg": "rospkg"}
 """Python packages that a robot has from ROS or from its system, and their names for pip."""
 _QT = "needs Qt for windows of its own"
@@ -60,9 +62,6 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
      "look at topics with `ros2 topic echo TOPIC` and `ros2 topic hz TOPIC`, or viewer() in a notebook"),
     (r"python_qt_binding|qt_gui\w*|qt_dotgraph", _QT, "a panel of ipywidgets in a notebook shows and asks as well"),
     (r"rf2o_laser_odometry", _CPP, "odometry comes from the simulator's drive, or from robot_localization's ekf_node"),
-    (r"pendulum_control|examples_rclcpp_(async_client|cbg_executor|minimal_(action_\w+|composition)|multithreaded_executor|wait_set)",
-     _CPP,
-     "packages with the same lessons: demo_nodes_cpp, composition, image_tools, examples_rclpy_executors"),
     (r"image_pipeline|stereo_image_proc|apriltag_ros|aruco\w*|octomap\w*|pcl_\w+|ros1_bridge|nav2_mppi_controller", _CPP,
      "leave it out, or write the node in Python"),
 )  # fmt: skip

@@ -29,7 +29,8 @@ _REPOSITORIES = {
     "ros2_numpy of Box-Robotics": r"ros2_numpy",
     "teleop_tools of ros-teleop": r"(joy|key|mouse)_teleop|teleop_tools\w*",
     "simple_launch of oKermorgant": r"simple_launch",
-    "examples of ros2": r"examples_rclcpp_\w+",
+    "examples of ros2": r"examples_rclcpp_(async_client|minimal_(action_\w+|composition)|cbg_executor"
+    r"|multithreaded_executor|wait_set)",
     "demos of ros2": r"pendulum_control",
     "aws-robomaker-small-house-world of aws-robotics": r"aws_robomaker_small_house_world",
     "aws-robomaker-small-warehouse-world of aws-robotics": r"aws_robomaker_small_warehouse_world",

@@ -33,6 +33,10 @@ class ExecutionContext:
     def post(self, action: Callable[[], None]) -> None:
         """Have the execution context run `action` (which may raise) and wake it if it waits."""
         self.pending.append(action)
+        self.wake()
+
+    def wake(self) -> None:
+        """Wake it if it waits; unless there is something to do, it waits on."""
         waiter = self.blocked_on
         if waiter is not None:
             waiter.poke()

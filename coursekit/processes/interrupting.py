@@ -90,8 +90,11 @@ class Interruptible(BaseProcess):
             self._raise(context, _like(error))
 
     def _raise(self, context: ExecutionContext, kind: type[BaseException]) -> None:
-        if self.exit_code is not None or raise_in_thread(context.ident, kind):
-            return  # it has ended, and another thread may have its id by now
+        if self.exit_code is not None:
+            return  # another thread may have its id by now
+        if raise_in_thread(context.ident, kind):
+            context.wake()  # it may have begun to wait meanwhile, and notices the exception only when it runs
+            return
         clock = self.session.clock
         clock.call_at(clock.steady() + RETRY_NS, lambda: self._raise(context, kind))
 

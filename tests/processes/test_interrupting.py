@@ -206,3 +206,13 @@ def test_a_signal_whose_handler_returns_does_not_shorten_a_sleep(session):
     session.clock.sleep(0.1)
     process.interrupt()
     assert process.wait(10) == 0 and process.output == "handled True\n"
+
+
+def test_an_exception_reaches_a_program_that_has_begun_to_wait():
+    """It was too busy to be asked, and waits for good when the exception comes."""
+    with Session().use() as session:
+        process = session.start(lambda: session.clock.new_event().wait(), name="waits")
+        while (context := process._main_context) is None or context.blocked_on is None:
+            session.clock.sleep(0.01)
+        process._raise(context, KeyboardInterrupt)
+        assert process.wait(10.0) is not None

@@ -8,6 +8,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from coursekit.processes.session import Session
+from coursekit.processes.signal_waker import SignalWaker
+from coursekit.systems import which
 from coursekit.systems.endings import endings
 
 from .parser import run
@@ -31,6 +33,9 @@ def run_in(session: Session, argv: Sequence[str]) -> int:
 
     for number in endings():
         signal.signal(number, forward)
+    waker = None if which.WINDOWS or session.clock.virtual else SignalWaker()
     code = process.wait()
+    if waker is not None:
+        waker.close()
     session.close()
     return 0 if code is None else code

@@ -27,5 +27,6 @@ print("ended")
 @posix("there a thread cannot be sent a signal")
 def test_ctrl_c_ends_it_also_when_another_thread_receives_the_signal():
     """The main thread blocks on a lock, and would not notice."""
-    done = subprocess.run([sys.executable, "-c", INTERRUPTED], capture_output=True, encoding="utf-8", timeout=60, check=False)
+    command = [sys.executable, "-c", INTERRUPTED]
+    done = subprocess.run(command, capture_output=True, encoding="utf-8", timeout=60, check=False)
     assert done.stdout.endswith("ended\n"), done.stdout + done.stderr

@@ -50,8 +50,9 @@ class Aggregator(Node):
         now = self.get_clock().now().nanoseconds
         self._check_stamp(msg)
         for status in msg.status:
-            taker = self._group if self._group.matches(status.name) else self._other
-            taker.take(Item.of(status, now))
+            item = Item.of(status, now)
+            if not self._group.take(item):
+                self._other.take(item)
 
     def _check_stamp(self, msg: DiagnosticArray) -> None:
         if msg.header.stamp.sec or msg.header.stamp.nanosec:

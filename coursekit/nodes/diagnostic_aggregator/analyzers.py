@@ -32,9 +32,12 @@ class Analyzer:
         """Whether it takes statuses of this name."""
         return True
 
-    def take(self, item: Item) -> None:
-        """Replace the last status of its name."""
+    def take(self, item: Item) -> bool:
+        """Replace the last status of its name, if it matches; return whether it does."""
+        if not self.matches(item.name):
+            return False
         self.items[item.name] = item
+        return True
 
     def report(self, now_ns: int) -> list[DiagnosticStatus]:
         """Return its own status, then those of the items."""

@@ -49,15 +49,10 @@ class AnalyzerGroup:
             self._problems.append(Item(key, self._now_ns, message="Analyzer init failed"))
         return None
 
-    def matches(self, name: str) -> bool:
-        """Whether one of its analyzers takes statuses of this name."""
-        return any(one.matches(name) for one in self._analyzers)
-
-    def take(self, item: Item) -> None:
-        """Hand a status to all analyzers that match it."""
-        for one in self._analyzers:
-            if one.matches(item.name):
-                one.take(item)
+    def take(self, item: Item) -> bool:
+        """Hand a status to all its analyzers; return whether one of them matches it."""
+        taken = [one.take(item) for one in self._analyzers]
+        return any(taken)
 
     def report(self, now_ns: int) -> list[DiagnosticStatus]:
         """Return the statuses of all analyzers, then its own, unless it has no path."""

@@ -8,37 +8,45 @@
 
 namespace filters::impl
 {
-/// A filter of one channel: `combine` makes one value of the last `number_of_observations`.
-template<typename T>
-class Observer : public FilterBase<T>
+/// A filter that keeps the last `number_of_observations` of what it is given: `combine` makes one value of several.
+template<class Base, typename T, typename Kept>
+class Observations : public Base
 {
-public:
-  bool update(const T & data_in, T & data_out) override
-  {
-    if (!this->configured_ || number_of_observations_ == 0) {
-      return false;
-    }
-    data_storage_->push_back(data_in);
-    std::copy_n(data_storage_->begin(), data_storage_->size(), temp_storage_.begin());
-    data_out = combine(temp_storage_, data_storage_->size());
-    return true;
-  }
-
 protected:
-  bool observe(const char * name)
+  bool observe(const char * name, const Kept & zero)
   {
     if (!this->getParam("number_of_observations", number_of_observations_)) {
       RCLCPP_ERROR(this->logging_interface_->get_logger(), "%s did not find param number_of_observations", name);
       return false;
     }
-    data_storage_ = std::make_unique<RealtimeCircularBuffer<T>>(number_of_observations_, T());
+    data_storage_ = std::make_unique<RealtimeCircularBuffer<Kept>>(number_of_observations_, zero);
     temp_storage_.resize(number_of_observations_);
     return true;
   }
   virtual T combine(std::vector<T> & values, size_t count) = 0;
-  std::unique_ptr<RealtimeCircularBuffer<T>> data_storage_;
+  std::unique_ptr<RealtimeCircularBuffer<Kept>> data_storage_;
   std::vector<T> temp_storage_;
   size_t number_of_observations_ = 0;
+};
+
+/// Of one channel.
+template<typename T>
+class Observer : public Observations<FilterBase<T>, T, T>
+{
+public:
+  bool update(const T & data_in, T & data_out) override
+  {
+    if (!this->configured_ || this->number_of_observations_ == 0) {
+      return false;
+    }
+    this->data_storage_->push_back(data_in);
+    std::copy_n(this->data_storage_->begin(), this->data_storage_->size(), this->temp_storage_.begin());
+    data_out = this->combine(this->temp_storage_, this->data_storage_->size());
+    return true;
+  }
+
+protected:
+  bool observe(const char * name) {return Observations<FilterBase<T>, T, T>::observe(name, T());}
 };
 
 template<typename T>
@@ -56,9 +64,9 @@ bool has_channels(
   return false;
 }
 
-/// A filter of several channels, each as `Observer` has one.
+/// Of several channels.
 template<typename T>
-class MultiChannelObserver : public MultiChannelFilterBase<T>
+class MultiChannelObserver : public Observations<MultiChannelFilterBase<T>, T, std::vector<T>>
 {
 public:
   using MultiChannelFilterBase<T>::update;
@@ -67,15 +75,15 @@ public:
     if (!has_channels(this->number_of_channels_, data_in, data_out, this->logging_interface_)) {
       return false;
     }
-    if (!this->configured_ || number_of_observations_ == 0) {
+    if (!this->configured_ || this->number_of_observations_ == 0) {
       return false;
     }
-    data_storage_->push_back(data_in);
+    this->data_storage_->push_back(data_in);
     for (size_t channel = 0; channel < this->number_of_channels_; ++channel) {
-      for (size_t row = 0; row < data_storage_->size(); ++row) {
-        temp_storage_[row] = data_storage_->at(row)[channel];
+      for (size_t row = 0; row < this->data_storage_->size(); ++row) {
+        this->temp_storage_[row] = this->data_storage_->at(row)[channel];
       }
-      data_out[channel] = combine(temp_storage_, data_storage_->size());
+      data_out[channel] = this->combine(this->temp_storage_, this->data_storage_->size());
     }
     return true;
   }
@@ -83,18 +91,7 @@ public:
 protected:
   bool observe(const char * name)
   {
-    if (!this->getParam("number_of_observations", number_of_observations_)) {
-      RCLCPP_ERROR(this->logging_interface_->get_logger(), "%s did not find param number_of_observations", name);
-      return false;
-    }
-    data_storage_ = std::make_unique<RealtimeCircularBuffer<std::vector<T>>>(
-      number_of_observations_, std::vector<T>(this->number_of_channels_));
-    temp_storage_.resize(number_of_observations_);
-    return true;
+    return Observations<MultiChannelFilterBase<T>, T, std::vector<T>>::observe(name, std::vector<T>(this->number_of_channels_));
   }
-  virtual T combine(std::vector<T> & values, size_t count) = 0;
-  std::unique_ptr<RealtimeCircularBuffer<std::vector<T>>> data_storage_;
-  std::vector<T> temp_storage_;
-  size_t number_of_observations_ = 0;
 };
 }  // namespace filters::impl

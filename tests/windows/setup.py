@@ -25,6 +25,7 @@ def set_up(version: str = "3.11") -> None:
     if _stamp.is_file() and _stamp.read_text(encoding="utf-8") == _state(version):
         wine.must_run(wine.PYTHON, "-m", "coursekit.building.underlay")  # an update may have brought new messages
         return
+    _stamp.unlink(missing_ok=True)  # an interrupted set-up must not pass for the one before it
     python = windows_python.unpack(version, wine.HOME)
     wine.must_run("cmd", "/c", "ver")
     lacking.get_tools()

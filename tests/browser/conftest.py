@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.browser.pages import Notebook, close, lab_in, serving, write_notebook, write_settings
+from tests.browser.pages import Notebook, close, lab_in, open_page, serving, write_notebook, write_settings
 
 
 def chromium():
@@ -44,11 +44,14 @@ def sync_playwright():
 
 @pytest.fixture(scope="module")
 def browser(sync_playwright):
-    """A headless Chromium; not for longer, because Playwright's loop counts as the thread's running one."""
+    """A headless Chromium, whose pages share what they have loaded and compiled of JupyterLab.
+
+    It is not kept for longer, because Playwright's loop counts as the thread's running one.
+    """
     start, path = sync_playwright
     with start() as driver:
         opened = driver.chromium.launch(executable_path=path, args=["--no-sandbox"])
-        yield opened
+        yield opened.new_context()
         opened.close()
 
 
@@ -85,7 +88,7 @@ def notebook(lab, browser, request):
     def open_(*cells: str, width: int = 1100, height: int = 1000) -> Notebook:
         name = f"{request.node.name}.ipynb"
         write_notebook(lab.folder / name, cells)
-        pages.append(browser.new_page(viewport={"width": width, "height": height}))
+        pages.append(open_page(browser, width, height))
         opened.append(Notebook(pages[-1], lab, name))
         return opened[-1]
 
@@ -100,7 +103,7 @@ def chapter(course, browser, request):
     pages, opened = [], request.node.stash.setdefault(_OPENED, [])
 
     def open_(name: str) -> Notebook:
-        pages.append(browser.new_page(viewport={"width": 1280, "height": 900}))
+        pages.append(open_page(browser, 1280, 900))
         opened.append(Notebook(pages[-1], course, name))
         return opened[-1]
 

@@ -256,6 +256,13 @@ class Notebook:
         raise RuntimeError(f"the kernel does not answer\n{self.lab.stacks()}")
 
 
+def open_page(browser: Any, width: int, height: int) -> Any:
+    """A new page of this size."""
+    page = browser.new_page()
+    page.set_viewport_size({"width": width, "height": height})
+    return page
+
+
 def close(page: Any) -> None:
     """End the page, also one that never came up, and its kernel: a page with a view left open slows all that follow."""
     try:

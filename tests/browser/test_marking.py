@@ -2,6 +2,7 @@
 
 import pytest
 
+from tests.browser.pages import open_page
 from tests.grade.handed import rows
 from tests.grade.reviewing import make_class, reviewing
 
@@ -11,7 +12,7 @@ pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(300)]
 def test_a_class_is_marked_by_the_keyboard(browser, tmp_path, picture):
     make_class(tmp_path / "class")
     with reviewing(tmp_path / "class") as address:
-        page = browser.new_page(viewport={"width": 1366, "height": 768})
+        page = open_page(browser, 1366, 768)
         faults = []
         page.on("console", lambda said: faults.append(said.text) if said.type == "error" else None)
         page.on("pageerror", lambda error: faults.append(str(error)))

@@ -121,7 +121,7 @@ def test_a_chapter_is_read_solved_gone_back_to_and_run_once_more(chapter, tmp_pa
             assert "Failed   <<<" not in "".join(said)
             assert said[-1].startswith("✔"), said[-1]
             assert list(doubled(tmp_path)) == before
-        said = [run(execute, notebook, index) for index in range(len(notebook.cells))]
+        said = [run(execute, notebook, index) for index in once_more(notebook)]
     assert said[-1].splitlines()[-1] == "[] []"
     assert points_of(tmp_path, chapter) == {name: exercise.points for name, exercise in exercises_of(chapter).items()}
 
@@ -152,6 +152,15 @@ def solve(execute, notebook, chapter, cells):
                 must_pass(execute, notebook.cells, index, answer)
         run(execute, notebook, index)
         assert not is_check(cell) or verdict_of(cell).startswith("✔"), verdict_of(cell)
+
+
+def once_more(notebook):
+    """The places of all cells, those under "Break it" twice: a text that is broken already is not kept as the good one."""
+    heading = ""
+    for index, cell in enumerate(notebook.cells):
+        if cell.cell_type == "markdown":
+            heading = [heading, *re.findall(r"^## .*", cell.source, re.MULTILINE)][-1]
+        yield from [index] * (2 if heading == "## Break it" else 1)
 
 
 def points_of(folder, chapter):

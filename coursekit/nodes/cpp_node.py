@@ -30,13 +30,13 @@ class CppNode(Node):
     ) -> SetParametersResult:
         result = super()._rclpy_check(parameter, descriptor, check_read_only)
         if descriptor is not None and not result.successful:
-            result.reason = _reason(parameter, descriptor)
+            result.reason = _reason(parameter, descriptor, check_read_only)
         return result
 
 
-def _reason(parameter: Parameter, descriptor: ParameterDescriptor) -> str:
+def _reason(parameter: Parameter, descriptor: ParameterDescriptor, check_read_only: bool) -> str:
     """Return why a parameter may not have that value."""
-    if descriptor.read_only:
+    if check_read_only and descriptor.read_only:
         return f"parameter '{parameter.name}' cannot be set because it is read-only"
     if descriptor.type != parameter.type_.value:
         old, new = _in_words(Parameter.Type(descriptor.type)), _in_words(parameter.type_)

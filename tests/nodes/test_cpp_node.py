@@ -53,6 +53,19 @@ def test_it_refuses_parameters_in_the_words_of_rclcpp(node, name, value, reason)
     assert (result.successful, result.reason) == (False, reason)
 
 
+@pytest.mark.parametrize(
+    ("value", "reason"),
+    [
+        (300, "Parameter {fixed} doesn't comply with integer range."),
+        ("dark", "Wrong parameter type, parameter {fixed} is of type {integer}, setting it to {string} is not allowed."),
+    ],
+)
+def test_what_is_read_only_is_declared_with_a_value_or_refused_for_that_value(node, value, reason):
+    fixed = ParameterDescriptor(type=2, read_only=True, integer_range=[IntegerRange(to_value=255, step=1)])
+    result = node._rclpy_check(Parameter("fixed", value=value), fixed, check_read_only=False)
+    assert (result.successful, result.reason) == (False, reason)
+
+
 def test_what_fits_is_set(node):
     assert node.set_parameters([Parameter("red", value=7)])[0].successful
     assert node.get_parameter("red").value == 7

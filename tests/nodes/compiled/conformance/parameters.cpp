@@ -71,6 +71,9 @@ int main(int argc, char ** argv)
   check("within the range", node->set_parameter({"ranged", 6}).successful);
   equal("off the step", node->set_parameter({"ranged", 5}).reason, "Parameter {ranged} doesn't comply with integer range.");
   throws<errors::InvalidParameterValueException>("a default out of range", [&] {node->declare_parameter("r2", 11, ranged);});
+  ranged.read_only = true;
+  equal("out of range and read only", said([&] {node->declare_parameter("r3", 11, ranged);}),
+    "parameter 'r3' could not be set: Parameter {r3} doesn't comply with integer range.");
   ParameterDescriptor dynamic;
   dynamic.dynamic_typing = true;
   node->declare_parameter("dynamic", rclcpp::ParameterValue(1), dynamic);

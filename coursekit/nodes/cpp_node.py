@@ -39,13 +39,15 @@ def _reason(parameter: Parameter, descriptor: ParameterDescriptor, check_read_on
     if check_read_only and descriptor.read_only:
         return f"parameter '{parameter.name}' cannot be set because it is read-only"
     if descriptor.type != parameter.type_.value:
-        old, new = _in_words(Parameter.Type(descriptor.type)), _in_words(parameter.type_)
-        return (
-            f"Wrong parameter type, parameter {{{parameter.name}}} is of type {{{old}}}, "
-            f"setting it to {{{new}}} is not allowed."
-        )
+        return wrong_type(parameter.name, Parameter.Type(descriptor.type), parameter.type_)
     kind = "integer" if parameter.type_ == Parameter.Type.INTEGER else "floating point"
     return f"Parameter {{{parameter.name}}} doesn't comply with {kind} range."
+
+
+def wrong_type(name: str, declared: Parameter.Type, given: Parameter.Type) -> str:
+    """Return rclcpp's words for a value of another type than the declared one."""
+    old, new = _in_words(declared), _in_words(given)
+    return f"Wrong parameter type, parameter {{{name}}} is of type {{{old}}}, setting it to {{{new}}} is not allowed."
 
 
 def _in_words(kind: Parameter.Type) -> str:

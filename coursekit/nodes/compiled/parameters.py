@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import os
+import re
 from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import ListParametersResult, ParameterDescriptor, ParameterValue, SetParametersResult
 from rcl_interfaces.msg import Parameter as ParameterMessage
 from rclpy.exceptions import (
+    InvalidParameterTypeException,
     InvalidParameterValueException,
     ParameterAlreadyDeclaredException,
     ParameterException,
@@ -18,6 +20,7 @@ from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter
 from rclpy.parameter_service import is_listed
 
 from coursekit.nodes.compiled.frames import Unpacker, packed
+from coursekit.nodes.cpp_node import wrong_type
 from coursekit.rcl import parameter_file
 
 if TYPE_CHECKING:
@@ -59,6 +62,9 @@ def told(error: ParameterException) -> str:
         return f"parameter '{name}' has already been declared"
     if isinstance(error, InvalidParameterValueException):
         return f"parameter '{name}' could not be set: {text.partition('Reason: ')[2]}"
+    if isinstance(error, InvalidParameterTypeException):
+        given, declared = (Parameter.Type[kind] for kind in re.findall(r"(?<= type ')\w+(?=')", text)[-2:])
+        return f"parameter '{name}' has invalid type: {wrong_type(name, declared, given)}"
     return name if isinstance(error, ParameterNotDeclaredException) else str(text)
 
 

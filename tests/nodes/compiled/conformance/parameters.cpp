@@ -74,6 +74,10 @@ int main(int argc, char ** argv)
   ranged.read_only = true;
   equal("out of range and read only", said([&] {node->declare_parameter("r3", 11, ranged);}),
     "parameter 'r3' could not be set: Parameter {r3} doesn't comply with integer range.");
+  auto typed = rclcpp::Node::make_shared("typed", rclcpp::NodeOptions().append_parameter_override("width", "it's wide"));
+  equal("an override of another type", said([&] {typed->declare_parameter("width", 320);}),
+    "parameter 'width' has invalid type: Wrong parameter type, parameter {width} is of type {integer}, "
+    "setting it to {string} is not allowed.");
   ParameterDescriptor dynamic;
   dynamic.dynamic_typing = true;
   node->declare_parameter("dynamic", rclcpp::ParameterValue(1), dynamic);

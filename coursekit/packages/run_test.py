@@ -21,7 +21,7 @@ _LIBRARIES = {"win32": "PATH", "darwin": "DYLD_LIBRARY_PATH"}
 
 def main(words: list[str]) -> int:
     """Run the test; return 0 if its results contain no failure, else the command's exit code, or 1."""
-    args = _parser().parse_args(words)
+    args = _parsed(words)
     args.result.parent.mkdir(parents=True, exist_ok=True)
     if args.skip_test:
         _write(args, "<skipped/>", skipped=1)
@@ -42,11 +42,19 @@ def main(words: list[str]) -> int:
     return code
 
 
+def _parsed(words: list[str]) -> argparse.Namespace:
+    """Take the words apart; those of the command are its own, `--` among them."""
+    at = words.index("--command") if "--command" in words else len(words)
+    args = _parser().parse_args(words[: at + 1])
+    args.command = words[at + 1 :]
+    return args
+
+
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(description=__doc__, allow_abbrev=False)
     parser.add_argument("result", type=Path, help="the file that the command leaves its results in")
     parser.add_argument("--package-name", default="")
-    parser.add_argument("--command", nargs=argparse.REMAINDER, required=True)
+    parser.add_argument("--command", nargs="*", required=True)
     parser.add_argument("--output-file", type=Path)
     parser.add_argument("--env", nargs="+", default=[], metavar="NAME=VALUE")
     parser.add_argument("--append-env", nargs="+", default=[], metavar="NAME=PATH")

@@ -50,6 +50,12 @@ def test_a_result_of_its_own_stays_and_has_the_package_s_name(run):
     assert code == 1 and [one.get("classname") for one in root] == ["pkg.Bad.a", "pkg.b"]
 
 
+def test_words_of_the_command_are_its_own(tmp_path):
+    code = "import sys; sys.exit(sys.argv[1:] != ['--ros-args', '-p', 'a:=1', '--', '--env'])"
+    command = [sys.executable, "-c", code, "--ros-args", "-p", "a:=1", "--", "--env"]
+    assert main([str(tmp_path / "it.xml"), "--generate-result-on-success", "--command", *command]) == 0
+
+
 def test_its_environment_is_what_was_asked_for(run, tmp_path, monkeypatch):
     monkeypatch.setenv("PLACES", "/first")
     kept = tmp_path / "out" / "said.txt"

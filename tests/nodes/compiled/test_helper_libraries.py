@@ -74,6 +74,7 @@ int main(int argc, char ** argv)
   buffer.setTransform(transform, "test", true);
   tf2::Stamped<Eigen::Vector3d> place(Eigen::Vector3d(0, 3, 0), tf2::TimePointZero, "arm");
   auto there = buffer.transform(place, "base");
+  std::cout << tf2_ros::timeToSec(rclcpp::Time(3, 500000000)) << " ";
   std::cout << there.array().round().transpose() << " " << there.frame_id_ << std::endl;
   geometry_msgs::msg::Pose pose = tf2::toMsg(motion);
   Eigen::Affine3d read;
@@ -91,16 +92,21 @@ int main(int argc, char ** argv)
 def test_eigen_s_classes_become_messages_and_are_transformed(session, build):
     process = session.launch(make_process(session, build("eigen", EIGEN), name="eigen"))
     assert process.wait(20.0) == 0, process.output
-    assert process.output.splitlines() == ["1 2 0", "1 0.707107", "-2 -0  0 base", "16 0.707107"]
+    assert process.output.splitlines() == ["1 2 0", "1 0.707107", "3.5 -2 -0  0 base", "16 0.707107"]
 
 
 DIAGNOSTICS = """
 #include "diagnostic_updater/diagnostic_updater.hpp"
 #include "rclcpp/rclcpp.hpp"
+#include "rcutils/logging_macros.h"
 class Pump : public rclcpp::Node
 {
 public:
-  Pump() : Node("pump"), updater_(this)
+  Pump()
+  : Node("pump"),
+    updater_(
+      get_node_base_interface(), get_node_clock_interface(), get_node_logging_interface(), get_node_parameters_interface(),
+      get_node_timers_interface(), get_node_topics_interface())
   {
     updater_.setHardwareIDf("pump %d", 3);
     updater_.add("pressure", this, &Pump::pressure);
@@ -116,6 +122,7 @@ private:
     status.add("bar", 2.5);
     status.addf("raw", "%04d", 12);
     status.add("open", true);
+    RCUTILS_LOG_INFO_THROTTLE(RCUTILS_STEADY_TIME, 60000, "pressure is told");
   }
   diagnostic_updater::Updater updater_;
 };
@@ -143,6 +150,7 @@ def test_diagnostics_are_told_each_period(session, build):
     assert process.wait(5.0) == 0, process.output
     starting = [status for message in heard for status in message.status if status.message == "Node starting up"]
     assert {status.name for status in starting} <= {"pump: pressure", "pump: level"}
+    assert process.output.count("pressure is told") == 1
     reports = [message for message in heard if len(message.status) == 2]
     assert len(reports) == 3
     pressure, level = reports[-1].status

@@ -127,18 +127,25 @@ private:
 /// Asks its tasks each period and publishes what they tell on /diagnostics.
 class Updater : public DiagnosticTaskVector
 {
+  using Interface = rclcpp::node_interfaces::NodeBaseInterface::SharedPtr;
+
 public:
   bool verbose_ = false;
 
   template<class N>
   explicit Updater(N node, double period = 1.0)
-  : base_(rclcpp::base_of(node)), period_(rclcpp::Duration::from_seconds(period))
+  : Updater(rclcpp::base_of(node), period) {}
+  /// Of a node's base, clock, logging, parameters, timers and topics.
+  Updater(Interface base, Interface, Interface, Interface, Interface, Interface, double period = 1.0)
+  : Updater(base, period) {}
+  explicit Updater(Interface base, double period = 1.0)
+  : base_(base), period_(rclcpp::Duration::from_seconds(period))
   {
-    auto & owner = rclcpp::node_of(node);
     const char * name = "diagnostic_updater.period";
-    double declared =
-      owner.has_parameter(name) ? owner.get_parameter(name).as_double() : owner.declare_parameter(name, period);
-    period_ = rclcpp::Duration::from_seconds(declared);
+    if (!base_->has_parameter(name)) {
+      base_->declare_parameter(name, rclcpp::ParameterValue(period));
+    }
+    period_ = rclcpp::Duration::from_seconds(base_->get_parameter(name).as_double());
     publisher_ = rclcpp::create_publisher<diagnostic_msgs::msg::DiagnosticArray>(base_, "/diagnostics", 1);
     reset_timer();
   }
@@ -227,7 +234,7 @@ private:
     publish(std::vector<diagnostic_msgs::msg::DiagnosticStatus>{status});
   }
 
-  rclcpp::node_interfaces::NodeBaseInterface::SharedPtr base_;
+  Interface base_;
   rclcpp::Duration period_;
   rclcpp::Publisher<diagnostic_msgs::msg::DiagnosticArray>::SharedPtr publisher_;
   rclcpp::TimerBase::SharedPtr timer_;

@@ -11,6 +11,7 @@ typedef int64_t rcutils_duration_value_t;
 #define RCUTILS_NS_TO_S(nanoseconds) ((nanoseconds) / (1000LL * 1000LL * 1000LL))
 #define RCUTILS_NS_TO_MS(nanoseconds) ((nanoseconds) / (1000LL * 1000LL))
 #define RCUTILS_NS_TO_US(nanoseconds) ((nanoseconds) / 1000LL)
+#define RCUTILS_STEADY_TIME rcutils_steady_time_now
 
 inline rcutils_ret_t rcutils_system_time_now(rcutils_time_point_value_t * now)
 {

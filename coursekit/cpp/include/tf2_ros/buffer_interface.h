@@ -21,6 +21,7 @@ inline tf2::Duration fromMsg(const builtin_interfaces::msg::Duration & duration)
 {
   return tf2::Duration(std::chrono::seconds(duration.sec) + std::chrono::nanoseconds(duration.nanosec));
 }
+inline double timeToSec(const builtin_interfaces::msg::Time & time) {return tf2::timeToSec(fromMsg(time));}
 
 class BufferInterface
 {

@@ -11,6 +11,8 @@ inline void imshow(const std::string & window, InputArray image)
   call("imshow", window, image);
 }
 inline void namedWindow(const std::string & window, int flags = WINDOW_AUTOSIZE) {call("namedWindow", window, flags);}
+/// The session draws windows by itself: there is no thread to start.
+inline int startWindowThread() {return 1;}
 inline int waitKey(int delay = 0) {return static_cast<int>(call("waitKey", delay).integer);}
 inline int waitKeyEx(int delay = 0) {return static_cast<int>(call("waitKeyEx", delay).integer);}
 inline int pollKey() {return static_cast<int>(call("pollKey").integer);}

@@ -78,6 +78,13 @@ FORWARDED = {
         "topic_statistics_collector/received_message_period"
     ),
     "pluginlib/class_loader.hpp": "class_desc class_loader_base",
+    "parameter_traits/parameter_traits.hpp": "comparison validators",
+    "realtime_tools/realtime_box.h": "realtime_box.hpp",
+    "realtime_tools/realtime_buffer.h": "realtime_buffer.hpp",
+    "realtime_tools/realtime_clock.h": "realtime_clock.hpp",
+    "realtime_tools/realtime_publisher.h": "realtime_publisher.hpp",
+    "realtime_tools/realtime_server_goal_handle.h": "realtime_server_goal_handle.hpp",
+    "tl_expected/expected.hpp": "/tl/expected.hpp",
     "sensor_msgs/point_cloud2_iterator.hpp": "impl/point_cloud2_iterator",
 }
 """Humble's header names by the header with their content; without a folder they are in its package."""

@@ -163,10 +163,10 @@ function(_coursekit_gtest_test target kind)
     return()
   endif()
   cmake_parse_arguments(PARSE_ARGV 2 arg "SKIP_LINKING_MAIN_LIBRARIES;${_coursekit_test_options}" "${_coursekit_test_values}"
-    "${_coursekit_test_lists}")
+    "ARGS;${_coursekit_test_lists}")
   set(results "${AMENT_TEST_RESULTS_DIR}/${PROJECT_NAME}/${target}.gtest.xml")
   _coursekit_add_test(${target} ${kind} "${results}" "${COURSEKIT_PYTHON}" -u -m coursekit.packages.gtest_program "$<TARGET_FILE:${target}>"
-    "--gtest_output=xml:${results}")
+    ${arg_ARGS} "--gtest_output=xml:${results}")
   set_tests_properties(${target} PROPERTIES REQUIRED_FILES "$<TARGET_FILE:${target}>")
 endfunction()
 

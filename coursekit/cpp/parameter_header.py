@@ -1,0 +1,217 @@
+"""The C++ header of a file of parameters: the structs with their values, and the listener that keeps them up to date."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator
+from typing import Any
+
+from coursekit.cpp.parameter_library import TYPES, Parameter, Struct
+
+_HEADER = """\
+// Made from a file of parameters by generate_parameter_library(): what is changed here is lost.
+#pragma once
+#include "generate_parameter_library/coursekit_listener.hpp"
+{includes}
+namespace {space}
+{{
+using namespace rsl;  // NOLINT
+
+struct Params
+{{
+{fields}
+  rclcpp::Time __stamp;
+}};
+
+struct StackParams
+{{
+{stack_fields}
+}};
+
+struct ParamLayout
+{{
+  template<class F>
+  static void fixed([[maybe_unused]] Params & params, [[maybe_unused]] F && each)
+  {{
+{fixed}
+  }}
+  template<class F>
+  static void mapped([[maybe_unused]] Params & params, [[maybe_unused]] F && each)
+  {{
+{mapped}
+  }}
+  static void forget([[maybe_unused]] Params & params)
+  {{
+{forget}
+  }}
+  static void stack([[maybe_unused]] const Params & params, [[maybe_unused]] StackParams & out)
+  {{
+{stack}
+  }}
+}};
+
+class ParamListener : public coursekit::ParameterListener<Params, StackParams, ParamLayout>
+{{
+public:
+  using coursekit::ParameterListener<Params, StackParams, ParamLayout>::ParameterListener;
+}};
+}}  // namespace {space}
+"""
+_EACH = """    each({name}, {field}, {has_default}, {descriptor},
+      [](const rclcpp::Parameter & {param}) -> Result {{
+{checks}        return {{}};
+      }});"""
+_CHECK = """        if (auto result = {call}; !result) {{
+          return result;
+        }}
+"""
+
+
+def parameter_header(root: Struct, include: str = "") -> str:
+    """Return the header's text; `include` is the header with the file's own checks."""
+    texts = {
+        "includes": f'#include "{include}"\n' if include else "",
+        "space": root.name,
+        "fields": "\n".join(_fields(root, "  ", False)),
+        "stack_fields": "\n".join(_fields(root, "  ", True)),
+        "fixed": "\n".join(_each(root, "params", "", mapped=False)),
+        "mapped": "\n".join(_each(root, "params", "", mapped=True)),
+        "forget": "\n".join(_forget(root, "params")),
+        "stack": "\n".join(f"    out.{one} = params.{one};" for one in _on_stack(root, "")),
+    }
+    return _HEADER.format(**texts)
+
+
+# -- the structs
+
+
+def _fields(struct: Struct, indent: str, stack: bool) -> Iterator[str]:
+    for one in struct.parameters:
+        if not stack or _is_small(one):
+            yield f"{indent}{_type(one)} {one.name}{_default(one)};"
+    for inner in struct.structs:
+        if stack and inner.mapped:
+            continue
+        name = _pascal(inner.name)
+        yield f"{indent}struct {name}\n{indent}{{"
+        yield from _fields(inner, indent + "  ", stack)
+        yield f"{indent}}}{'' if inner.mapped else ' ' + inner.name};"
+        if inner.mapped:
+            yield f"{indent}std::map<std::string, {name}> {_map(inner)};"
+
+
+def _is_small(one: Parameter) -> bool:
+    return bool(one.size) or not (one.kind == "string" or one.kind.endswith("_array"))
+
+
+def _type(one: Parameter) -> str:
+    if one.size:
+        return f"StaticString<{one.size}>" if one.kind == "string" else f"StaticVector<{one.base}, {one.size}>"
+    return str(TYPES[one.kind])
+
+
+def _default(one: Parameter) -> str:
+    return "{}" if one.default is None else f" = {value_text(one.default)}"
+
+
+def _pascal(name: str) -> str:
+    """
+    >>> _pascal("__map_dof_names")
+    'MapDofNames'
+    """
+    return "".join(word.title() for word in name.replace(".", "_").split("_"))
+
+
+def _map(struct: Struct) -> str:
+    return f"{struct.mapped.replace('.', '_')}_map"
+
+
+def value_text(value: Any) -> str:
+    """Return a value as C++ writes it.
+
+    >>> value_text([1.0, float("nan")]), value_text('say "a"'), value_text(True)
+    ('{1.0, std::numeric_limits<double>::quiet_NaN()}', '"say \\\\"a\\\\""', 'true')
+    """
+    if isinstance(value, list):
+        return "{" + ", ".join(map(value_text, value)) + "}"
+    if isinstance(value, float) and not math.isfinite(value):
+        limit = "quiet_NaN" if math.isnan(value) else "infinity"
+        return f"{'-' if value < 0 else ''}std::numeric_limits<double>::{limit}()"
+    return json.dumps(value, ensure_ascii=False)
+
+
+# -- what is said of each parameter
+
+
+def _each(struct: Struct, place: str, name: str, mapped: bool, keys: int = 0) -> Iterator[str]:
+    """Calls for the parameters below a struct, within loops over the `keys` parameters that name them."""
+    for one in struct.parameters:
+        if bool(keys) == mapped:
+            yield _call(one, f"{place}.{one.name}", f"{name}{one.name}")
+    for inner in struct.structs:
+        if not inner.mapped:
+            yield from _each(inner, f"{place}.{inner.name}", f"{name}{inner.name}.", mapped, keys)
+        elif mapped:
+            key = f"key_{keys}"
+            yield f"    for (const std::string & {key} : params.{inner.mapped}) {{"
+            yield from _each(inner, f"{place}.{_map(inner)}[{key}]", f"{name}{{{key}}}.", mapped, keys + 1)
+            yield "    }"
+
+
+def _call(one: Parameter, field: str, name: str) -> str:
+    checks = "".join(_CHECK.format(call=_check(one, check, given)) for check, given in one.checks)
+    words = value_text(name).replace("{", '" + ').replace("}", ' + "')
+    has_default = value_text(one.default is not None)
+    param = "param" if checks else ""
+    return _EACH.format(
+        name=words, field=field, has_default=has_default, descriptor=_descriptor(one), param=param, checks=checks
+    )
+
+
+def _check(one: Parameter, name: str, given: list[Any]) -> str:
+    called = name.replace("<>", f"<{one.base}>")
+    return f"{called}({', '.join(['param', *map(value_text, given)])})"
+
+
+_LIMITS = {
+    "bounds": (0, 1), "lower_bounds": (0, None), "gt": (0, None), "gt_eq": (0, None),
+    "upper_bounds": (None, 0), "lt": (None, 0), "lt_eq": (None, 0),
+}  # fmt: skip
+"""The checks that descriptors tell as ranges: which of their arguments is the lower limit, and which the upper."""
+
+
+def _descriptor(one: Parameter) -> str:
+    told = f"coursekit::described({value_text(one.description)}, {value_text(one.read_only)})"
+    limits: dict[int, str] = {}
+    for name, given in one.checks:
+        for end, at in enumerate(_LIMITS.get(name.removesuffix("<>"), ())):
+            if at is not None and one.kind in ("int", "double"):
+                limits[end] = value_text(given[at])
+    if not limits:
+        return told
+    number, widest = ("double", "double") if one.kind == "double" else ("int64_t", "int")
+    lower = limits.get(0, f"std::numeric_limits<{widest}>::lowest()")
+    upper = limits.get(1, f"std::numeric_limits<{widest}>::max()")
+    return f"coursekit::in_range({told}, {number}({lower}), {number}({upper}))"
+
+
+def _forget(struct: Struct, place: str) -> Iterator[str]:
+    """Statements that take what no name stands for any more out of the maps."""
+    for inner in struct.structs:
+        if inner.mapped:
+            there = f"{place}.{_map(inner)}"
+            yield f"    for (auto at = {there}.begin(); at != {there}.end();) {{"
+            yield f"      at = contains(params.{inner.mapped}, at->first) ? std::next(at) : {there}.erase(at);"
+            yield "    }"
+        else:
+            yield from _forget(inner, f"{place}.{inner.name}")
+
+
+def _on_stack(struct: Struct, place: str) -> Iterator[str]:
+    for one in struct.parameters:
+        if _is_small(one):
+            yield place + one.name
+    for inner in struct.structs:
+        if not inner.mapped:
+            yield from _on_stack(inner, f"{place}{inner.name}.")

@@ -34,6 +34,7 @@ install(TARGETS plain isolated DESTINATION lib/${PROJECT_NAME})
 PARTS = """
 add_library(parts SHARED src/parts.cpp)
 ament_target_dependencies(parts rclcpp rclcpp_components std_msgs)
+set_target_properties(parts PROPERTIES OUTPUT_NAME parts_of_k)
 rclcpp_components_register_nodes(parts "k_parts::Source" "k_parts::Sink" "k_parts::Broken")
 install(TARGETS parts ARCHIVE DESTINATION lib LIBRARY DESTINATION lib RUNTIME DESTINATION bin)
 """

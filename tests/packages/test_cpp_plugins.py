@@ -118,6 +118,7 @@ pluginlib_export_plugin_description_file(k_tool more/lost.xml)
 add_library(k_tools src/tools.cpp)
 target_include_directories(k_tools PUBLIC
   $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
+set_target_properties(k_tools PROPERTIES OUTPUT_NAME tools_of_k)
 ament_target_dependencies(k_tools k_tool pluginlib)
 target_compile_definitions(k_tools PRIVATE "K_TOOLS_BUILDING_LIBRARY")
 add_library(lathe SHARED src/lathe.cpp)
@@ -152,7 +153,7 @@ public:
 PLUGINLIB_EXPORT_CLASS(k_tools::Hammer, shop::Tool)
 PLUGINLIB_EXPORT_CLASS(k_tools::Press, shop::Tool)
 """
-PLUGINS = """<library path="k_tools">
+PLUGINS = """<library path="tools_of_k">
   <class type="k_tools::Hammer" base_class_type="shop::Tool"><description>It hits.</description></class>
   <class name="a_press" type="k_tools::Press" base_class_type="shop::Tool"><description>It presses.</description></class>
   <class type="k_tools::Other" base_class_type="shop::Other"><description>Another kind.</description></class>

@@ -54,5 +54,5 @@ int main(int argc, char ** argv)
   install(TARGETS ${program} DESTINATION lib/${PROJECT_NAME})
   get_property(known DIRECTORY "${PROJECT_SOURCE_DIR}" PROPERTY COURSEKIT_COMPONENTS)
   set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" PROPERTY COURSEKIT_COMPONENTS
-    "${known}${plugin}|lib/${PROJECT_NAME}/${program}|lib/lib${target}.so\n")
+    "${known}${plugin}|lib/${PROJECT_NAME}/${program}|lib/lib@${target}@.so\n")
 endfunction()

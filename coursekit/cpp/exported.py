@@ -36,6 +36,7 @@ EXPORTED = {
     "controller_interface": "hardware_interface rclcpp_lifecycle sensor_msgs",
     "controller_manager": "controller_interface controller_manager_msgs hardware_interface pluginlib rclcpp",
     "hardware_interface": "control_msgs lifecycle_msgs pluginlib rclcpp_lifecycle rcpputils rcutils",
+    "transmission_interface": "hardware_interface pluginlib rclcpp",
     "generate_parameter_library": "parameter_traits rclcpp rclcpp_lifecycle rsl tcb_span tl_expected",
     "class_loader": "console_bridge rcpputils",
     "pluginlib": "ament_index_cpp class_loader rcpputils rcutils",

@@ -37,7 +37,8 @@ FORWARDED = {
         "/image_geometry/visibility_control.hpp /image_transport/visibility_control.hpp "
         "/laser_geometry/visibility_control.hpp /cv_bridge/cv_bridge_export.h "
         "/rosbag2_cpp/visibility_control.hpp /rosbag2_storage/visibility_control.hpp "
-        "/rosbag2_transport/visibility_control.hpp /rcutils/visibility_control_macros.h "
+        "/rosbag2_transport/visibility_control.hpp /transmission_interface/visibility_control.h "
+        "/rcutils/visibility_control_macros.h "
         "/rosidl_typesupport_cpp/visibility_control.h /rosidl_runtime_c/visibility_control.h"
     ),
     "image_transport/simple_publisher_plugin.hpp": "publisher_plugin",
@@ -78,6 +79,10 @@ FORWARDED = {
         "topic_statistics_collector/received_message_period"
     ),
     "pluginlib/class_loader.hpp": "class_desc class_loader_base",
+    "transmission_interface/exception.hpp": "transmission_interface_exception",
+    "transmission_interface/transmission_loader.hpp": (
+        "simple_transmission_loader differential_transmission_loader four_bar_linkage_transmission_loader"
+    ),
     "parameter_traits/parameter_traits.hpp": "comparison validators",
     "realtime_tools/realtime_box.h": "realtime_box.hpp",
     "realtime_tools/realtime_buffer.h": "realtime_buffer.hpp",

@@ -31,3 +31,24 @@ def test_the_names_do_what_they_say(session, build):
         "0.510active0",
         "Failed converting string to real number",
     ]
+
+
+def test_transmissions_map_both_ways(session, build):
+    path = build("transmissions", program("transmissions.cpp"))
+    process = session.launch(make_process(session, path, [ROBOT], name="transmissions"))
+    assert process.wait(20.0) == 0, process.output
+    assert process.output.splitlines() == [
+        "simple 2.25 4 150 back 100 200 3",
+        "differential 5.5 0.5 3.5 0.125 40 -80 back 20 40 2 3",
+        "linkage 6 -1.5 5 -5 32 -1 back 40 10 2 3",
+        "No joint handles were passed in",
+        "There should be exactly two unique joint names but was given '[ elbow ]'.",
+        "Not enough valid or required actuator position handles were presented.",
+        "None of the provided handles are valid or from the required interfaces.",
+        "Transmission reduction ratio cannot be zero.",
+        "Reduction and offset vectors must have size 2.",
+        "gear 3.25",
+        "[ERROR] [1700000000.000000000] [simple_transmission_loader]: Failed to construct transmission "
+        "'Transmission reduction ratio cannot be zero.'",
+        "1",
+    ]

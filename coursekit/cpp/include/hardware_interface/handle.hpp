@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "hardware_interface/macros.hpp"
+#include "hardware_interface/visibility_control.h"
 
 namespace hardware_interface
 {

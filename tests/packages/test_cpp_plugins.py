@@ -60,6 +60,9 @@ int main()
     press->set(3.0);
     std::cout << hammer->force() << " " << press->force() << " " << loader.isClassLoaded("a_press") << std::endl;
   }
+  for (auto & path : loader.getPluginXmlPaths()) {
+    std::cout << path.substr(path.rfind("/k_tools/")) << std::endl;
+  }
   try {
     loader.createSharedInstance("k_tools::Saw");
   } catch (const pluginlib::PluginlibException & error) {
@@ -78,7 +81,7 @@ int main()
 }
 """
 LOADER = """
-#include "class_loader/class_loader.hpp"
+#include "class_loader/multi_library_class_loader.hpp"
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_components/node_factory.hpp"
 int main(int argc, char ** argv)
@@ -89,7 +92,9 @@ int main(int argc, char ** argv)
   std::vector<std::unique_ptr<class_loader::ClassLoader>> loaders;
   for (int i = 1; i < argc; ++i) {
     loaders.push_back(std::make_unique<class_loader::ClassLoader>(argv[i]));
-    for (auto & name : loaders.back()->getAvailableClasses<rclcpp_components::NodeFactory>()) {
+    class_loader::MultiLibraryClassLoader all(false);
+    all.loadLibrary(argv[i]);
+    for (auto & name : all.getAvailableClassesForLibrary<rclcpp_components::NodeFactory>(argv[i])) {
       std::cout << "makes " << name << std::endl;
       auto factory = loaders.back()->createInstance<rclcpp_components::NodeFactory>(name);
       nodes.push_back(factory->create_node_instance(rclcpp::NodeOptions()));
@@ -98,7 +103,7 @@ int main(int argc, char ** argv)
   }
   executor.spin();
   try {
-    class_loader::ClassLoader other("libk_missing.so");
+    class_loader::ClassLoader other(class_loader::systemLibraryFormat("k_missing"));
   } catch (const class_loader::LibraryLoadException & error) {
     std::cout << std::string(error.what()).substr(0, 39) << std::endl;
   }
@@ -234,6 +239,8 @@ def test_plugins_are_found_by_their_descriptions_and_made(workspace):
         "k_tools::Hammer is k_tools::Hammer: It hits.",
         "lost is k_tools::Lost: Nowhere.",
         "20 300 1",
+        "/k_tools/more/lost.xml",
+        "/k_tools/plugins.xml",
         "According to the loaded plugin descriptions the class k_tools::Saw with base class type shop::Tool does not exist. "
         "Declared types are  a_press k_tools::Hammer lost",
         "Could not find library corresponding to plugin lost. Make sure that the library 'k_lost' actually exists.",

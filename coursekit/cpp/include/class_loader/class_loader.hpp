@@ -8,9 +8,16 @@
 #include "class_loader/exceptions.hpp"
 #include "class_loader/register_macro.hpp"
 #include "class_loader/registry.hpp"
+#include "rcpputils/shared_library.hpp"
 
 namespace class_loader
 {
+/// A library's name with what this system puts around it.
+inline std::string systemLibraryFormat(const std::string & library_name)
+{
+  return rcpputils::get_platform_library_name(library_name);
+}
+
 class ClassLoader : public std::enable_shared_from_this<ClassLoader>
 {
 public:

@@ -38,6 +38,17 @@ public:
     return names;
   }
   template<class Base>
+  std::vector<std::string> getAvailableClassesForLibrary(const std::string & path) const
+  {
+    auto found = loaders_.find(path);
+    if (found == loaders_.end()) {
+      throw NoClassLoaderExistsException(
+              "There is no ClassLoader in MultiLibraryClassLoader bound to library " + path +
+              " Ensure you called MultiLibraryClassLoader::loadLibrary()");
+    }
+    return found->second->template getAvailableClasses<Base>();
+  }
+  template<class Base>
   bool isClassAvailable(const std::string & name) const {return loader_of<Base>(name) != nullptr;}
   template<class Base>
   std::shared_ptr<Base> createSharedInstance(const std::string & name) {return found<Base>(name).template createSharedInstance<Base>(name);}

@@ -1,6 +1,7 @@
 // Plugins by their names: found by the descriptions that packages export, loaded from their libraries.
 #pragma once
 #include <map>
+#include <set>
 
 #include "class_loader/class_loader.hpp"
 #include "pluginlib/descriptions.hpp"
@@ -64,6 +65,14 @@ public:
       paths.push_back(entry.first);
     }
     return paths;
+  }
+  std::vector<std::string> getPluginXmlPaths() const
+  {
+    std::set<std::string> paths;
+    for (auto & entry : known_) {
+      paths.insert(entry.second.manifest);
+    }
+    return {paths.begin(), paths.end()};
   }
   bool isClassAvailable(const std::string & lookup_name) const {return known_.count(lookup_name);}
   bool isClassLoaded(const std::string & lookup_name) const

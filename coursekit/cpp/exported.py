@@ -11,6 +11,7 @@ _TF2 = "builtin_interfaces geometry_msgs rclcpp tf2"
 EXPORTED = {
     "rclcpp": "ament_index_cpp libstatistics_collector rcl rcl_interfaces rcl_yaml_param_parser rcpputils rcutils rmw "
     "builtin_interfaces rosgraph_msgs statistics_msgs rosidl_runtime_cpp rosidl_typesupport_cpp tracetools",
+    "rcutils": "ament_cmake",
     "rclcpp_action": "action_msgs rclcpp",
     "rclcpp_components": "ament_index_cpp class_loader composition_interfaces rclcpp rcpputils",
     "rclcpp_lifecycle": "lifecycle_msgs rclcpp",

@@ -193,3 +193,47 @@ def test_a_workspace_s_own_copy_of_a_package_is_taken_before_the_runtime_s(tmp_p
     built = colcon(tmp_path, "build")
     assert built.returncode == 0, built.stderr
     assert sourced(tmp_path, "ros2 run asker asker").stdout == "asker 7\n"
+
+
+STRICT = {
+    "CMakeLists.txt": """cmake_minimum_required(VERSION 3.5)
+project(strict)
+set(CMAKE_CXX_STANDARD 14)
+add_link_options("-Wl,-z,relro,-z,now,-z,defs")
+find_package(rclcpp REQUIRED)
+find_package(rclcpp_components REQUIRED)
+add_library(strict SHARED src/strict.cpp)
+ament_target_dependencies(strict rclcpp rclcpp_components)
+rclcpp_components_register_node(strict PLUGIN "Strict" EXECUTABLE strict_node)
+install(TARGETS strict ARCHIVE DESTINATION lib LIBRARY DESTINATION lib)
+ament_environment_hooks(${ament_cmake_package_templates_ENVIRONMENT_HOOK_LIBRARY_PATH})
+ament_package()
+""",
+    "src/strict.cpp": """#include "rclcpp_components/register_node_macro.hpp"
+struct Strict : rclcpp::Node
+{
+  explicit Strict(const rclcpp::NodeOptions & options)
+  : Node("strict", options)
+  {
+    RCLCPP_INFO(get_logger(), "made");
+    rclcpp::shutdown();
+  }
+};
+RCLCPP_COMPONENTS_REGISTER_NODE(Strict)
+""",
+}
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(300)
+def test_rclcpp_brings_ament_cmake_and_libraries_may_ask_for_all_their_names(tmp_path):
+    compiler_or_skip()
+    folder = tmp_path / "src" / "strict"
+    for name, text in {**STRICT, "package.xml": MANIFEST.format(name="strict", depends="")}.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text, encoding="utf-8")
+    built = colcon(tmp_path, "build")
+    assert built.returncode == 0 and "stderr" not in built.stdout, built.stdout + built.stderr
+    assert (tmp_path / "install/strict/lib/libstrict.so").is_file()
+    ran = sourced(tmp_path, "ros2 run strict strict_node")
+    assert "[strict]: made" in ran.stdout + ran.stderr

@@ -116,6 +116,8 @@ function(_coursekit_add_loadable target)
   if(APPLE)
     target_link_options(${loadable} PRIVATE -undefined dynamic_lookup)
     set_target_properties(${loadable} PROPERTIES SUFFIX .so)
+  elseif(NOT WIN32)
+    target_link_options(${loadable} PRIVATE -Wl,-z,undefs)  # the package may ask for the contrary of all its libraries
   endif()
 endfunction()
 

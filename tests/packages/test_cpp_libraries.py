@@ -135,6 +135,26 @@ def test_without_a_library_of_the_system_s_the_command_that_brings_it_is_named(t
     assert f"Skipped C++ of k_reader: reads ({why}; the rest is installed)" in done.stdout
 
 
+CHECKED_CMAKE = """
+find_package(generate_parameter_library REQUIRED)
+generate_parameter_library(speeds src/speeds.yaml include/checks.hpp)
+add_executable(drives src/drives.cpp)
+target_link_libraries(drives speeds)
+ament_package()
+"""
+
+
+def test_a_header_of_checks_that_formats_asks_for_fmt(tmp_path):
+    compiler_or_skip()
+    if os.path.isdir("/usr/include/fmt"):
+        pytest.skip("has libfmt-dev")
+    yaml, checks = "speeds: {top: {type: double}}", "#include <fmt/core.h>"
+    files = {"src/drives.cpp": "int main() {}", "src/speeds.yaml": yaml, "include/checks.hpp": checks}
+    lay_out(tmp_path, "k_drives", CHECKED_CMAKE, files, ("generate_parameter_library",))
+    done = colcon(tmp_path, "build")
+    assert "there is no fmt for C++ here: `sudo apt install libfmt-dev` brings it" in done.stdout, done.stdout + done.stderr
+
+
 TINY_CMAKE = """
 find_package(image_transport REQUIRED)
 find_package(pluginlib REQUIRED)

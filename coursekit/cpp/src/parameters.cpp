@@ -70,7 +70,9 @@ bool NodeBaseInterface::get_parameters_by_prefix(const std::string & prefix, std
   bool any = false;
   for (auto & name : list_parameters({prefix}, 0).names) {
     if (name.compare(0, start.size(), start) == 0) {
-      parameters[name.substr(start.size())] = get_parameter(name);
+      Parameter found(name);
+      get_parameter(name, found);
+      parameters[name.substr(start.size())] = found;
       any = true;
     }
   }

@@ -123,11 +123,15 @@ def do_get_parameter(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 
 def do_find_parameter(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Return whether a parameter is declared, and the parameter."""
+    """Return whether a parameter is declared and has a value, and the parameter."""
     node, name = host.things[frame.integer()], frame.text()
-    if not node.has_parameter(name):
+    try:
+        found = node.get_parameter(name) if node.has_parameter(name) else None
+    except ParameterUninitializedException:
+        found = None
+    if found is None or found.type_ is Parameter.Type.NOT_SET:
         return packed(0)
-    return packed(1, node.get_parameter(name).to_parameter_msg())
+    return packed(1, found.to_parameter_msg())
 
 
 def do_set_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

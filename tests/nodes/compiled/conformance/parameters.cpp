@@ -47,6 +47,15 @@ int main(int argc, char ** argv)
   equal("words of what is declared twice", said([&] {node->declare_parameter("count", 1);}), "parameter 'count' has already been declared");
   equal("words of what is not declared", said([&] {node->get_parameter("nothing");}), "nothing");
   node->declare_parameter("later", rclcpp::PARAMETER_DOUBLE);
+  rclcpp::Parameter later("as it was", 7);
+  double number = 2.5;
+  check("what has no value is not found", !node->get_parameter("later", later) && later.as_int() == 7);
+  check("nor as a number", !node->get_parameter("later", number) && node->get_parameter_or("later", number, 4.5) == false);
+  equal("the alternative", number, 4.5);
+  std::map<std::string, rclcpp::Parameter> below;
+  node->declare_parameter("box.width", rclcpp::PARAMETER_DOUBLE);
+  check("what has no value is below its prefix", node->get_node_parameters_interface()->get_parameters_by_prefix("box", below));
+  equal("without a type", static_cast<int>(below.at("width").get_type()), static_cast<int>(rclcpp::PARAMETER_NOT_SET));
   equal("words of what has no value", said([&] {node->get_parameter("later");}), "parameter 'later' is not initialized");
   throws<errors::InvalidParametersException>("no name", [&] {node->declare_parameter("", 1);});
   throws<errors::InvalidParameterTypeException>("another type", [&] {node->get_parameter("count").as_string();});

@@ -52,20 +52,38 @@ class Pose2D(NamedTuple):
         return Pose2D(-c * self.x - s * self.y, s * self.x - c * self.y, wrap(-self.theta))
 
     def to(self, other: Pose2D) -> Pose2D:
-        """The motion from this pose to `other`: `self @ self.to(other) == other`."""
+        """The motion from this pose to `other`: `self @ self.to(other) == other`.
+
+        >>> Pose2D(1.0, 1.0, 0.0).to(Pose2D(3.0, 0.0, 0.5))
+        Pose2D(x=2.0, y=-1.0, theta=0.5)
+        """
         return self.inverse() @ other
 
     def distance(self, other: Pose2D) -> float:
-        """Straight-line distance between the positions [m]."""
+        """Straight-line distance between the positions [m].
+
+        >>> Pose2D(1.0, 1.0, 0.5).distance(Pose2D(4.0, 5.0, -2.0))
+        5.0
+        """
         return math.hypot(other.x - self.x, other.y - self.y)
 
     def transform(self, points: Array) -> Array:
-        """Transform points (n, 2) from this pose's frame to the frame in which the pose is given."""
+        """Transform points (n, 2) [m] from this pose's frame to the frame in which the pose is given.
+
+        >>> Pose2D(1.0, 2.0, math.pi / 2).transform([[3.0, 0.0]]).round(6).tolist()  # 3 m ahead, looking along y
+        [[1.0, 5.0]]
+        """
         return np.asarray(points, float) @ rotation(self.theta).T + np.array([self.x, self.y])
 
     @classmethod
     def of(cls, values: Any) -> Pose2D:
-        """Build a pose from any three numbers."""
+        """Build a pose from any three numbers: x, y [m] and the heading [rad], which is wrapped.
+
+        Raises ValueError for more or fewer than three.
+
+        >>> Pose2D.of(np.array([1.0, 2.0, 2 * math.pi]))
+        Pose2D(x=1.0, y=2.0, theta=0.0)
+        """
         x, y, theta = values
         return cls(float(x), float(y), wrap(float(theta)))
 

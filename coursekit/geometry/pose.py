@@ -143,6 +143,12 @@ def segment(a: Pose, b: Pose) -> Segment | None:
 
     (x, dx, y, dy, z, dz), then the quaternions a and b over the sine of the angle between them, and the angle: at a ratio
     r the attitude is a * sin(angle - r * angle) + b * sin(r * angle).
+
+    >>> half_turn = segment(IDENTITY, (2.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0))
+    >>> half_turn[1], round(half_turn[-1], 4)  # 2 m along x; the angle between the quaternions is half that of the rotation
+    (2.0, 1.5708)
+    >>> segment(IDENTITY, (2.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)) is None
+    True
     """
     x, y, z, i, j, k, w = a
     bx, by, bz, bi, bj, bk, bw = b
@@ -157,7 +163,11 @@ def segment(a: Pose, b: Pose) -> Segment | None:
 
 
 def canonical(pose: Pose) -> Pose:
-    """The same pose with the quaternion's sign as tf2 returns it (tf2 converts through a matrix)."""
+    """The same pose with the quaternion's sign as tf2 returns it (tf2 converts through a matrix).
+
+    >>> canonical((0.0, 0.0, 0.0, 0.0, 0.0, -0.6, -0.8))[5:]  # the same rotation
+    (0.6, 0.8)
+    """
     x, y, z, i, j, k, w = pose
     if w > 0.5:
         return pose

@@ -35,12 +35,27 @@ class FrameBuffer(FrameStore):
         """Return the pose of `source` in `target` at a time; 0 is the newest time common to all frames between them.
 
         Raises LookupException, ConnectivityException, ExtrapolationException or InvalidArgumentException.
+
+        >>> buffer = FrameBuffer()
+        >>> _ = buffer.set_static("map", "dock", IDENTITY), buffer.set_static("odom", "robot", IDENTITY)
+        >>> buffer.lookup("map", "robot")  # doctest: +ELLIPSIS
+        Traceback (most recent call last):
+        tf2.ConnectivityException: Could not find a connection between 'map' and 'robot' because they are not part of ...
         """
         with self._lock:
             return Lookup(*self.find(target, source, time))
 
     def lookup_full(self, target: str, target_time: int, source: str, source_time: int, fixed: str) -> Lookup:
-        """Return the pose of `source` at `source_time` in `target` at `target_time`, assuming that `fixed` did not move."""
+        """Return the pose of `source` at `source_time` in `target` at `target_time`, assuming that `fixed` did not move.
+
+        Times in nanoseconds. Raises as `lookup` does.
+
+        >>> buffer = FrameBuffer()
+        >>> for second in (1, 2):
+        ...     _ = buffer.set("map", "robot", second * 10**9, (float(second), 0.0, 0.0, 0.0, 0.0, 0.0, 1.0))
+        >>> buffer.lookup_full("robot", 2 * 10**9, "robot", 10**9, "map").pose[0]  # a second ago it was a metre behind
+        -1.0
+        """
         with self._lock:
             for name, frame in (("target_frame", target), ("source_frame", source), ("fixed_frame", fixed)):
                 self.require(f"lookupTransform argument {name}", frame)
@@ -85,7 +100,13 @@ class FrameBuffer(FrameStore):
         return canonical(compose(inverse(lower), pose)), time
 
     def can(self, target: str, source: str, time: int = 0) -> tuple[bool, str]:
-        """Return whether `lookup` would succeed, and if not, why."""
+        """Return whether `lookup` would succeed, and if not, why.
+
+        >>> buffer = FrameBuffer()
+        >>> _ = buffer.set("map", "robot", 10**9, IDENTITY)
+        >>> buffer.can("map", "robot"), buffer.can("map", "robot", 2 * 10**9)[0]
+        ((True, ''), False)
+        """
         if target == source:
             return True, ""
         fault = self._unusable("canTransform", target_frame=target, source_frame=source)
@@ -126,12 +147,24 @@ class FrameBuffer(FrameStore):
     # -- the tree
 
     def latest_common_time(self, target: str, source: str) -> int:
-        """Return the newest time at which `lookup` succeeds; 0 when there are only static frames between the two."""
+        """Return the newest time at which `lookup` succeeds; 0 when there are only static frames between the two.
+
+        >>> buffer = FrameBuffer()
+        >>> _ = buffer.set("map", "odom", 5 * 10**9, IDENTITY), buffer.set("odom", "robot", 7 * 10**9, IDENTITY)
+        >>> buffer.latest_common_time("map", "robot")
+        5000000000
+        """
         with self._lock:
             return common_time(self.frames, target, source)
 
     def chain(self, target: str, target_time: int, source: str, source_time: int, fixed: str) -> list[str]:
-        """Return the frames along the path from `source` via `fixed` to `target`."""
+        """Return the frames along the path from `source` via `fixed` to `target`.
+
+        >>> buffer = FrameBuffer()
+        >>> _ = buffer.set_static("map", "odom", IDENTITY), buffer.set_static("odom", "robot", IDENTITY)
+        >>> buffer.chain("map", 0, "robot", 0, "odom")
+        ['robot', 'odom', 'map']
+        """
         with self._lock:
             for name, frame in (("target_frame", target), ("source_frame", source), ("fixed_frame", fixed)):
                 self.require(f"_chainAsVector argument {name}", frame)

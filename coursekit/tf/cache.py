@@ -15,6 +15,12 @@ class FrameCache:
     """Poses of a frame by stamp, oldest first; samples older than `span_ns` before the newest are dropped.
 
     A static frame has one pose for all times. The parent may change: each sample has its own.
+
+    >>> cache = FrameCache("robot", span_ns=10 * 10**9)
+    >>> for second, x in ((1, 0.0), (3, 4.0)):
+    ...     _ = cache.insert(second * 10**9, (x, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0), "map")
+    >>> cache.at(2 * 10**9)[0], cache.at(4 * 10**9)
+    (2.0, None)
     """
 
     __slots__ = (
@@ -78,7 +84,12 @@ class FrameCache:
         return True
 
     def insert(self, stamp: int, pose: Pose, parent: str) -> bool:
-        """Add a sample; False when it is older than the span of the cache."""
+        """Add a sample; False when it is older than the span of the cache.
+
+        >>> cache, here = FrameCache("robot", span_ns=10 * 10**9), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+        >>> [cache.insert(second * 10**9, here, "map") for second in (30, 25, 15)]
+        [True, True, False]
+        """
         if self.static:
             self.stamps, self.poses, self.parents = [0], [pose], [parent]
             self.newest, self.newest_pose = 0, pose
@@ -144,7 +155,13 @@ class FrameCache:
         return interpolate(pose, self.poses[after], (stamp - then) / (stamps[after] - then))
 
     def parent_at(self, stamp: int) -> str | None:
-        """Return the parent at a time; 0 is the newest. None outside of the span of the samples."""
+        """Return the parent at a time; 0 is the newest. None outside of the span of the samples.
+
+        >>> cache, here = FrameCache("cup", span_ns=10 * 10**9), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+        >>> _ = cache.insert(1 * 10**9, here, "table"), cache.insert(2 * 10**9, here, "gripper")
+        >>> cache.parent_at(1_500_000_000), cache.parent_at(0)
+        ('table', 'gripper')
+        """
         if not self.stamps:
             return None
         if not stamp or self.static:
@@ -155,7 +172,13 @@ class FrameCache:
         return self.parents[after - 1]
 
     def why_not(self, stamp: int) -> str:
-        """Return the reason why there is no pose at a time; '' when there are no samples at all."""
+        """Return the reason why there is no pose at a time; '' when there are no samples at all.
+
+        >>> cache, here = FrameCache("robot", span_ns=10 * 10**9), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+        >>> _ = cache.insert(1 * 10**9, here, "map"), cache.insert(2 * 10**9, here, "map")
+        >>> print(cache.why_not(500_000_000))
+        Lookup would require extrapolation into the past.  Requested time 0.500000 but the earliest data is at time 1.000000
+        """
         if not self.stamps:
             return ""
         if len(self.stamps) == 1:

@@ -12,7 +12,13 @@ NOBODY = "no recorded authority"
 
 
 def as_string(frames: Frames) -> str:
-    """A line for each frame that has a parent."""
+    """A line for each frame that has a parent.
+
+    >>> robot = FrameCache("robot", 10**10, static=True)
+    >>> _ = robot.insert(0, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0), "map")
+    >>> print(as_string({"map": None, "robot": robot}), end="")
+    Frame robot exists with parent map.
+    """
     return "".join(
         f"Frame {name} exists with parent {cache.parent or 'NO_PARENT'}.\n"
         for name, cache in frames.items()
@@ -21,7 +27,14 @@ def as_string(frames: Frames) -> str:
 
 
 def rate(cache: FrameCache) -> float:
-    """Samples per second, as tf2 counts them (10000 for a single sample)."""
+    """Samples per second, as tf2 counts them (10000 for a single sample).
+
+    >>> odom, here = FrameCache("odom", 10**10), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+    >>> for tenth in range(1, 12):
+    ...     _ = odom.insert(tenth * 10**8, here, "map")
+    >>> rate(odom)  # eleven samples within one second
+    11.0
+    """
     return len(cache.stamps) * 1e9 / max(cache.newest - cache.oldest, 100_000)
 
 

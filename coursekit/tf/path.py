@@ -28,7 +28,14 @@ class Path:
         self.found: tuple[Pose, int] = (IDENTITY, 0)
 
     def solve(self, time: int) -> tuple[Pose, int] | None:
-        """The pose of the source in the target, and its stamp; None when an edge has no pose at that time."""
+        """The pose of the source in the target, and its stamp; None when an edge has no pose at that time.
+
+        >>> robot = FrameCache("robot", 10**10)
+        >>> for second, x in ((1, 0.0), (2, 1.0)):
+        ...     _ = robot.insert(second * 10**9, (x, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0), "map")
+        >>> Path([robot], []).solve(1_250_000_000)[0][0], Path([], [robot]).solve(1_250_000_000)[0][0]
+        (0.25, -0.25)
+        """
         if not time:
             time = latest_common(self.moving)
         if not self.up:
@@ -42,7 +49,13 @@ class Path:
 
 
 def latest_common(moving: Sequence[FrameCache]) -> int:
-    """The newest time common to all of these frames; 0 when there is none."""
+    """The newest time common to all of these frames; 0 when there is none.
+
+    >>> odom, robot, here = FrameCache("odom", 10**10), FrameCache("robot", 10**10), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+    >>> _ = odom.insert(5, here, "map"), robot.insert(7, here, "odom")
+    >>> latest_common([odom, robot])
+    5
+    """
     latest = 0
     for cache in moving:
         newest = cache.newest

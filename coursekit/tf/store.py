@@ -52,7 +52,15 @@ class FrameStore:
         *,
         static: bool = False,
     ) -> bool:
-        """Set the pose of `child` in `parent` at a time; False when it is ignored (`report` gets the reason)."""
+        """Set the pose of `child` in `parent` at a time [ns]; False when it is ignored (`report` gets the reason).
+
+        A leading '/' of a name is dropped. A quaternion that is only nearly of length 1 is normalized.
+
+        >>> store = FrameStore(report=lambda level, text: print(text))
+        >>> store.set("map", "map", 10**9, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0))  # doctest: +ELLIPSIS
+        TF_SELF_TRANSFORM: Ignoring transform from authority "default_authority" ... because they are the same
+        False
+        """
         if parent[:1] == "/":
             parent = parent[1:]
         if child[:1] == "/":
@@ -84,7 +92,13 @@ class FrameStore:
         return self.set(parent, child, 0, pose, authority, static=True)
 
     def extend(self, samples: Sequence[Sample]) -> None:
-        """`set` for each sample; samples of moving frames are added in batches per frame, at a fraction of the cost."""
+        """`set` for each sample; samples of moving frames are added in batches per frame, at a fraction of the cost.
+
+        >>> store = FrameStore()
+        >>> store.extend([("map", "robot", stamp, (float(stamp), 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)) for stamp in (1, 2, 3)])
+        >>> store.frames["robot"].stamps
+        [1, 2, 3]
+        """
         by_child: dict[str, list[Sample]] = {}
         for sample in samples:
             by_child.setdefault(sample[1], []).append(sample)
@@ -126,7 +140,14 @@ class FrameStore:
         return True
 
     def clear(self) -> None:
-        """Drop the samples of moving frames; static frames and all frame names remain."""
+        """Drop the samples of moving frames; static frames and all frame names remain.
+
+        >>> store, here = FrameStore(), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+        >>> _ = store.set("map", "robot", 10**9, here), store.set_static("robot", "laser", here)
+        >>> store.clear()
+        >>> store.parent("robot"), store.parent("laser")
+        (None, 'robot')
+        """
         with self._lock:
             for cache in self.frames.values():
                 if cache is not None:
@@ -148,7 +169,19 @@ class FrameStore:
             return describe.as_string(self.frames)
 
     def all_frames_as_yaml(self, now: int = 0) -> str:
-        """Each frame with its parent, broadcaster, rate and times."""
+        r"""Each frame with its parent, broadcaster, rate and times.
+
+        >>> store = FrameStore()
+        >>> _ = store.set("map", "robot", 10**9, (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0), authority="odometry")
+        >>> print("\n".join(store.all_frames_as_yaml(now=3 * 10**9).splitlines()[1:]))
+          parent: 'map'
+          broadcaster: 'odometry'
+          rate: 10000.000
+          most_recent_transform: 1.000000
+          oldest_transform: 1.000000
+          transform_delay: 2.000
+          buffer_length: 0.000
+        """
         with self._lock:
             return describe.as_yaml(self.frames, self.authorities, now)
 

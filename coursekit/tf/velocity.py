@@ -25,6 +25,13 @@ def velocity(
 
     The linear part is that of `point` (in `point_frame`) if it were fixed to the tracked frame. Times in nanoseconds;
     the average is over `interval` around `time`, but ends at the newest data. Raises as a lookup does.
+
+    >>> buffer = FrameBuffer()
+    >>> for second in (1, 2):
+    ...     _ = buffer.set("map", "robot", second * 10**9, (0.5 * second, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0))
+    >>> linear, angular = velocity(buffer, "robot", "map", "map", (0.0, 0.0, 0.0), "robot", 2 * 10**9, 10**8)
+    >>> round(linear[0], 6), angular
+    (0.5, (0.0, 0.0, 0.0))
     """
     latest = buffer.latest_common_time(observation, tracking)
     end = min(time + interval // 2, latest)

@@ -19,6 +19,13 @@ def walk(frames: Frames, target: str, source: str, time: int) -> tuple[list[Fram
     """Edges from the source, and from the target, up to their common ancestor; and the time (0 resolved).
 
     The parents are those at that time. Raises as a lookup does.
+
+    >>> map_, laser = FrameCache("robot", 10**10), FrameCache("laser", 10**10, static=True)
+    >>> here = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+    >>> _ = map_.insert(5, here, "map"), laser.insert(0, here, "robot")
+    >>> up, down, time = walk({"map": None, "robot": map_, "laser": laser}, "map", "laser", 0)
+    >>> [edge.name for edge in up], down, time
+    (['laser', 'robot'], [], 5)
     """
     if not time:
         time = common_time(frames, target, source)
@@ -64,7 +71,13 @@ def _meet(
 
 
 def common_time(frames: Frames, target: str, source: str) -> int:
-    """Return the newest time at which source and target are connected; 0 with only static frames between them."""
+    """Return the newest time at which source and target are connected; 0 with only static frames between them.
+
+    >>> odom, robot, here = FrameCache("odom", 10**10), FrameCache("robot", 10**10), (0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)
+    >>> _ = odom.insert(5, here, "map"), robot.insert(7, here, "odom")
+    >>> common_time({"map": None, "odom": odom, "robot": robot}, "map", "robot")
+    5
+    """
     if source == target:
         cache = frames[source]
         return cache.newest if cache is not None else 0

@@ -27,7 +27,14 @@ _WANTED = "FLASER, ROBOTLASER1 or RAWLASER1"
 
 @dataclass
 class CarmenLog:
-    """The scans of a log in the order of its lines, and the errors in it."""
+    """The scans of a log in the order of its lines, and the errors in it.
+
+    >>> from coursekit.slam.carmen_line import parse_laser
+    >>> lines = (f"FLASER 2 1.0 2.0 0 0 0 {x} 0 0 {stamp} host 0" for x, stamp in ((0.0, 10.0), (0.5, 12.5)))
+    >>> log = CarmenLog([parse_laser(line) for line in lines])
+    >>> log.seconds, log.has_odometry, log.lasers()[0].angles(2).round(3).tolist()
+    (2.5, True, [-1.571, 0.0])
+    """
 
     readings: list[Reading] = field(default_factory=list)
     parameters: dict[str, str] = field(default_factory=dict)
@@ -121,9 +128,17 @@ def saturation(ranges: np.ndarray) -> float:
 
 
 def read_log(path: str | Path) -> CarmenLog:
-    """Read a log (.clf, .log, also compressed as .gz, .bz2 or .xz). Bad lines are skipped and recorded with their numbers.
+    r"""Read a log (.clf, .log, also compressed as .gz, .bz2 or .xz). Bad lines are skipped and recorded with their numbers.
 
     Raises FileNotFoundError, or ValueError when the file contains no scan.
+
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder, "short.clf")
+    ...     _ = file.write_text("# two scans\nFLASER 2 1.0 2.0 0 0 0 0.5 0 0 12.5 host 0\nFLASER 3 1.0\n", encoding="ascii")
+    ...     log = read_log(file)
+    >>> len(log.readings), log.complaints
+    (1, ['line 3: 3 beams announced, but the line ends after 3 words'])
     """
     log, kinds, total, track = CarmenLog(), Counter[str](), 0, OdometryTrack()
     for number, line in enumerate(read_lines(path), start=1):

@@ -14,9 +14,16 @@ LONGEST = 1 << 20
 
 
 def read_lines(path: str | Path) -> Iterator[str]:
-    """Yield the lines of a text file, decompressing `.gz`, `.bz2` and `.xz`; invalid bytes become a replacement character.
+    r"""Yield the lines of a text file, decompressing `.gz`, `.bz2` and `.xz`; invalid bytes become a replacement character.
 
     Raises FileNotFoundError, IsADirectoryError, or ValueError when the compressed data are damaged.
+
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder, "log.gz")
+    ...     _ = file.write_bytes(gzip.compress(b"PARAM a 1\nPARAM b 2\n"))
+    ...     [line.strip() for line in read_lines(file)]
+    ['PARAM a 1', 'PARAM b 2']
     """
     file = Path(path)
     if not file.exists():

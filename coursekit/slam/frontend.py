@@ -108,7 +108,16 @@ class Tracker:
         return math.hypot(off.x, off.y) < LEARN_WITHIN * distance and abs(off.theta) < LEARN_WITHIN * angle
 
     def moved_enough(self) -> bool:
-        """Whether a new keyframe is due."""
+        """Whether a new keyframe is due.
+
+        >>> tracker = Tracker(SlamParameters(keyframe_distance=0.5))
+        >>> tracker.pose = Pose2D(0.4, 0.0, 0.0)
+        >>> tracker.moved_enough()
+        False
+        >>> tracker.pose = Pose2D(0.6, 0.0, 0.0)
+        >>> tracker.moved_enough()
+        True
+        """
         motion = self.from_keyframe()
         return (
             math.hypot(motion.x, motion.y) > self.params.keyframe_distance

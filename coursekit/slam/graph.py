@@ -48,7 +48,15 @@ class PoseGraph:
         return self.size - 1
 
     def add_edge(self, first: int, second: int, motion: Pose2D, precision: Array, robust: bool = False) -> int:
-        """Add a measured motion from one node to another with its (3, 3) inverse covariance; return its number."""
+        """Add a measured motion from one node to another; return its number.
+
+        `precision` is the (3, 3) inverse covariance of the motion [1/m², 1/rad²].
+        `robust` marks an edge that may be false, such as a loop. Raises IndexError for a node that is not in the graph.
+
+        >>> PoseGraph().add_edge(0, 1, Pose2D(1.0, 0.0, 0.0), np.eye(3))
+        Traceback (most recent call last):
+        IndexError: no node 0: the graph has 0, add it with add_node first
+        """
         for node in (first, second):
             if not 0 <= node < self.size:
                 raise IndexError(f"no node {node}: the graph has {self.size}, add it with add_node first")
@@ -79,6 +87,15 @@ class PoseGraph:
         """Optimize the poses to fit the edges, with node 0 fixed; return each edge's trust (0 to 1).
 
         `slack` gives doubtful edges with up to this squared error (in sigmas) full weight at first.
+
+        >>> graph = PoseGraph()
+        >>> for x in (0.0, 1.0, 2.0):
+        ...     _ = graph.add_node(Pose2D(x, 0.0, 0.0))
+        >>> for a, b, x, loop in ((0, 1, 1.0, False), (1, 2, 1.0, False), (0, 2, 9.0, True)):  # the loop is false
+        ...     _ = graph.add_edge(a, b, Pose2D(x, 0.0, 0.0), 100 * np.eye(3), robust=loop)
+        >>> trust = graph.optimize()
+        >>> trust.round(2).tolist(), round(graph.pose(2).x, 1)
+        ([1.0, 1.0, 0.0], 2.0)
         """
         poses, trust = optimize(self.edges, self.poses, rounds, slack)
         self._poses[: self.size] = poses
@@ -102,6 +119,13 @@ class PoseGraph:
         return trust_of(self.edges, residuals(self.edges, self.poses))
 
     def error_of(self, edge: int) -> float:
-        """Return the squared error of an edge at the current poses, in sigmas."""
+        """Return the squared error of an edge at the current poses, in sigmas.
+
+        >>> graph = PoseGraph()
+        >>> _ = graph.add_node(Pose2D()), graph.add_node(Pose2D(1.3, 0.0, 0.0))
+        >>> edge = graph.add_edge(0, 1, Pose2D(1.0, 0.0, 0.0), np.eye(3) / 0.1**2)  # sigma 0.1 m: the error is 3 sigmas
+        >>> round(graph.error_of(edge), 6)
+        9.0
+        """
         one = Problem(*(part[edge : edge + 1] for part in vars(self.edges).values()))
         return float(squared_errors(one, residuals(one, self.poses))[0])

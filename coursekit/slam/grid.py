@@ -85,17 +85,36 @@ class OccupancyGrid:
         return True
 
     def cells(self) -> np.ndarray:
-        """Return the cells as int8 like OccupancyGrid.data: -1 unknown, else 0 (free) to 100 (wall)."""
+        """Return the cells as int8 like OccupancyGrid.data: -1 unknown, else 0 (free) to 100 (wall).
+
+        >>> grid = OccupancyGrid(SlamParameters())
+        >>> grid.insert(Scan.from_points(np.array([[1.0, 0.02]]), grid.params), Pose2D())
+        >>> cells = grid.cells()
+        >>> cells.dtype.name, int(cells.min()), int((cells > 50).sum())  # unknown around one wall cell
+        ('int8', -1, 1)
+        """
         percent = np.rint(100.0 / (1.0 + np.exp(-self.log_odds.astype(np.float64)))).astype(np.int8)
         return np.where(self.log_odds == 0.0, np.int8(-1), percent)
 
     def trinary(self) -> np.ndarray:
-        """Return the cells as int8: -1 unknown or undecided, 0 free, 100 wall, as slam_toolbox publishes them."""
+        """Return the cells as int8: -1 unknown or undecided, 0 free, 100 wall, as slam_toolbox publishes them.
+
+        >>> grid = OccupancyGrid(SlamParameters(resolution=0.5))
+        >>> for _ in range(5):
+        ...     grid.insert(Scan.from_points(np.array([[1.5, 0.0]]), grid.params), Pose2D(0.25, 0.25, 0.0))
+        >>> row = math.floor((0.25 - grid.origin[1]) / 0.5)
+        >>> [int(cell) for cell in grid.trinary()[row] if cell >= 0]
+        [0, 0, 100]
+        """
         known = np.where(self.log_odds < FREE_ODDS, np.int8(0), np.int8(-1))
         return np.where(self.log_odds > WALL_ODDS, np.int8(100), known)
 
     def value_at(self, x: float, y: float) -> int:
-        """Return the cell at a position [m]: -1 unknown or outside, else 0 to 100."""
+        """Return the cell at a position [m]: -1 unknown or outside, else 0 to 100.
+
+        >>> OccupancyGrid(SlamParameters()).value_at(3.0, 4.0)
+        -1
+        """
         j, i = (
             math.floor((at - corner) / self.resolution)
             for at, corner in zip((x, y), self.origin, strict=True)

@@ -22,7 +22,15 @@ from coursekit.slam.submaps import map_submap, submap_of
 
 
 class Localizer:
-    """Tracks the robot against one map; never changes it. In ROS 2: slam_toolbox's localization mode."""
+    """Tracks the robot against one map; never changes it. In ROS 2: slam_toolbox's localization mode.
+
+    >>> cells = np.zeros((40, 60), np.int8)
+    >>> cells[[0, -1]], cells[:, [0, -1]] = 100, 100  # the walls of a room of 6 m by 4 m
+    >>> localizer = Localizer.from_cells(cells, 0.1, (0.0, 0.0), SlamParameters())
+    >>> localizer.set_pose(Pose2D(2.0, 1.0, 0.5))
+    >>> localizer.pose.distance(Pose2D(2.0, 1.0, 0.5)) < 1e-9
+    True
+    """
 
     def __init__(self, submap: Submap, frame: Pose2D, params: SlamParameters) -> None:
         if not submap.count:

@@ -13,7 +13,15 @@ from coursekit.slam.parameters import SlamParameters
 
 
 class MapDrawing:
-    """A grid, and the poses from which its scans were drawn."""
+    """A grid, and the poses from which its scans were drawn.
+
+    >>> from coursekit.slam.scan import Scan
+    >>> params = SlamParameters()
+    >>> keyframes = [Keyframe(0, Scan.from_points(np.array([[1.0, 0.02]]), params))]
+    >>> drawing = MapDrawing(params)
+    >>> [drawing.draw(keyframes, np.array([[x, 0.0, 0.0]])).value_at(1.0, 0.02) > 50 for x in (0.0, 3.0)]
+    [True, False]
+    """
 
     def __init__(self, params: SlamParameters) -> None:
         self._params = params

@@ -97,6 +97,15 @@ def match(
     """Return the best pose within ±distance [m] and ±angle [rad] of the guess, to a cell and angle step, and its score.
 
     `sigmas` are the standard deviations of the guess [m], [rad]; it decides where the walls leave the pose open.
+
+    >>> from coursekit.slam.parameters import SlamParameters
+    >>> from coursekit.slam.scan import Scan
+    >>> corner = np.array([[2.0, y / 20] for y in range(-20, 20)] + [[x / 20, 1.0] for x in range(-20, 40)])
+    >>> submap = Submap(SlamParameters())
+    >>> submap.insert(Scan.from_points(corner, submap.params), Pose2D())
+    >>> pose, score = match(corner, submap, Pose2D(0.1, -0.1, 0.05), 0.3, 0.15, (0.5, 0.5))  # 14 cm off
+    >>> pose.distance(Pose2D()) < 0.05, score > 0.8
+    (True, True)
     """
     p = submap.params
     if not len(points) or not submap.nearest.size:

@@ -31,9 +31,16 @@ class Errors:
 
 
 def read_relations(path: str | Path) -> Array:
-    """Read (n, 5) `t1 t2 x y theta` from lines `t1 t2 x y z roll pitch yaw`.
+    r"""Read (n, 5) `t1 t2 x y theta` from lines `t1 t2 x y z roll pitch yaw`.
 
     Raises ValueError with the line number for a malformed line.
+
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder, "known.relations")
+    ...     _ = file.write_text("10.0 12.0 0.5 0 0 0 0 1.57\n", encoding="ascii")
+    ...     read_relations(file).tolist()
+    [[10.0, 12.0, 0.5, 0.0, 1.57]]
     """
     return _table(path, 8, "t1 t2 x y z roll pitch yaw", "relations")[:, [0, 1, 2, 3, 7]]
 
@@ -45,7 +52,14 @@ def read_trajectory(path: str | Path) -> Array:
 
 
 def write_trajectory(path: str | Path, trajectory: Array) -> None:
-    """Write (n, 4) rows as `stamp x y theta` lines."""
+    """Write (n, 4) rows as `stamp x y theta` lines.
+
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     write_trajectory(Path(folder, "slam.txt"), np.array([[2.0, 1.0, 0.5, 0.1]]))
+    ...     read_trajectory(Path(folder, "slam.txt")).tolist()
+    [[2.0, 1.0, 0.5, 0.1]]
+    """
     lines = (f"{stamp:.6f} {x:.6f} {y:.6f} {theta:.6f}\n" for stamp, x, y, theta in trajectory)
     Path(path).write_text("".join(lines), encoding="ascii")
 
@@ -93,6 +107,11 @@ def errors(trajectory: Array, relations: Array, slack: float = 0.5) -> Errors:
     """Compare rows `stamp x y theta` with rows `t1 t2 x y theta`, except stamps outside by more than `slack` [s].
 
     Raises ValueError when all relations are outside of the trajectory.
+
+    >>> trajectory = np.array([[0.0, 0.0, 0.0, 0.0], [1.0, 2.1, 0.0, 0.0]])
+    >>> found = errors(trajectory, np.array([[0.0, 1.0, 2.0, 0.0, 0.0]]))  # 2 m in truth, 2.1 m by SLAM
+    >>> round(found.translation, 3), found.rotation, found.used
+    (0.1, 0.0, 1)
     """
     trajectory = trajectory[np.argsort(trajectory[:, 0], kind="stable")]  # logs are not always in order
     low, high = trajectory[0, 0] - slack, trajectory[-1, 0] + slack

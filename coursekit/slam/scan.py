@@ -42,7 +42,13 @@ class Laser:
 
     @classmethod
     def half_circle(cls, count: int, range_max: float = math.inf, offset: Pose2D = HERE) -> Laser:
-        """The 180° lasers of old logs: even counts from -90° on without the last end; odd counts with both ends."""
+        """The 180° lasers of old logs: even counts from -90° on without the last end; odd counts with both ends.
+
+        >>> np.degrees(Laser.half_circle(180).angles(180)[[0, -1]]).round(6).tolist()
+        [-90.0, 89.0]
+        >>> np.degrees(Laser.half_circle(181).angles(181)[[0, -1]]).round(6).tolist()
+        [-90.0, 90.0]
+        """
         steps = count - 1 if count % 2 else count
         return cls(-math.pi / 2, math.pi / max(steps, 1), range_max=range_max, offset=offset)
 
@@ -75,7 +81,12 @@ class Scan:
 
     @cached_property
     def polar(self) -> tuple[Array, Array]:
-        """Bearing [rad] and distance [m] of each hit from the laser, in order of bearing."""
+        """Bearing [rad] and distance [m] of each hit from the laser, in order of bearing.
+
+        >>> bearings, distances = Scan.from_points(np.array([[0.0, 2.0], [3.0, 0.0]]), SlamParameters()).polar
+        >>> bearings.round(3).tolist(), distances.tolist()
+        ([0.0, 1.571], [3.0, 2.0])
+        """
         x, y = (self.hits - np.array([self.origin.x, self.origin.y])).T
         return np.arctan2(y, x), np.hypot(x, y)
 
@@ -114,7 +125,12 @@ class Scan:
         stamp: float = 0.0,
         misses: Array | None = None,
     ) -> Scan:
-        """Build from points (n, 2) in the robot's frame [m], in any order."""
+        """Build from points (n, 2) in the robot's frame [m], in any order.
+
+        >>> scan = Scan.from_points(np.array([[2.0, 1.0], [2.0, -1.0], [2.0, 0.0]]), SlamParameters())
+        >>> scan.hits[:, 1].tolist()  # by bearing, clockwise ones first
+        [-1.0, 0.0, 1.0]
+        """
         hits = np.asarray(points, dtype=np.float64).reshape(-1, 2)
         hits = hits[np.isfinite(hits).all(axis=1)]
         relative = hits - np.array([origin.x, origin.y])

@@ -37,6 +37,10 @@ def normals_of(points, distances, reach, slope):  # type: ignore[no-untyped-def]
     """Return unit normals (n, 2) of points in order of bearing, zero where there is no clear wall.
 
     They are computed from the neighbours within `reach` [m] + `slope` * distance.
+
+    >>> wall = np.column_stack([np.full(9, 2.0), np.linspace(-0.4, 0.4, 9)])  # across the robot's way
+    >>> np.abs(normals_of(wall, np.hypot(*wall.T), 0.3, 0.02)[4]).round(3).tolist()
+    [1.0, 0.0]
     """
     count = len(points)
     normals = np.zeros((count, 2))
@@ -60,13 +64,22 @@ def normals_of(points, distances, reach, slope):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def usual_gap(bearings):  # type: ignore[no-untyped-def]
-    """Return the median gap between neighbours of sorted bearings [rad]; 0 for fewer than two."""
+    """Return the median gap between neighbours of sorted bearings [rad]; 0 for fewer than two.
+
+    >>> round(usual_gap(np.array([0.0, 0.1, 0.2, 1.0])), 6)
+    0.1
+    """
     return np.median(np.diff(bearings)) if len(bearings) > 1 else 0.0
 
 
 @njit(cache=True)
 def thin(points, wanted, spacing):  # type: ignore[no-untyped-def]
-    """Return the indices of the wanted points that are at least `spacing` [m] from the previous one kept."""
+    """Return the indices of the wanted points that are at least `spacing` [m] from the previous one kept.
+
+    >>> points = np.array([[0.0, 0.0], [0.02, 0.0], [0.06, 0.0], [0.07, 0.0]])
+    >>> thin(points, np.array([True, True, True, True]), 0.05).tolist()
+    [0, 2]
+    """
     keep = np.empty(len(points), dtype=np.int64)
     count = 0
     for i in range(len(points)):
@@ -84,7 +97,12 @@ def thin(points, wanted, spacing):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def fill_walls(points, normals, spacing, widest):  # type: ignore[no-untyped-def]
-    """Fill gaps between neighbours on one wall that are farther apart than `spacing` [m], up to `widest`."""
+    """Fill gaps between neighbours on one wall that are farther apart than `spacing` [m], up to `widest`.
+
+    >>> ends, facing = np.array([[0.0, 1.0], [0.2, 1.0]]), np.array([[0.0, -1.0], [0.0, -1.0]])
+    >>> fill_walls(ends, facing, 0.05, 0.5)[0].round(3).tolist()
+    ?
+    """
     room = int(widest / spacing) + 2
     filled, directions = np.empty((len(points) * room, 2)), np.empty((len(points) * room, 2))
     count = 0

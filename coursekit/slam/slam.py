@@ -77,7 +77,17 @@ class Slam:
         return self.add(Scan.from_ranges(ranges, laser, self.params, stamp), odometry)
 
     def add(self, scan: Scan, odometry: Pose2D | None = None) -> Result:
-        """Process the next scan, with the robot's odometry pose if available."""
+        """Process the next scan, with the robot's odometry pose if available.
+
+        Without odometry the motion is predicted from that between the last two scans.
+
+        >>> slam = Slam()
+        >>> corner = np.array([[2.0, y / 20] for y in range(-20, 20)] + [[x / 20, 1.0] for x in range(-20, 40)])
+        >>> for step in (0.0, 0.1):  # the robot drives 10 cm towards the wall
+        ...     result = slam.add(Scan.from_points(corner - (step, 0.0), slam.params))
+        >>> round(result.pose.x, 2), result.accepted
+        (0.1, True)
+        """
         found, score, accepted = self.tracker.track(scan, odometry)
         self.lost += not accepted
         loops: list[Loop] = []
@@ -99,7 +109,13 @@ class Slam:
         return self.graph.pose(self.tracker.base) @ self.tracker.from_keyframe()
 
     def begin_at(self, pose: Pose2D) -> None:
-        """Set the robot's pose in the map at its first scan; later it has no effect."""
+        """Set the robot's pose in the map at its first scan; later it has no effect.
+
+        >>> slam = Slam()
+        >>> slam.begin_at(Pose2D(3.0, 1.0, 0.0))
+        >>> slam.add_ranges(0.0, [1.0, 1.0], Laser(angle_min=0.0, angle_increment=0.1)).pose
+        Pose2D(x=3.0, y=1.0, theta=0.0)
+        """
         self._start = pose
 
     def _add_keyframe(self, scan: Scan, found: Refined) -> None:
@@ -144,7 +160,13 @@ class Slam:
         return self.search.rejected + int((self.graph.trust()[edges.robust] < 0.1).sum())
 
     def map(self) -> OccupancyGrid:
-        """Return the map: new scans are added, and all are redrawn after poses have moved. Do not modify it."""
+        """Return the map: new scans are added, and all are redrawn after poses have moved. Do not modify it.
+
+        >>> slam = Slam()
+        >>> _ = slam.add_ranges(0.0, [1.0, 1.0, 1.0], Laser(angle_min=-0.1, angle_increment=0.1), Pose2D())
+        >>> slam.map().value_at(1.02, 0.0) > 50
+        True
+        """
         return self._drawing.draw(self.keyframes, self.graph.poses)
 
     def trajectory(self) -> Array:

@@ -26,7 +26,12 @@ class Problem:
 
 
 def residuals(problem: Problem, poses: Array) -> Array:
-    """Return (m, 3) the difference of each motion from its measurement, in the measurement's frame."""
+    """Return (m, 3) the difference of each motion from its measurement, in the measurement's frame.
+
+    >>> straight = Problem(np.array([0]), np.array([1]), np.array([[1.0, 0.0, 0.0]]), np.eye(3)[None], np.array([False]))
+    >>> residuals(straight, np.array([[0.0, 0.0, 0.0], [1.2, 0.1, 0.0]])).round(3).tolist()
+    [[0.2, 0.1, 0.0]]
+    """
     a, b, z = poses[problem.i], poses[problem.j], problem.z
     theta = a[:, 2] + z[:, 2]
     c, s = np.cos(theta), np.sin(theta)
@@ -37,7 +42,13 @@ def residuals(problem: Problem, poses: Array) -> Array:
 
 
 def jacobians(problem: Problem, poses: Array) -> tuple[Array, Array]:
-    """Return the derivatives (m, 3, 3) of the residuals by the two poses in world coordinates."""
+    """Return the derivatives (m, 3, 3) of the residuals by the two poses in world coordinates.
+
+    >>> edge = Problem(np.array([0]), np.array([1]), np.array([[1.0, 0.0, 0.0]]), np.eye(3)[None], np.array([False]))
+    >>> _, second = jacobians(edge, np.array([[0.0, 0.0, np.pi / 2], [0.0, 1.0, np.pi / 2]]))
+    >>> second[0].round(6).tolist()  # the measurement's x is the world's y
+    [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]
+    """
     a, b, z = poses[problem.i], poses[problem.j], problem.z
     theta = a[:, 2] + z[:, 2]
     c, s = np.cos(theta), np.sin(theta)
@@ -52,17 +63,36 @@ def jacobians(problem: Problem, poses: Array) -> tuple[Array, Array]:
 
 
 def squared_errors(problem: Problem, errors: Array) -> Array:
-    """Return (m,) the squared residuals in sigmas."""
+    """Return (m,) the squared residuals in sigmas (the squared Mahalanobis distances).
+
+    >>> edge = Problem(np.array([0]), np.array([1]), np.zeros((1, 3)), 25 * np.eye(3)[None], np.array([False]))
+    >>> squared_errors(edge, np.array([[0.4, 0.0, 0.0]])).round(6).tolist()  # two sigmas of 0.2 m
+    [4.0]
+    """
     return np.einsum("mi,mij,mj->m", errors, problem.precision, errors)
 
 
 def trust_of(problem: Problem, errors: Array, scale: float = SCALE) -> Array:
-    """Return (m,) the weight of each edge: 1, or less for doubtful edges that disagree (Geman-McClure)."""
+    """Return (m,) the weight of each edge: 1, or less for doubtful edges that disagree (Geman-McClure).
+
+    >>> doubtful = np.array([False, True])
+    >>> two = Problem(np.array([0, 0]), np.array([1, 1]), np.zeros((2, 3)), np.tile(np.eye(3), (2, 1, 1)), doubtful)
+    >>> trust_of(two, np.full((2, 3), 10.0)).round(3).tolist()  # both are far off, but only the second may be false
+    [1.0, 0.001]
+    """
     return np.where(problem.robust, (scale / (scale + squared_errors(problem, errors))) ** 2, 1.0)
 
 
 def cost(problem: Problem, errors: Array, scale: float = SCALE) -> float:
-    """Return the sum to be minimized."""
+    """Return the sum to be minimized: squared errors, bounded by `scale` for edges that may be false (Geman-McClure).
+
+    >>> far = np.array([[100.0, 0.0, 0.0]])
+    >>> for doubtful in (False, True):
+    ...     edge = Problem(np.array([0]), np.array([1]), np.zeros((1, 3)), np.eye(3)[None], np.array([doubtful]))
+    ...     print(round(cost(edge, far, scale=9.0), 1))
+    10000.0
+    9.0
+    """
     squared = squared_errors(problem, errors)
     return float(np.sum(np.where(problem.robust, scale * squared / (scale + squared), squared)))
 
@@ -90,13 +120,21 @@ class Assembler:
 
 
 def gradient(i: np.ndarray, j: np.ndarray, gi: Array, gj: Array, size: int) -> Array:
-    """Sum (m, 3) parts at both ends into (3 n)."""
+    """Sum (m, 3) parts at both ends into (3 n).
+
+    >>> gradient(np.array([0]), np.array([1]), np.array([[1.0, 2.0, 3.0]]), np.array([[4.0, 5.0, 6.0]]), 2).tolist()
+    [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
+    """
     index = np.concatenate([3 * i, 3 * j])[:, None] + np.arange(3)
     return np.bincount(index.ravel(), np.concatenate([gi, gj]).ravel(), 3 * size).astype(np.float64)
 
 
 def solve(matrix: csc_matrix, right: Array) -> Array:
-    """Return matrix⁻¹ right, for symmetric positive matrices."""
+    """Return matrix⁻¹ right, for symmetric positive matrices.
+
+    >>> solve(csc_matrix([[4.0, 1.0], [1.0, 3.0]]), np.array([1.0, 2.0])).round(4).tolist()
+    [0.0909, 0.6364]
+    """
     return splu(
         matrix, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True}
     ).solve(right)
@@ -116,6 +154,15 @@ def optimize(problem: Problem, start: Array, rounds: int = 20, slack: float = 0.
 
     With `slack`, doubtful edges are first trusted up to that squared error, then less and less (graduated non-convexity,
     Yang et al. 2020): a true loop after much drift looks false at first.
+
+    >>> ring = Problem(
+    ...     np.arange(4), np.array([1, 2, 3, 0]), np.tile([1.0, 0.0, np.pi / 2], (4, 1)), np.tile(np.eye(3), (4, 1, 1)),
+    ...     np.zeros(4, bool),
+    ... )
+    >>> drifted = np.array([[0.0, 0.0, 0.0], [1.1, 0.1, 1.6], [1.1, 1.1, 3.1], [0.1, 1.2, -1.5]])
+    >>> poses, trust = optimize(ring, drifted)  # four steps around a square of 1 m
+    >>> np.abs(poses[:, :2].round(3)).tolist()
+    [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
     """
     poses, size = start.copy(), len(start)
     if not len(problem.i) or size < 2:
@@ -155,7 +202,14 @@ def _descend(problem: Problem, poses: Array, assembler: Assembler, rounds: int, 
 
 
 def chordal(problem: Problem, poses: Array) -> Array:
-    """Compute an initial guess from scratch: headings as free complex numbers, then positions; two linear problems."""
+    """Compute an initial guess from scratch: headings as free complex numbers, then positions; two linear problems.
+
+    Only the first pose is taken from `poses` (n, 3). The idea is that of chordal relaxation (Carlone et al. 2015).
+
+    >>> edge = Problem(np.array([0]), np.array([1]), np.array([[1.0, 0.0, 0.5]]), np.eye(3)[None], np.array([False]))
+    >>> chordal(edge, np.array([[0.0, 0.0, np.pi / 2], [9.0, 9.0, 9.0]])).round(3)[1].tolist()
+    [0.0, 1.0, 2.071]
+    """
     size = len(poses)
     weight_r, weight_t = np.sqrt(problem.precision[:, 2, 2]), np.sqrt(problem.precision[:, 0, 0])
     turn = np.exp(1j * problem.z[:, 2])

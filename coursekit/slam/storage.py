@@ -32,7 +32,13 @@ _FAULTS += (zipfile.BadZipFile, zlib.error)
 def save(slam: Slam, path: str | Path) -> Path:
     """Write a session to PATH (.npz is added unless it ends in that or .posegraph); return the full path.
 
-    In ROS 2: serialize_map.
+    In ROS 2: slam_toolbox's service serialize_map.
+
+    >>> import tempfile
+    >>> slam = Slam()
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     save(slam, Path(folder, "office")).name
+    'office.npz'
     """
     scans = [keyframe.scan for keyframe in slam.keyframes]
     edges = slam.graph.edges
@@ -68,6 +74,14 @@ def load(path: str | Path, at: Pose2D | None = None) -> Slam:
     """Read a session and prepare it to continue, from its last pose or from `at`. In ROS 2: deserialize_map.
 
     Raises FileNotFoundError, or ValueError when the file is not a saved session.
+
+    >>> import tempfile
+    >>> from coursekit.slam.scan import Laser
+    >>> slam = Slam()
+    >>> _ = slam.add_ranges(0.0, [1.0, 1.0, 1.0], Laser(angle_min=0.0, angle_increment=0.1), Pose2D())
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     len(load(save(slam, Path(folder, "office"))).keyframes)
+    1
     """
     file = Path(path)
     if not file.exists() and file.suffix not in _ENDINGS:

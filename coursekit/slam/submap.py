@@ -24,6 +24,12 @@ class Submap:
 
     `nearest` is the nearest wall point of a cell, `likelihood` (0 to 255) the likelihood of a beam's end there, `coarse` the
     highest likelihood of a block of cells and the blocks above and to the right of it.
+
+    >>> submap = Submap(SlamParameters())
+    >>> for x in (1.0, 1.01):  # the same wall point, seen twice
+    ...     submap.insert(Scan.from_points(np.array([[x, 0.0]]), submap.params), Pose2D())
+    >>> submap.points[: submap.count].round(3).tolist()
+    [[1.005, 0.0]]
     """
 
     def __init__(self, params: SlamParameters, anchor: int = 0) -> None:
@@ -91,7 +97,18 @@ class Submap:
         self.origin = self.origin - before * self.params.cell
 
     def finish(self) -> None:
-        """Drop the fields; `restore` recreates them."""
+        """Drop the fields; `restore` recreates them.
+
+        >>> submap = Submap(SlamParameters())
+        >>> submap.insert(Scan.from_points(np.array([[1.0, 0.0]]), submap.params), Pose2D())
+        >>> before = submap.likelihood.sum()
+        >>> submap.finish()
+        >>> submap.likelihood.size
+        0
+        >>> submap.restore()
+        >>> bool(submap.likelihood.sum() == before)
+        True
+        """
         self.points, self.normals = self.points[: self.count].copy(), self.normals[: self.count].copy()
         self.weights = self.weights[: self.count].copy()
         self.nearest = np.full((0, 0), -1, dtype=np.int32)

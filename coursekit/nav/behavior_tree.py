@@ -16,7 +16,15 @@ class TreeError(ValueError):
 
 
 class TreeNode:
-    """A node of a tree; `ports` are its attributes in the XML, `board` is the blackboard shared by the nodes."""
+    """A node of a tree; `ports` are its attributes in the XML, `board` is the blackboard shared by the nodes.
+
+    >>> class Battery(TreeNode):
+    ...     def step(self):
+    ...         return SUCCESS if self.board["charge"] > self.number("least", 0.2) else FAILURE
+    >>> board = {"charge": 0.3}
+    >>> Battery("battery", {"least": "0.5"}, [], board).tick(), Battery("battery", {}, [], board).tick()
+    ('failure', 'success')
+    """
 
     arity: tuple[int, float] = (0, 0)
     """Minimum and maximum number of children."""
@@ -51,7 +59,12 @@ class TreeNode:
     # -- ports
 
     def get(self, port: str, default: Any = None) -> Any:
-        """Return the value of a port: a string, or the blackboard value of `{key}`."""
+        """Return the value of a port: a string, or the blackboard value of `{key}`.
+
+        >>> node = TreeNode("drive", {"goal": "{dock}", "speed": "0.3"}, [], {"dock": (1.0, 2.0)})
+        >>> node.get("goal"), node.get("speed"), node.get("path", "none")
+        ((1.0, 2.0), '0.3', 'none')
+        """
         text = self.ports.get(port)
         if text is None:
             return default
@@ -65,7 +78,13 @@ class TreeNode:
             raise TreeError(f"{self.name}: {port} is {self.ports.get(port)!r}, not a number") from None
 
     def put(self, port: str, value: Any) -> None:
-        """Set the blackboard value, if the port names a `{key}`."""
+        """Set the blackboard value, if the port names a `{key}`.
+
+        >>> board = {}
+        >>> TreeNode("plan", {"path": "{way}"}, [], board).put("path", [(0.0, 0.0), (1.0, 0.0)])
+        >>> board
+        {'way': [(0.0, 0.0), (1.0, 0.0)]}
+        """
         text = self.ports.get(port, "")
         if text.startswith("{") and text.endswith("}"):
             self.board[text[1:-1]] = value
@@ -75,7 +94,14 @@ Kinds = Mapping[str, Callable[..., TreeNode]]
 
 
 def read_tree(text: str, kinds: Kinds, board: dict[str, Any]) -> TreeNode:
-    """Parse the main tree of an XML text; TreeError when it is invalid, or has nodes that are not in `kinds`."""
+    """Parse the main tree of an XML text; TreeError when it is invalid, or has nodes that are not in `kinds`.
+
+    >>> from coursekit.nav.tree_controls import CONTROLS
+    >>> text = '''<root main_tree_to_execute="Main"><BehaviorTree ID="Main">
+    ...   <Fallback><AlwaysFailure/><Inverter><AlwaysFailure/></Inverter></Fallback></BehaviorTree></root>'''
+    >>> read_tree(text, CONTROLS, {}).tick()
+    'success'
+    """
     try:
         root = ElementTree.fromstring(text)
     except (ElementTree.ParseError, ValueError) as fault:

@@ -95,7 +95,12 @@ class Controller:
         return self._best(costs, pose, now, ahead, carrot, top, -top if held else min(self.limits.min_speed, top))
 
     def turn(self, costs: Costmap, pose: Pose, now: Speeds, angle: float) -> Speeds:
-        """Return the velocities to rotate the robot in place by `angle` [rad]; ControlError if it would touch something."""
+        """Return the velocities to rotate the robot in place by `angle` [rad]; ControlError if it would touch something.
+
+        >>> room = Costmap.of_size(4.0, 4.0, 0.05, -2.0, -2.0)
+        >>> Controller().turn(room, (0.0, 0.0, 0.0), (0.0, 0.0), 1.57)  # 3.2 rad/s² for 0.05 s
+        (0.0, 0.16)
+        """
         rate = min(self.limits.max_turn, math.sqrt(2 * 0.6 * self.limits.turn_acceleration * abs(angle)), 3.0 * abs(angle))
         for way in np.linspace(0, min(abs(angle), 0.6), 8)[1:]:
             if self.blocked(costs, (pose[0], pose[1], pose[2] + math.copysign(float(way), angle))):
@@ -105,7 +110,15 @@ class Controller:
         return self.limits.toward(now, (0.0, math.copysign(rate, angle)), self.period)
 
     def blocked(self, costs: Costmap, pose: Pose) -> bool:
-        """Whether the robot would touch something at this pose."""
+        """Whether the robot would touch something at this pose.
+
+        >>> room = Costmap.of_size(4.0, 4.0, 0.05, -2.0, -2.0)
+        >>> room.cells[:, 60] = 254  # a wall at x = 1 m
+        >>> box = Footprint.parse("[[0.3, 0.1], [0.3, -0.1], [-0.3, -0.1], [-0.3, 0.1]]")
+        >>> room.cells[:, 50:60] = 200  # its inflation
+        >>> [Controller(footprint=box).blocked(room, (0.8, 0.0, heading)) for heading in (0.0, 1.57)]
+        [True, False]
+        """
         cost = touches(costs.cells, costs.x, costs.y, costs.resolution, *pose, self._outline(costs), self._near())
         return bool(cost == 255)
 

@@ -40,7 +40,11 @@ class Costmap:
         return math.floor((y - self.y) / self.resolution), math.floor((x - self.x) / self.resolution)
 
     def centre(self, row: int, column: int) -> tuple[float, float]:
-        """Return the centre of a cell [m]."""
+        """Return the centre of a cell [m].
+
+        >>> Costmap.of_size(2.0, 1.0, 0.5, x=-1.0).centre(0, 3)
+        (0.75, 0.25)
+        """
         return self.x + (column + 0.5) * self.resolution, self.y + (row + 0.5) * self.resolution
 
     def inside(self, x: float, y: float) -> bool:
@@ -49,7 +53,13 @@ class Costmap:
         return 0 <= row < self.cells.shape[0] and 0 <= column < self.cells.shape[1]
 
     def cost(self, x: float, y: float) -> int:
-        """Return the cost at a position; UNKNOWN outside of the map."""
+        """Return the cost at a position; UNKNOWN outside of the map.
+
+        >>> costs = Costmap.of_size(2.0, 1.0, 0.5, x=-1.0)
+        >>> costs.cells[0, 3] = LETHAL
+        >>> costs.cost(0.75, 0.25), costs.cost(-0.75, 0.25), costs.cost(9.0, 0.0) == UNKNOWN
+        (254, 0, True)
+        """
         row, column = self.cell(x, y)
         return int(self.cells[row, column]) if self.inside(x, y) else UNKNOWN
 
@@ -58,7 +68,13 @@ class Costmap:
         return Costmap(np.full(self.cells.shape, fill, dtype=np.uint8), self.resolution, self.x, self.y)
 
     def moved_to(self, x: float, y: float, fill: int) -> Costmap:
-        """Return the map at another corner, shifted by whole cells; overlapping cells are kept, the rest is `fill`."""
+        """Return the map at another corner, shifted by whole cells; overlapping cells are kept, the rest is `fill`.
+
+        >>> costs = Costmap(np.array([[1, 2, 3]], np.uint8), 0.5)
+        >>> moved = costs.moved_to(0.5, 0.0, fill=9)
+        >>> moved.x, moved.cells.tolist()
+        (0.5, [[2, 3, 9]])
+        """
         rows, columns = self.cells.shape
         down, right = round((y - self.y) / self.resolution), round((x - self.x) / self.resolution)
         corner = self.x + right * self.resolution, self.y + down * self.resolution

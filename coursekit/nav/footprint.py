@@ -28,7 +28,12 @@ class Footprint:
 
     @classmethod
     def disc(cls, radius: float) -> Footprint:
-        """Return the footprint of a round robot."""
+        """Return the footprint of a round robot; ValueError unless the radius is from 0 to 100 m.
+
+        >>> Footprint.disc(22.0 * 10)
+        Traceback (most recent call last):
+        ValueError: robot_radius is 220.0: give metres, for example 0.22
+        """
         if not 0 < radius < 100:
             raise ValueError(f"robot_radius is {radius}: give metres, for example 0.22")
         angles = np.arange(CORNERS_OF_A_DISC) * 2 * math.pi / CORNERS_OF_A_DISC
@@ -47,18 +52,33 @@ class Footprint:
         return cls(corners)
 
     def padded(self, padding: float) -> Footprint:
-        """Move each corner outwards by `padding` [m] along both axes, as nav2 does."""
+        """Move each corner outwards by `padding` [m] along both axes, as nav2 does.
+
+        >>> Footprint.parse("[[0.2, 0.1], [0.2, -0.1], [-0.2, 0.0]]").padded(0.01).corners.round(2).tolist()
+        [[0.21, 0.11], [0.21, -0.11], [-0.21, 0.0]]
+        """
         if self.round:
             return Footprint.disc(self.inscribed + padding)
         return Footprint(self.corners + np.sign(self.corners) * padding)
 
     def at(self, x: float, y: float, yaw: float) -> np.ndarray:
-        """Return the corners for the robot at a pose."""
+        """Return the corners (n, 2) for the robot at a pose [m, rad].
+
+        >>> Footprint.parse("[[0.2, 0.1], [0.2, -0.1], [-0.2, 0.0]]").at(1.0, 2.0, math.pi / 2).round(3).tolist()
+        [[0.9, 2.2], [1.1, 2.2], [1.0, 1.8]]
+        """
         c, s = math.cos(yaw), math.sin(yaw)
         return self.corners @ np.array([[c, s], [-s, c]]) + (x, y)
 
     def outline(self, step: float) -> np.ndarray:
-        """Return points on the edges, at most `step` metres apart; none for a round robot, for which the centre suffices."""
+        """Return points (m, 2) on the edges, at most `step` metres apart.
+
+        A round robot has none: for it the centre suffices.
+
+        >>> triangle = Footprint.parse("[[0.2, 0.2], [0.2, -0.2], [-0.2, 0.0]]")
+        >>> len(triangle.outline(0.1)), len(Footprint.disc(0.22).outline(0.1))
+        (14, 0)
+        """
         if self.round:
             return np.zeros((0, 2))
         points = []

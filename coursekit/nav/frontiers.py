@@ -34,6 +34,12 @@ def frontiers(
     """Return the frontiers of at least `least` metres reachable from the robot, cheapest first: near and long ones.
 
     ValueError when the robot is not on the map. The map must not be rotated.
+
+    >>> grid = GridMap(np.full((20, 20), UNKNOWN, np.int8), 0.5)
+    >>> grid.cells[:, :12] = FREE  # the map ends at x = 6 m
+    >>> found = frontiers(grid, (1.0, 5.0), least=1.0)
+    >>> len(found), found[0].centroid, round(found[0].distance, 2)
+    (1, (6.25, 5.0), 5.26)
     """
     cell = _cell_of(grid, robot)
     free, unknown = grid.cells == FREE, grid.cells == UNKNOWN

@@ -45,7 +45,14 @@ class Inflation:
 
 @njit(cache=True)
 def spread(cells, stamp, reach, unknown):  # type: ignore[no-untyped-def]
-    """Apply the stamp to every obstacle cell that is not surrounded by obstacles."""
+    """Apply the stamp to every obstacle cell that is not surrounded by obstacles.
+
+    >>> cells = np.zeros((1, 4), np.uint8)
+    >>> cells[0, 0] = 254
+    >>> spread(cells, np.array([[9, 99, 9]], np.uint8).repeat(3, axis=0), 1, False)
+    >>> cells.tolist()
+    [[254, 9, 0, 0]]
+    """
     rows, columns = cells.shape
     for i in range(rows):
         for j in range(columns):

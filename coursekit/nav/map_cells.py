@@ -46,7 +46,11 @@ def _shade(shades: np.ndarray, *, with_alpha: bool) -> tuple[np.ndarray, np.ndar
 
 
 def picture_of(cells: np.ndarray, *, mode: str, occupied_thresh: float, free_thresh: float) -> np.ndarray:
-    """Return a uint8 image of cells: gray, or in mode 'scale' RGBA (unknown is transparent)."""
+    """Return a uint8 image of cells: gray, or in mode 'scale' RGBA (unknown is transparent).
+
+    >>> picture_of(np.array([[0, 100, -1]]), mode="trinary", occupied_thresh=0.65, free_thresh=0.25).tolist()
+    [[254, 0, 205]]
+    """
     cells = np.asarray(cells).astype(np.int16)
     known = (cells >= 0) & (cells <= 100)
     if mode == "raw":

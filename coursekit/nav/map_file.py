@@ -46,7 +46,11 @@ class MapDescription:
 
     @property
     def crossed(self) -> bool:
-        """Whether some shades are both below `free_thresh` and above `occupied_thresh`: they become walls."""
+        """Whether some shades are both below `free_thresh` and above `occupied_thresh`: they become walls.
+
+        >>> MapDescription(Path("room.pgm"), 0.05, (0.0, 0.0, 0.0), occupied_thresh=0.2, free_thresh=0.8).crossed
+        True
+        """
         return self.free_thresh > self.occupied_thresh
 
 
@@ -82,6 +86,20 @@ def save_map(
     The default format is pgm, or png in mode 'scale'. A PATH that ends in .yaml loses that suffix first.
 
     Raises MapError for an empty map and for incompatible settings, OSError when a file cannot be written.
+
+    >>> import tempfile
+    >>> grid = GridMap(np.array([[0, 100, -1]], np.int8), 0.05, (-1.0, 0.0, 0.0))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     description, picture = save_map(Path(folder, "room"), grid)
+    ...     print(description.read_text(encoding="utf-8"), load_map(description).cells.tolist(), end="")
+    image: room.pgm
+    mode: trinary
+    resolution: 0.05
+    origin: [-1, 0, 0]
+    negate: 0
+    occupied_thresh: 0.65
+    free_thresh: 0.196
+     [[0, 100, -1]]
     """
     text = str(path)
     stem = Path(text[:-5] if text.endswith(".yaml") else text).absolute()

@@ -35,7 +35,14 @@ def read_picture(path: Path) -> np.ndarray:
 
 
 def write_picture(path: Path, shades: np.ndarray) -> None:
-    """Write an image in the format given by the suffix; OSError if the file cannot be written."""
+    """Write an image in the format given by the suffix; OSError if the file cannot be written.
+
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     write_picture(Path(folder, "room.png"), np.array([[0, 205, 254]], np.uint8))
+    ...     read_picture(Path(folder, "room.png")).tolist()
+    [[0, 205, 254]]
+    """
     done, data = cv2.imencode(path.suffix, shades)
     if not done:
         raise OSError(f"{path}: the picture cannot be written as {path.suffix}")

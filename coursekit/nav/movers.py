@@ -72,7 +72,13 @@ class Movers:
         return np.argwhere(solid & near), velocity
 
     def ahead(self, costs: Costmap, radius: float) -> np.ndarray:
-        """Return a mask (rows, columns) of the predicted cells of moving obstacles, grown by `radius` [m]."""
+        """Return a mask (rows, columns) of the predicted cells of moving obstacles, grown by `radius` [m].
+
+        >>> movers, room = Movers(seconds=1.0), Costmap.of_size(1.0, 0.1, 0.1)
+        >>> movers.found = [(np.array([[0, 2]]), np.array([0.4, 0.0]))]  # the cell in column 2 moves at 0.4 m/s along x
+        >>> np.flatnonzero(movers.ahead(room, radius=0.0)).tolist()
+        [3, 4, 5, 6]
+        """
         swept = np.zeros(costs.cells.shape, dtype=bool)
         for cells, velocity in self.found:
             steps = max(int(np.hypot(*velocity) * self.seconds / costs.resolution), 1)

@@ -44,7 +44,14 @@ class ObstacleLayer:
         self.map.cells[:] = UNKNOWN
 
     def forget_square(self, x: float, y: float, side: float, *, outside: bool = False) -> None:
-        """Clear a square about a position, or with `outside` everything else."""
+        """Clear a square about a position, or with `outside` everything else.
+
+        >>> layer = ObstacleLayer(Costmap.of_size(4.0, 1.0, 1.0))
+        >>> layer.map.cells[:] = LETHAL
+        >>> layer.forget_square(1.5, 0.5, 1.0)
+        >>> layer.map.cells.tolist()
+        [[254, 255, 255, 254]]
+        """
         rows, columns = self._square(x, y, side)
         kept = self.map.cells[rows, columns].copy()
         if outside:
@@ -58,7 +65,13 @@ class ObstacleLayer:
         return slice(max(top, 0), max(bottom + 1, 0)), slice(max(left, 0), max(right + 1, 0))
 
     def free(self, outline: np.ndarray) -> None:
-        """Mark the inside of the robot's outline (n, 2) as free [m]."""
+        """Mark the inside of the robot's outline (n, 2) as free [m].
+
+        >>> layer = ObstacleLayer(Costmap.of_size(3.0, 1.0, 1.0))
+        >>> layer.free(np.array([[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0]]))
+        >>> layer.map.cells.tolist()
+        [[255, 0, 255]]
+        """
         fill(self.map.cells, (outline - (self.map.x, self.map.y)) / self.map.resolution, FREE)
 
 
@@ -93,7 +106,13 @@ def clear(cells, x, y, ends, hits, most):  # type: ignore[no-untyped-def]
 
 @njit(cache=True)
 def fill(cells, outline, value):  # type: ignore[no-untyped-def]
-    """Set the cells whose centre is inside a polygon (in cells)."""
+    """Set the cells whose centre is inside a polygon (in cells).
+
+    >>> cells = np.zeros((3, 3), np.uint8)
+    >>> fill(cells, np.array([[0.0, 0.0], [3.0, 0.0], [0.0, 3.0]]), 7)
+    >>> cells.tolist()
+    [[7, 7, 0], [7, 0, 0], [0, 0, 0]]
+    """
     rows, columns = cells.shape
     low, high = max(math.floor(outline[:, 1].min()), 0), min(math.ceil(outline[:, 1].max()), rows)
     left, right = max(math.floor(outline[:, 0].min()), 0), min(math.ceil(outline[:, 0].max()), columns)

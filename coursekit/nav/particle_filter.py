@@ -56,7 +56,20 @@ class Estimate:
 
 
 class ParticleFilter:
-    """The particle filter. In ROS 2: the core of nav2_amcl."""
+    """The particle filter. In ROS 2: the core of nav2_amcl.
+
+    >>> from coursekit.nav.map_file import GridMap
+    >>> cells = np.zeros((60, 80), np.int8)
+    >>> cells[0] = cells[:, 0] = 100  # two walls: along y = 0 and along x = 0
+    >>> amcl = ParticleFilter(ParticleMap(GridMap(cells, 0.05)), FilterParameters(seed=1))
+    >>> amcl.start(np.array([1.2, 1.6, 0.0]), np.diag([0.04, 0.04, 0.01]))  # in truth it is at (1.0, 1.5)
+    >>> along = np.linspace(-0.9, 2.0, 60)
+    >>> ends = np.concatenate([np.column_stack([along, along * 0 - 1.475]), np.column_stack([along * 0 - 0.975, along])])
+    >>> for _ in range(20):
+    ...     _ = amcl.update(ends, 10.0)
+    >>> amcl.estimate().pose[:2].round(1).tolist()
+    [1.0, 1.5]
+    """
 
     def __init__(self, where: ParticleMap, params: FilterParameters | None = None) -> None:
         self.map, self.params = where, params or FilterParameters()
@@ -85,7 +98,16 @@ class ParticleFilter:
         self._updates = 0
 
     def move(self, before: np.ndarray, after: np.ndarray) -> None:
-        """Move the particles by the odometry's motion from one pose to another."""
+        """Move the particles by the odometry's motion from one pose to another.
+
+        >>> from coursekit.nav.map_file import GridMap
+        >>> where = ParticleMap(GridMap(np.array([[0, 100]], np.int8), 0.5))
+        >>> amcl = ParticleFilter(where, FilterParameters(alphas=(0.0,) * 5))  # no noise
+        >>> amcl.start(np.array([1.0, 1.0, np.pi / 2]), np.zeros((3, 3)))
+        >>> amcl.move(np.array([0.0, 0.0, 0.0]), np.array([0.5, 0.0, 0.0]))  # half a metre ahead
+        >>> amcl.particles[0].round(3).tolist()
+        [1.0, 1.5, 1.571]
+        """
         kind = move_omni if self.params.omni else move_differential
         self.particles = kind(self.particles, before, after, self.params.alphas, self._rng)
 

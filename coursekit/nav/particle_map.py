@@ -12,7 +12,11 @@ WALL, FREE = 65, 25
 
 
 class ParticleMap:
-    """Distances to the nearest wall [m], at most `farthest`."""
+    """Distances to the nearest wall [m], at most `farthest`.
+
+    >>> ParticleMap(GridMap(np.array([[100, 0, 0, 0]], np.int8), 0.5), farthest=1.25).distances.tolist()
+    [[0.0, 0.5, 1.0, 1.25]]
+    """
 
     def __init__(self, grid: GridMap, farthest: float = 2.0) -> None:
         walls = grid.cells >= WALL

@@ -42,7 +42,12 @@ def move_differential(
 def move_omni(
     particles: np.ndarray, before: np.ndarray, after: np.ndarray, alphas: tuple[float, ...], rng: np.random.Generator
 ) -> np.ndarray:
-    """The same for robots that drive sideways; alphas[4] is the lateral noise."""
+    """The same for robots that drive sideways; alphas[4] is the lateral noise.
+
+    >>> rng, exact = np.random.default_rng(0), (0.0,) * 5
+    >>> move_omni(np.array([[1.0, 1.0, math.pi / 2]]), np.zeros(3), np.array([0.0, 0.5, 0.0]), exact, rng).round(3).tolist()
+    [[0.5, 1.0, 1.571]]
+    """
     dx, dy, turn = after[0] - before[0], after[1] - before[1], wrap(after[2] - before[2])
     way, count = math.hypot(dx, dy), len(particles)
     bearing = particles[:, 2] + wrap(math.atan2(dy, dx) - before[2])

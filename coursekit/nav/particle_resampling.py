@@ -38,7 +38,13 @@ def enough(bins: np.ndarray, error: float, z: float) -> np.ndarray:
 def draw(
     weights: np.ndarray, particles: np.ndarray, least: int, most: int, error: float, z: float, rng: np.random.Generator
 ) -> np.ndarray:
-    """Return indices drawn by weight, as many as their occupied bins require, between `least` and `most`."""
+    """Return indices drawn by weight, as many as their occupied bins require, between `least` and `most`.
+
+    >>> rng = np.random.default_rng(0)
+    >>> chosen = draw(np.array([0.0, 0.9, 0.1]), np.zeros((3, 3)), 10, 100, 0.05, 0.99, rng)
+    >>> len(chosen), 0 in chosen  # all in one bin: the minimum is enough; the first has no weight
+    (10, False)
+    """
     total = np.cumsum(weights)
     chosen = np.searchsorted(total, rng.random(most) * total[-1]).clip(0, len(weights) - 1)
     bins = bins_of(particles)
@@ -51,7 +57,11 @@ def draw(
 
 
 def clusters(particles: np.ndarray) -> np.ndarray:
-    """Return (n,) the cluster of each particle: particles in adjacent bins belong together."""
+    """Return (n,) the cluster of each particle: particles in adjacent bins belong together.
+
+    >>> clusters(np.array([[0.0, 0.0, 0.0], [0.3, 0.2, 0.0], [5.0, 5.0, 0.0]])).tolist()
+    [0, 0, 1]
+    """
     bins = bins_of(particles)
     low, width = _frame(bins)
     keys, first, inverse = np.unique(_keys(bins, low, width), return_index=True, return_inverse=True)

@@ -111,12 +111,22 @@ def with_headings(points: np.ndarray, last: float) -> np.ndarray:
 
 
 def length(path: np.ndarray) -> float:
-    """Return the length of a path (n, 2 or more) [m]."""
+    """Return the length of a path (n, 2 or more) [m].
+
+    >>> length(np.array([[0.0, 0.0, 0.0], [3.0, 4.0, 0.0], [3.0, 5.0, 0.0]]))
+    6.0
+    """
     return float(np.hypot(*np.diff(path[:, :2], axis=0).T).sum()) if len(path) > 1 else 0.0
 
 
 def smoothed(costs: Costmap, path: np.ndarray, rounds: int = 1000) -> np.ndarray:
-    """Smooth a path (n, 3) without moving it nearer to obstacles."""
+    """Smooth a path (n, 3) without moving it nearer to obstacles.
+
+    >>> corner = np.array([[0.5, 0.5, 0.0], [1.0, 0.5, 0.0], [1.5, 0.5, 0.0], [1.5, 1.0, 0.0], [1.5, 1.5, 0.0]])
+    >>> path = smoothed(Costmap.of_size(3.0, 3.0, 0.1), corner)
+    >>> round(length(corner), 2), round(length(path), 2), path[-1].tolist()
+    (2.0, 1.58, [1.5, 1.5, 0.0])
+    """
     points = np.ascontiguousarray(path[:, :2], dtype=float).copy()
     smooth(points, costs.cells, costs.x, costs.y, costs.resolution, rounds, 0.2, 0.3)
     return with_headings(points, float(path[-1, 2]))

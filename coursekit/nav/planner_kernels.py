@@ -17,6 +17,10 @@ def search(cells, start, goal, unknown, factor):  # type: ignore[no-untyped-def]
     """Return each cell's predecessor (-1 for unreached cells), and its cost; stop at the goal.
 
     Start and goal are flat indices. Cells from 253 on are blocked, except to leave such cells around the start.
+
+    >>> parents, _ = search(np.zeros((1, 5), np.uint8), 0, 3, True, 0.8)
+    >>> parents.tolist()
+    [0, 0, 1, 2, -1]
     """
     rows, columns = cells.shape
     costs = np.full(rows * columns, np.inf)

@@ -22,7 +22,12 @@ class _Control(TreeNode):
 
 
 class Sequence(_Control):
-    """Ticks one child after the other; ends with the first failure."""
+    """Ticks one child after the other; ends with the first failure.
+
+    >>> good, bad = AlwaysSuccess("a", {}, [], {}), AlwaysFailure("b", {}, [], {})
+    >>> Sequence("both", {}, [good, bad], {}).tick() == FAILURE, Fallback("either", {}, [bad, good], {}).tick() == SUCCESS
+    (True, True)
+    """
 
     ends_with = FAILURE
 
@@ -91,7 +96,19 @@ class PipelineSequence(_Control):
 
 
 class RoundRobin(_Control):
-    """Ticks the next child each time, until one succeeds; fails when all have failed."""
+    """Ticks the next child each time, until one succeeds; fails when all have failed.
+
+    >>> class Say(TreeNode):
+    ...     def step(self):
+    ...         print(self.name)
+    ...         return SUCCESS
+    >>> turns = RoundRobin("turns", {}, [Say("spin", {}, [], {}), Say("wait", {}, [], {})], {})
+    >>> for _ in range(3):
+    ...     status = turns.tick()
+    spin
+    wait
+    spin
+    """
 
     def step(self) -> str:
         for _ in self.children:
@@ -105,7 +122,19 @@ class RoundRobin(_Control):
 
 
 class RecoveryNode(_Control):
-    """Ticks the first child; on failure the second, then the first again, `number_of_retries` times."""
+    """Ticks the first child; on failure the second, then the first again, `number_of_retries` times.
+
+    >>> class Say(TreeNode):
+    ...     def step(self):
+    ...         print(self.name)
+    ...         return SUCCESS if self.name == "clear the map" else FAILURE
+    >>> children = [Say("plan", {}, [], {}), Say("clear the map", {}, [], {})]
+    >>> RecoveryNode("retry", {"number_of_retries": "1"}, children, {}).tick() == FAILURE
+    plan
+    clear the map
+    plan
+    True
+    """
 
     arity = (2, 2)
     tries = 0
@@ -139,7 +168,11 @@ class _Decorator(TreeNode):
 
 
 class Inverter(_Decorator):
-    """Inverts the child's result."""
+    """Inverts the child's result.
+
+    >>> Inverter("not", {}, [AlwaysFailure("a", {}, [], {})], {}).tick() == SUCCESS
+    True
+    """
 
     def step(self) -> str:
         return {SUCCESS: FAILURE, FAILURE: SUCCESS}.get(self.child.tick(), RUNNING)
@@ -167,7 +200,12 @@ class KeepRunningUntilFailure(_Decorator):
 
 
 class Repeat(_Decorator):
-    """Repeats the child `num_cycles` times while it succeeds; -1 means forever."""
+    """Repeats the child `num_cycles` times while it succeeds; -1 means forever.
+
+    >>> thrice = Repeat("thrice", {"num_cycles": "3"}, [AlwaysSuccess("a", {}, [], {})], {})
+    >>> [thrice.tick() == RUNNING for _ in range(3)]
+    [True, True, False]
+    """
 
     counted, port = SUCCESS, "num_cycles"
     count = 0
@@ -194,7 +232,12 @@ class RetryUntilSuccessful(Repeat):
 
 
 class SingleTrigger(_Decorator):
-    """Runs the child once; fails from then on."""
+    """Runs the child once; fails from then on.
+
+    >>> once = SingleTrigger("once", {}, [AlwaysSuccess("a", {}, [], {})], {})
+    >>> once.tick() == SUCCESS, once.tick() == FAILURE
+    (True, True)
+    """
 
     done = False
 

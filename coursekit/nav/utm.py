@@ -29,7 +29,11 @@ class Utm:
 
     @classmethod
     def at(cls, latitude: float, longitude: float) -> Utm:
-        """Return the zone of a position, including the wide ones of Norway and Svalbard."""
+        """Return the zone of a position, including the wide ones of Norway and Svalbard.
+
+        >>> Utm.at(48.1, 11.6), Utm.at(60.4, 5.3)  # Munich; Bergen, in the wide zone of Norway's coast
+        (Utm(zone=32, north=True), Utm(zone=32, north=True))
+        """
         turned = (longitude + 180.0) % 360.0 - 180.0
         zone = min(60, int((turned + 180.0) // 6) + 1)
         if 56.0 <= latitude < 64.0 and 3.0 <= turned < 12.0:
@@ -40,7 +44,11 @@ class Utm:
 
     @classmethod
     def named(cls, name: str) -> Utm:
-        """Return the zone with a name such as 17T or 56H; ValueError for an invalid name."""
+        """Return the zone with a name such as 17T or 56H; ValueError for an invalid name.
+
+        >>> Utm.named("56H")  # Sydney
+        Utm(zone=56, north=False)
+        """
         digits, band = name[:-1], name[-1:].upper()
         if not digits.isdecimal() or not 1 <= int(digits) <= 60 or band not in _BANDS:
             raise ValueError(f"'{name}' is no UTM zone: give for example 17T")
@@ -61,7 +69,11 @@ class Utm:
         return _EAST + _RADIUS * east, (0.0 if self.north else _SOUTH) + _RADIUS * north
 
     def place(self, east: float, north: float) -> tuple[float, float]:
-        """Convert east and north [m] to latitude and longitude [degrees]."""
+        """Convert east and north [m] to latitude and longitude [degrees].
+
+        >>> [round(one, 6) for one in Utm.named("17T").place(630084.3, 4833438.5)]  # Toronto's tower
+        [43.642566, -79.387139]
+        """
         up, across = (north - (0.0 if self.north else _SOUTH)) / _RADIUS, (east - _EAST) / _RADIUS
         high, wide = up, across
         for j, part in enumerate(_BACK, 1):
@@ -73,7 +85,12 @@ class Utm:
         return math.degrees(latitude), (longitude + 180.0) % 360.0 - 180.0
 
     def convergence(self, latitude: float, longitude: float) -> float:
-        """Return the angle from true north to the plane's north, clockwise [rad]."""
+        """Return the angle from true north to the plane's north, clockwise [rad].
+
+        >>> zone = Utm.at(48.0, 11.0)  # its middle is at 9 degrees
+        >>> [round(math.degrees(zone.convergence(48.0, longitude)), 3) for longitude in (9.0, 11.0)]
+        [0.0, 1.487]
+        """
         return math.atan(math.tan(self._from_middle(longitude)) * math.sin(math.radians(latitude)))
 
 

@@ -75,7 +75,12 @@ class Zone:
         ))  # fmt: skip
 
     def seconds_left(self, points: Array, speeds: Speeds) -> float | None:
-        """Return the time [s] to a collision of the robot's outline at these velocities; None if beyond `ahead`."""
+        """Return the time [s] to a collision of the robot's outline at these velocities; None if beyond `ahead`.
+
+        >>> zone, post = Zone("approach", few=1, radius=0.5, ahead=3.0), np.array([[1.52, 0.0]])
+        >>> [zone.seconds_left(post, (ahead, 0.0, 0.0)) for ahead in (0.5, -0.5)]
+        [2.1, None]
+        """
         x, y, heading = 0.0, 0.0, 0.0
         ahead, left, turn = speeds
         for count in range(int(self.ahead / self.step + 1e-9) + 1):

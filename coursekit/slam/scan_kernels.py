@@ -101,7 +101,7 @@ def fill_walls(points, normals, spacing, widest):  # type: ignore[no-untyped-def
 
     >>> ends, facing = np.array([[0.0, 1.0], [0.2, 1.0]]), np.array([[0.0, -1.0], [0.0, -1.0]])
     >>> fill_walls(ends, facing, 0.05, 0.5)[0].round(3).tolist()
-    ?
+    [[0.05, 1.0], [0.1, 1.0], [0.15, 1.0]]
     """
     room = int(widest / spacing) + 2
     filled, directions = np.empty((len(points) * room, 2)), np.empty((len(points) * room, 2))

@@ -110,7 +110,11 @@ def body_of(thing: Thing) -> pymunk.Body:
 
 
 def moment(corners: Any, mass: float) -> float:
-    """Return the inertia about the origin of a block with the extent of those corners [kg m^2]."""
+    """Return the inertia about the origin of a block with the extent of those corners [kg m^2].
+
+    >>> round(moment([(-0.5, -0.5), (0.5, 0.5)], 6.0), 6)  # a square block of 1 m: m (a² + b²) / 12
+    1.0
+    """
     (x0, y0), (x1, y1) = np.min(corners, axis=0), np.max(corners, axis=0)
     return float(mass * (((x1 - x0) ** 2 + (y1 - y0) ** 2) / 12 + ((x0 + x1) ** 2 + (y0 + y1) ** 2) / 4)) or 1e-6
 
@@ -121,7 +125,13 @@ def put(body: pymunk.Body, place: tuple[float, float, float]) -> None:
 
 
 def follow(body: pymunk.Body, place: tuple[float, float, float], seconds: float) -> None:
-    """Set the velocity of a kinematic body to reach a pose in the next physics step."""
+    """Set the velocity of a kinematic body to reach a pose in the next physics step.
+
+    >>> body = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
+    >>> follow(body, (0.2, 0.0, math.pi / 2), 0.1)
+    >>> tuple(body.velocity), round(body.angular_velocity, 3)
+    ((2.0, 0.0), 15.708)
+    """
     x, y = body.position
     body.velocity = (place[0] - x) / seconds, (place[1] - y) / seconds
     body.angular_velocity = wrap(place[2] - body.angle) / seconds

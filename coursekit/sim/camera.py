@@ -76,19 +76,32 @@ class Scene:
 
     @staticmethod
     def camera_matrix(width: int = 640, height: int = 480) -> Any:
-        """Return the 3 x 3 pinhole camera matrix; there is no distortion."""
+        """Return the 3 x 3 pinhole camera matrix; there is no distortion.
+
+        >>> Scene.camera_matrix(640, 480)[:2, 2].tolist()  # the middle of the image
+        [319.5, 239.5]
+        """
         f = FOCAL * width
         return np.array([[f, 0.0, (width - 1) / 2], [0.0, f, (height - 1) / 2], [0.0, 0.0, 1.0]])
 
     @staticmethod
     def in_camera(point: Point) -> Point:
-        """Transform a point to the camera's own frame: x right, y down, z ahead."""
+        """Transform a point [m] to the camera's own frame: x right, y down, z ahead (REP 103's optical frame).
+
+        >>> Scene.in_camera((0.5, 0.0, HEIGHT))  # beside the camera, at its height
+        (0.5, -0.0, 0.0)
+        """
         x, y, z = point[0], point[1], point[2] - HEIGHT
         cos, sin = math.cos(TILT), math.sin(TILT)
         return x, -sin * y - cos * z, cos * y - sin * z
 
     def pixel(self, point: Point, width: int = 640, height: int = 480) -> tuple[float, float]:
-        """Return column and row of a point in the image."""
+        """Return column and row of a point [m] in the image.
+
+        >>> straight_ahead = (0.0, math.cos(TILT), HEIGHT - math.sin(TILT))
+        >>> [round(one, 6) for one in Scene().pixel(straight_ahead)]
+        [319.5, 239.5]
+        """
         x, y, depth = self.in_camera(point)
         f = FOCAL * width
         return (width - 1) / 2 + f * x / depth, (height - 1) / 2 + f * y / depth

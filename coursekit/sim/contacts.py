@@ -12,7 +12,13 @@ from .robot import GRAVITY
 
 
 def overlap(one: Any, other: Any) -> bool:
-    """Whether two shapes are at the same height."""
+    """Whether two shapes are at the same height.
+
+    >>> from types import SimpleNamespace
+    >>> table, robot = SimpleNamespace(span=(0.6, 0.8)), SimpleNamespace(span=(0.0, 0.3))
+    >>> overlap(table, robot)  # it drives under the table
+    False
+    """
     return bool(one.span[0] < other.span[1] and other.span[0] < one.span[1])
 
 
@@ -57,7 +63,14 @@ def hits(space: pymunk.Space, shape: Any) -> Iterator[tuple[Any, float]]:
 
 
 def drag(body: pymunk.Body, friction: float, seconds: float) -> None:
-    """Apply the friction of the floor to a sliding object for some seconds."""
+    """Apply the friction of the floor to a sliding object for some seconds.
+
+    >>> body = pymunk.Body(1.0, 1.0)
+    >>> body.velocity = 1.0, 0.0
+    >>> drag(body, friction=0.3, seconds=0.1)  # it loses 0.3 * 9.81 m/s² * 0.1 s
+    >>> round(body.velocity.x, 3)
+    0.706
+    """
     speed, most = body.velocity.length, friction * GRAVITY * seconds
     body.velocity = body.velocity * max(0.0, 1.0 - most / speed) if speed else (0.0, 0.0)
     turn = body.angular_velocity

@@ -25,7 +25,14 @@ COLOURS = {
 
 
 class Fields:
-    """The keys of one element; keys that were never read are unknown."""
+    """The keys of one element; keys that were never read are unknown.
+
+    >>> fields = Fields({"radius": 0.1, "colour": "red"}, "circle 'post'", "yard.yaml", 3)
+    >>> fields.number("radius"), fields.number("height", 2.0)
+    (0.1, 2.0)
+    >>> print(fields.fault("stands in a wall"))
+    yard.yaml:3: circle 'post': stands in a wall
+    """
 
     def __init__(self, data: Mapping[str, Any], element: str, file: str, line: int) -> None:
         self.data, self.element, self.file, self.line = data, element, file, line
@@ -58,7 +65,11 @@ class Fields:
         return [self._number(key, one) for one in value]
 
     def points(self, key: str, least: int) -> np.ndarray:
-        """Return a list of [x, y] with at least so many points; a repeated first point at the end is dropped."""
+        """Return a list of [x, y] with at least so many points; a repeated first point at the end is dropped.
+
+        >>> Fields({"points": [[0, 0], [1, 0], [1, 1], [0, 0]]}, "", "", 0).points("points", 3).tolist()
+        [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]]
+        """
         rows = self._get(key, None)
         if not isinstance(rows, list) or any(not isinstance(row, list) or len(row) != 2 for row in rows):
             raise self.fault(f"'{key}' is no list of points", "Write [[x, y], [x, y], ...].")
@@ -88,7 +99,16 @@ class Fields:
         return low, low + self.number("height", height, 1e-3)
 
     def finish(self) -> None:
-        """Check that all keys were used."""
+        """Check that all keys were used.
+
+        >>> fields = Fields({"radios": 0.1}, "circle 'post'", "yard.yaml", 3)
+        >>> fields.number("radius", 0.5)
+        0.5
+        >>> fields.finish()
+        Traceback (most recent call last):
+        coursekit.sim.errors.WorldError: yard.yaml:3: circle 'post': unknown key 'radios'
+        Did you mean 'radius'?
+        """
         for key in self.data:
             if key not in self.used:
                 raise self.fault(f"unknown key '{key}'", known(key, self.used))
@@ -104,7 +124,12 @@ class Fields:
 
 
 def wall(fields: Fields) -> Thing:
-    """A chain of walls; with a thickness each segment is a block, and blocks overlap at corners."""
+    """A chain of walls; with a thickness each segment is a block, and blocks overlap at corners.
+
+    >>> fence = wall(Fields({"points": [[0, 0], [4, 0], [4, 3]], "closed": True, "thickness": 0.1}, "wall", "", 0))
+    >>> len(fence.parts)  # a block for each side
+    3
+    """
     points, closed = fields.points("points", 2), fields.flag("closed", False)
     low, high = fields.span(2.0)
     thickness = fields.number("thickness", 0.1, 0.0, 100.0)
@@ -150,7 +175,12 @@ def circle(fields: Fields) -> Thing:
 
 
 def box(fields: Fields) -> Thing:
-    """A block; movable if it has a mass."""
+    """A block; movable if it has a mass.
+
+    >>> crate = box(Fields({"center": [2, 2], "size": [0.4, 0.3], "mass": 4.0}, "box", "", 0))
+    >>> crate.place, crate.mass, crate.parts[0].points[0]
+    (Pose2D(x=2.0, y=2.0, theta=0.0), 4.0, (-0.2, -0.15))
+    """
     x, y = fields.numbers("center", None, (2,))
     length, width = fields.numbers("size", None, (2,))
     if min(length, width) < 1e-3:
@@ -162,7 +192,12 @@ def box(fields: Fields) -> Thing:
 
 
 def door(fields: Fields) -> Thing:
-    """A leaf on a hinge; with a mass it swings between closed and `widest`."""
+    """A leaf on a hinge; with a mass it swings between closed and `widest`.
+
+    >>> leaf = door(Fields({"hinge": [0, 1], "yaw": 0.0, "open": 0.5, "mass": 6.0}, "door", "", 0))
+    >>> leaf.place.theta, round(leaf.hinge.lower, 3), round(leaf.hinge.upper, 3)  # from closed to a right angle
+    (0.5, -0.5, 1.071)
+    """
     x, y = fields.numbers("hinge", None, (2,))
     width, thick = fields.number("width", 0.9, 0.05), fields.number("thickness", 0.04, 0.005)
     low, high = fields.span(2.0)

@@ -25,7 +25,12 @@ class Globe:
     heading: float = 0.0
 
     def fix(self, x: float, y: float, z: float = 0.0) -> tuple[float, float, float]:
-        """Convert a position in the world [m] to latitude and longitude [degrees] and altitude [m]."""
+        """Convert a position in the world [m] to latitude and longitude [degrees] and altitude [m].
+
+        >>> latitude, longitude, _ = Globe(48.0, 11.0).fix(0.0, 1000.0)
+        >>> round(latitude, 5), round(longitude, 5)
+        (48.00899, 11.0)
+        """
         turn, lat, lon = map(math.radians, (self.heading, self.latitude, self.longitude))
         east, north = x * math.cos(turn) - y * math.sin(turn), x * math.sin(turn) + y * math.cos(turn)
         out, up = _north(lat, self.elevation)
@@ -35,7 +40,11 @@ class Globe:
         return math.degrees(latitude), math.degrees(lon + math.atan2(east, out)), altitude
 
     def place(self, latitude: float, longitude: float, altitude: float = 0.0) -> tuple[float, float, float]:
-        """Convert latitude, longitude [degrees] and altitude [m] to a position in the world [m], the inverse of `fix`."""
+        """Convert latitude, longitude [degrees] and altitude [m] to a position in the world [m], the inverse of `fix`.
+
+        >>> [round(one, 1) + 0.0 for one in Globe(48.0, 11.0).place(48.001, 11.0)]  # a thousandth of a degree is 111 m
+        [0.0, 111.2, 0.0]
+        """
         turn, lat, swing = map(math.radians, (self.heading, self.latitude, longitude - self.longitude))
         away, height = _north(math.radians(latitude), altitude)
         here, level = _north(lat, self.elevation)

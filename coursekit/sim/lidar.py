@@ -71,6 +71,11 @@ class Lidar:
 
         An edge that comes nearer than `range_max` is cast in full length: `measure` drops what is too far.
         `ranges` of another cut are shortened, so static and moving objects can be cast in turn.
+
+        >>> from coursekit.sim.parts import Disc
+        >>> lidar = Lidar(beams=4, angle_min=0.0, angle_max=3 * math.pi / 2)
+        >>> lidar.look(Disc(3.0, 0.0, 0.5).cut(0.2), Pose2D(1.0, 0.0, 0.0)).tolist()
+        [1.5, inf, inf, inf]
         """
         if ranges is None:
             ranges = np.full(self.beams, np.inf)
@@ -78,7 +83,14 @@ class Lidar:
         return ranges
 
     def measure(self, ranges: Array, chance: np.random.Generator) -> Array:
-        """Return the measured ranges, noisy and in the LiDAR's order; inf for nothing, -inf below `range_min` (REP 117)."""
+        """Return the measured ranges (beams) [m], noisy and in the LiDAR's order.
+
+        Nothing in range is inf, and what is nearer than `range_min` is -inf (REP 117).
+
+        >>> lidar = Lidar(beams=3, range_min=0.2, range_max=8.0, resolution=0.5)
+        >>> lidar.measure(np.array([0.1, 1.7, 9.0]), np.random.default_rng(0)).tolist()
+        [-inf, 1.5, inf]
+        """
         if (self.step < 0) != self.upside_down:
             ranges = ranges[::-1]
         seen = ranges.copy()

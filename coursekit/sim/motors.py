@@ -17,7 +17,11 @@ class Reach:
     """Maximum effort [Nm or N], 0 if unspecified."""
 
     def speed_of(self, effort: float) -> float:
-        """Return the velocity for an effort: proportional, as against a viscous brake, with full velocity at full effort."""
+        """Return the velocity for an effort: proportional, as against a viscous brake, with full velocity at full effort.
+
+        >>> Reach(velocity=2.0, effort=10.0).speed_of(5.0)
+        1.0
+        """
         most = self.effort if 0.0 < self.effort < math.inf else 10.0
         return effort / most * (self.velocity if self.velocity < math.inf else 1.0)
 
@@ -57,7 +61,16 @@ class Motors:
         self.speeds.clear()
 
     def step(self, dt: float) -> None:
-        """Move the joints for `dt` seconds."""
+        """Move the joints for `dt` seconds.
+
+        >>> motors = Motors({}, {"arm": Reach(-1.0, 1.0, velocity=2.0)})
+        >>> motors.command("arm", "velocity", 9.0)
+        >>> for _ in range(2):
+        ...     motors.step(0.4)
+        ...     print(motors.angles["arm"], round(motors.speeds["arm"], 3))
+        0.8 2.0
+        1.0 0.5
+        """
         for joint, (mode, goal) in self._goals.items():
             reach = self.reach.get(joint, Reach())
             was, most = self.angles.get(joint, 0.0), reach.velocity

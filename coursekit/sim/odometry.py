@@ -38,7 +38,13 @@ class Drift:
 
 
 class Odometer:
-    """Integrates the wheels' rotation."""
+    """Integrates the wheels' rotation.
+
+    >>> odometer = Odometer(Drift(bias=0.02), seed=0)
+    >>> odometer.roll((1.0, 0.0, 0.0), 0.5)  # half a metre, over-estimated by 2 %
+    >>> odometer.place
+    Pose2D(x=0.51, y=0.0, theta=0.0)
+    """
 
     def __init__(self, drift: Drift, seed: int) -> None:
         self.drift, self._seed = drift, seed

@@ -47,7 +47,11 @@ def _side(a: Array, b: Array, p: Array) -> Array:
 
 
 def hull(points: Array) -> Array:
-    """Return the convex hull of points, counter-clockwise."""
+    """Return the convex hull of points, counter-clockwise.
+
+    >>> hull([(0, 0), (2, 0), (1, 0.5), (1, 2)]).tolist()
+    [[0.0, 0.0], [2.0, 0.0], [1.0, 2.0]]
+    """
     rows = sorted({(float(x), float(y)) for x, y in points})
     if len(rows) < 3:
         return np.array(rows)

@@ -29,7 +29,14 @@ class Stroke:
     points: list[Point] = field(default_factory=list)
 
     def extend(self, to: Point) -> None:
-        """Extend the line to a point; the last point moves along while the line stays straight or short."""
+        """Extend the line to a point; the last point moves along while the line stays straight or short.
+
+        >>> stroke = Stroke("turtle1", (0, 0, 0), 3, [(0.0, 0.0)])
+        >>> for point in ((1.0, 0.0), (2.0, 0.0), (2.0, 1.0)):
+        ...     stroke.extend(point)
+        >>> stroke.points
+        [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0)]
+        """
         if len(self.points) > 1 and self._straight(to):
             self.points[-1] = to
         else:

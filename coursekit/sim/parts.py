@@ -24,7 +24,11 @@ class Cut(NamedTuple):
     circles: Array
 
     def moved(self, place: Pose2D) -> Cut:
-        """Transform from an object's own frame to the world."""
+        """Transform from an object's own frame to the world.
+
+        >>> Disc(1.0, 0.0, 0.1).cut(0.5).moved(Pose2D(5.0, 5.0, np.pi / 2)).circles.round(3).tolist()
+        [[5.0, 6.0, 0.1]]
+        """
         ends = place.transform(self.edges.reshape(-1, 2)).reshape(-1, 4)
         centres = place.transform(self.circles[:, :2])
         return Cut(ends, np.column_stack((centres, self.circles[:, 2:])))
@@ -62,7 +66,14 @@ class Prism:
     closed: bool = True
 
     def cut(self, height: float) -> Cut:
-        """Return the outline at a height."""
+        """Return the outline at a height [m]; NOTHING above and below it.
+
+        >>> table = Prism(((0.0, 0.0), (1.0, 0.0), (0.0, 1.0)), low=0.6, high=0.8)
+        >>> table.cut(0.7).edges.tolist()
+        [[0.0, 0.0, 1.0, 0.0], [1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 0.0]]
+        >>> len(table.cut(0.2).edges)
+        0
+        """
         if not self.low <= height <= self.high:
             return NOTHING
         return Cut(ring(np.array(self.points), self.closed), NO_CIRCLES)
@@ -114,7 +125,11 @@ class Ball:
         return self.z + self.radius
 
     def cut(self, height: float) -> Cut:
-        """Return the circle at a height."""
+        """Return the circle at a height [m].
+
+        >>> Ball(2.0, 0.0, 0.5, 0.5).cut(0.2).circles.round(3).tolist()
+        [[2.0, 0.0, 0.4]]
+        """
         square = self.radius**2 - (height - self.z) ** 2
         return Cut(NO_EDGES, np.array([[self.x, self.y, square**0.5]])) if square > 0 else NOTHING
 
@@ -141,7 +156,13 @@ class Skin:
         return float(self.vertices[:, 2].max())
 
     def cut(self, height: float) -> Cut:
-        """Return the edges in which its triangles meet the plane."""
+        """Return the edges in which its triangles meet the plane.
+
+        >>> corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.0]])
+        >>> pyramid = Skin(corners, np.array([[0, 1, 3], [1, 2, 3], [2, 0, 3]]))
+        >>> pyramid.cut(0.5).edges.shape  # one edge in each of the three sides
+        (3, 4)
+        """
         corners = self.vertices[self.faces]
         # a corner in the plane counts as below it, so each crossing counts once
         above = corners[:, :, 2] > height

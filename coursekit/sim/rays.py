@@ -122,7 +122,14 @@ def _circle(ranges, beams, first, step, x, y, radius, reach):  # type: ignore[no
 
 @numba.njit(cache=True)
 def cast(ranges, beams, first, step, x, y, theta, edges, circles, reach):  # type: ignore[no-untyped-def]
-    """Shorten `ranges` (n) to the hits of a sensor at x, y, theta: edges (m, 4) and circles (m, 3) in the world frame."""
+    """Shorten `ranges` (n) to the hits of a sensor at x, y, theta: edges (m, 4) and circles (m, 3) in the world frame.
+
+    >>> ranges = np.full(4, np.inf)
+    >>> wall = np.array([[2.0, -1.0, 2.0, 1.0]])
+    >>> cast(ranges, directions(0.0, math.pi / 2, 4), 0.0, math.pi / 2, 0.5, 0.0, 0.0, wall, np.zeros((0, 3)), 10.0)
+    >>> ranges.tolist()
+    [1.5, inf, inf, inf]
+    """
     c, s = math.cos(theta), math.sin(theta)
     flat, turn = edges.ravel(), TURN / step
     low, high = np.empty(len(edges)), np.empty(len(edges))
@@ -160,7 +167,11 @@ def carry(edges, circles, owner_edges, owner_circles, places, out_edges, out_cir
 
 
 def directions(first: float, step: float, count: int) -> Array:
-    """Return the beams (n, 2) for `cast`."""
+    """Return the beams (n, 2) for `cast`.
+
+    >>> directions(0.0, math.pi / 2, 3).round(6).tolist()
+    [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]]
+    """
     angles = first + step * np.arange(count)
     return np.column_stack((np.cos(angles), np.sin(angles)))
 

@@ -101,7 +101,14 @@ class Robot:
         return c * x + s * y, c * y - s * x, self.body.angular_velocity
 
     def command(self, forward: float, turn: float = 0.0, left: float = 0.0, *, now_ns: int | None = None) -> None:
-        """Set the commanded velocity; non-finite commands are ignored, excessive ones are limited."""
+        """Set the commanded velocity; non-finite commands are ignored, excessive ones are limited.
+
+        >>> from coursekit.sim import Simulation, World
+        >>> cart = Simulation(World("plain")).spawn(RobotModel("cart", drive=Drive(max_speed=0.5)))
+        >>> cart.command(9.0, turn=0.2)
+        >>> cart.target
+        (0.5, 0.0, 0.2)
+        """
         drive = self.model.drive
         if drive is None or not all(math.isfinite(part) for part in (forward, turn, left)):
             return

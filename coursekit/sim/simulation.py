@@ -98,7 +98,16 @@ class Simulation:
 
     @alone
     def spawn(self, model: RobotModel, name: str = "", place: Pose2D | None = None) -> Robot:
-        """Add a robot, by default at the world's start. WorldError if the name is taken or something is in the way."""
+        """Add a robot, by default at the world's start. WorldError if the name is taken or something is in the way.
+
+        >>> from coursekit.sim import Disc, RobotModel, World
+        >>> simulation = Simulation(World("yard", (Thing("post", (Disc(0.0, 0.0, 0.3),)),)))
+        >>> simulation.spawn(RobotModel("cart"), place=Pose2D(2.0, 0.0, 0.0)).place
+        Pose2D(x=2.0, y=0.0, theta=0.0)
+        >>> simulation.spawn(RobotModel("cart"), "other")  # doctest: +ELLIPSIS
+        Traceback (most recent call last):
+        coursekit.sim.errors.WorldError: ...
+        """
         name = name or model.name
         self._free(name)
         at = self.world.start if place is None else Pose2D(*place)
@@ -180,7 +189,15 @@ class Simulation:
 
     @alone
     def put(self, name: str, place: Pose2D, velocity: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> None:
-        """Set the pose and velocity of a robot or object; LookupError suggests similar names."""
+        """Set the pose and velocity of a robot or object; LookupError suggests similar names.
+
+        >>> from coursekit.sim import RobotModel, World
+        >>> simulation = Simulation(World("plain"))
+        >>> cart = simulation.spawn(RobotModel("cart"))
+        >>> simulation.put("cart", Pose2D(1.0, 2.0, 0.5))
+        >>> cart.place, simulation.start_of("cart")
+        (Pose2D(x=1.0, y=2.0, theta=0.5), Pose2D(x=0.0, y=0.0, theta=0.0))
+        """
         body = self._body(name)
         put(body, place)
         if name in self._fixed:
@@ -261,7 +278,13 @@ class Simulation:
     # -- sensing
 
     def scan(self, lidar: Lidar, robot: Robot | str | None = None, place: Pose2D | None = None) -> Array:
-        """Return true distances for a LiDAR on a robot (or at a `place` in the world); it sees robots and loose objects."""
+        """Return true distances for a LiDAR on a robot (or at a `place` in the world); it sees robots and loose objects.
+
+        >>> from coursekit.sim import Disc, Lidar, World
+        >>> simulation = Simulation(World("yard", (Thing("post", (Disc(3.0, 0.0, 0.5),)),)))
+        >>> simulation.scan(Lidar(beams=1, angle_min=0.0), place=Pose2D(1.0, 0.0, 0.0)).tolist()
+        [1.5]
+        """
         one = self.robots[robot] if isinstance(robot, str) else robot
         at = place if place is not None else (one.place if one is not None else Pose2D()) @ lidar.mount
         return self.scene(lidar.height).look(lidar, at, one.body if one is not None else None)

@@ -41,7 +41,13 @@ class Pen:
     on: bool = True
 
     def change(self, r: int, g: int, b: int, width: int, off: bool) -> None:
-        """Set the pen as the service set_pen does: lifting keeps the colour, width 0 means 1."""
+        """Set the pen as the service set_pen does: lifting keeps the colour, width 0 means 1.
+
+        >>> pen = Pen()
+        >>> pen.change(255, 0, 0, width=0, off=False)
+        >>> pen.r, pen.width, pen.on
+        (255, 1, True)
+        """
         self.on = not off
         if self.on:
             self.r, self.g, self.b, self.width = r, g, b, width or 1
@@ -106,7 +112,18 @@ class Turtle:
         self.forward = self.sideways = self.turning = 0.0
 
     def rotate_to(self, theta: float) -> Rotation:
-        """Start a rotation to heading `theta`; it continues in each step until `reached`."""
+        """Start a rotation to heading `theta`; it continues in each step until `reached`.
+
+        >>> world = World()
+        >>> turtle = world.spawn()
+        >>> rotation = turtle.rotate_to(0.5)
+        >>> frames = 0
+        >>> while not rotation.reached:
+        ...     frames += 1
+        ...     _ = world.step(now=frames * STEP)
+        >>> round(frames * STEP, 1), round(turtle.theta, 1)  # half a second at one radian per second
+        (0.5, 0.5)
+        """
         self.rotation = Rotation(goal=normalize_angle(theta), start=self.theta)
         return self.rotation
 
@@ -182,7 +199,12 @@ class World:
     def spawn(
         self, name: str = "", x: float = SIDE / 2, y: float = SIDE / 2, theta: float = 0.0, now: float = 0.0
     ) -> Turtle:
-        """Add a turtle; unnamed ones become the next free turtleN. KeyError if the name is taken."""
+        """Add a turtle; unnamed ones become the next free turtleN. KeyError if the name is taken.
+
+        >>> world = World()
+        >>> [world.spawn(name).name for name in ("", "leo", "")]
+        ['turtle1', 'leo', 'turtle2']
+        """
         if name in self.turtles:
             raise KeyError(name)
         name = name or next(free for free in self._names() if free not in self.turtles)

@@ -91,7 +91,13 @@ class World:
             seen.add(thing.name)
 
     def thing(self, name: str) -> Thing:
-        """Return an object by name; LookupError suggests similar names."""
+        """Return an object by name; LookupError suggests similar names.
+
+        >>> from coursekit.sim import Disc
+        >>> World("yard", (Thing("post", (Disc(1.0, 0.0, 0.1),)),)).thing("pots")
+        Traceback (most recent call last):
+        LookupError: world 'yard' has no 'pots'. Did you mean 'post'?
+        """
         for thing in self.things:
             if thing.name == name:
                 return thing
@@ -106,11 +112,22 @@ class World:
         return (thing for thing in self.things if thing.moves)
 
     def cut(self, height: float) -> Cut:
-        """Return the outline of the fixed objects."""
+        """Return the outline of the fixed objects at a height [m], in the world's frame.
+
+        >>> from coursekit.sim import Disc
+        >>> yard = World("yard", (Thing("post", (Disc(0.0, 0.0, 0.1),), Pose2D(3.0, 1.0, 0.0)),))
+        >>> yard.cut(0.5).circles.tolist()
+        [[3.0, 1.0, 0.1]]
+        """
         return join([thing.cut(height).moved(thing.place) for thing in self.fixed()])
 
     def bounds(self) -> tuple[float, float, float, float]:
-        """Return smallest x and y, largest x and y, of all objects; zeros for an empty world."""
+        """Return smallest x and y, largest x and y, of all objects; zeros for an empty world.
+
+        >>> from coursekit.sim import Disc
+        >>> World("yard", (Thing("post", (Disc(1.0, 0.0, 0.5),)),)).bounds()
+        (0.5, -0.5, 1.5, 0.5)
+        """
         corners = [thing.place.transform(part.corners()) for thing in self.things for part in thing.parts]
         if not corners:
             return 0.0, 0.0, 0.0, 0.0
@@ -119,7 +136,13 @@ class World:
         return float(x0), float(y0), float(x1), float(y1)
 
     def with_things(self, *things: Thing) -> World:
-        """Return the same world with more objects."""
+        """Return the same world with more objects.
+
+        >>> from coursekit.sim import Disc
+        >>> crate = Thing("crate", (Disc(0.0, 0.0, 0.2),), mass=2.0)
+        >>> [thing.name for thing in World("yard").with_things(crate).movable()]
+        ['crate']
+        """
         return replace(self, things=self.things + things)
 
 

@@ -19,7 +19,12 @@ _KEPT_FREE = 100 * 2**20
 
 
 def check(mode: str, kind: str) -> None:
-    """Raise BagError for an unknown mode or format."""
+    """Raise BagError for an unknown mode or format.
+
+    >>> check("file", "lz4")
+    Traceback (most recent call last):
+    coursekit.bag.errors.BagError: there is no compression format 'lz4'; there is zstd
+    """
     if mode.upper() not in (*MODES, "NONE"):
         raise BagError(f"there is no compression mode '{mode.lower()}'; there are none, file and message")
     if mode.upper() in MODES[1:] and kind != FORMAT:
@@ -39,7 +44,12 @@ def compress(data: bytes) -> bytes:
 
 
 def decompress(data: bytes, limit: int = LARGEST_MESSAGE) -> bytes:
-    """Return a message's bytes, decompressed; BagError when they are invalid or more than `limit`."""
+    """Return a message's bytes, decompressed; BagError when they are invalid or more than `limit`.
+
+    >>> decompress(compress(b"scan" * 1000), limit=100)
+    Traceback (most recent call last):
+    coursekit.bag.errors.BagError: a compressed message has more than 100 bytes: it is not unpacked
+    """
     import zstandard
 
     out = bytearray()

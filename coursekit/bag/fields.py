@@ -44,7 +44,12 @@ class Fields:
         return value
 
     def text(self, key: str, default: Any = _MISSING) -> str:
-        """Return a string; for an optional key, null means the default."""
+        """Return a string; for an optional key, null means the default.
+
+        >>> Fields({"storage_identifier": 3}, "top", "metadata.yaml").text("storage_identifier")
+        Traceback (most recent call last):
+        coursekit.bag.errors.BagError: metadata.yaml: 'storage_identifier' in 'top' is int 3, and should be a text
+        """
         value = self._get(key, default)
         if value is None and default is not _MISSING:
             return str(default)
@@ -80,7 +85,12 @@ class Fields:
         return Fields(self._get(key), key, self._where)
 
     def each(self, key: str, optional: bool = False) -> Iterator[Fields]:
-        """Yield the mappings of a list."""
+        """Yield the mappings of a list.
+
+        >>> files = Fields({"files": [{"path": "a.db3"}, {"path": "b.db3"}]}, "top", "metadata.yaml")
+        >>> [one.text("path") for one in files.each("files")]
+        ['a.db3', 'b.db3']
+        """
         value = self._get(key, [] if optional else _MISSING)
         if value is None and optional:
             return

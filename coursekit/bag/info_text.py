@@ -12,7 +12,13 @@ _UNITS = ("B", "KiB", "MiB", "GiB", "TiB")
 
 
 def info_text(facts: BagFacts) -> str:
-    """Return the text, with an empty first line and a final line break."""
+    r"""Return the text, with an empty first line and a final line break.
+
+    >>> facts = BagFacts(storage_identifier="sqlite3", duration_ns=1_500_000_000, message_count=3)
+    >>> print("\n".join(info_text(facts).splitlines()[3:5]))
+    Storage id:        sqlite3
+    Duration:          1.500000000s
+    """
     end = facts.starting_time_ns + facts.duration_ns
     lines = [
         "",

@@ -44,7 +44,14 @@ class FileFacts:
     message_count: int = 0
 
     def include(self, stamp: int) -> None:
-        """Count a message."""
+        """Count a message.
+
+        >>> facts = FileFacts("walk_0.db3")
+        >>> for stamp in (20, 10, 35):
+        ...     facts.include(stamp)
+        >>> facts.starting_time_ns, facts.duration_ns, facts.message_count
+        (10, 25, 3)
+        """
         first = stamp if not self.message_count else min(self.starting_time_ns, stamp)
         last = stamp if not self.message_count else max(self.starting_time_ns + self.duration_ns, stamp)
         self.starting_time_ns, self.duration_ns = first, last - first
@@ -70,7 +77,13 @@ class BagFacts:
     ros_distro: str = ""
 
     def sum_up(self) -> None:
-        """Compute count, start and duration from the files."""
+        """Compute count, start and duration from the files.
+
+        >>> facts = BagFacts(files=[FileFacts("a", 10, 5, 2), FileFacts("b", 20, 30, 4), FileFacts("empty")])
+        >>> facts.sum_up()
+        >>> facts.starting_time_ns, facts.duration_ns, facts.message_count
+        (10, 40, 6)
+        """
         filled = [one for one in self.files if one.message_count]
         self.message_count = sum(one.message_count for one in filled)
         self.starting_time_ns = min((one.starting_time_ns for one in filled), default=NEVER)

@@ -70,7 +70,12 @@ def read(folder: Path) -> BagFacts:
 
 
 def parse(text: str, where: str) -> BagFacts:
-    """Parse the text of a metadata.yaml; `where` names it in errors."""
+    """Parse the text of a metadata.yaml; `where` names it in errors.
+
+    >>> text = dump({ROOT: as_dict(BagFacts(storage_identifier="sqlite3", message_count=7))})
+    >>> parse(text, "metadata.yaml").message_count
+    7
+    """
     document = load_yaml(text, where)
     if not isinstance(document, dict) or ROOT not in document:
         raise BagError(f"{where} is no metadata of a bag: it has no '{ROOT}' at the top")
@@ -131,7 +136,11 @@ def _inside(name: str, version: int, where: str) -> str:
 
 
 def as_dict(facts: BagFacts) -> dict[str, Any]:
-    """Return the facts in the order of Humble's metadata.yaml."""
+    """Return the facts in the order of Humble's metadata.yaml.
+
+    >>> list(as_dict(BagFacts()))[:4]
+    ['version', 'storage_identifier', 'duration', 'starting_time']
+    """
     return {
         "version": facts.version,
         "storage_identifier": facts.storage_identifier,

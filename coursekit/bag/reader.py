@@ -17,6 +17,17 @@ class BagReader:
     """A bag's messages, oldest first, file after file. Raises BagError when it cannot be read.
 
     `on_open(path)` is called for each file that is opened.
+
+    >>> from coursekit.bag.writer import BagWriter, WriteSettings
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     writer = BagWriter(WriteSettings(f"{folder}/walk"))
+    ...     writer.create_topic(TopicMetadata("/chatter", "std_msgs/msg/String"))
+    ...     writer.write(Message("/chatter", b"bytes in CDR", 5))
+    ...     writer.close()
+    ...     reader = BagReader(f"{folder}/walk")
+    ...     print(reader.take(), reader.take())
+    ...     reader.close()
+    Message(topic='/chatter', data=b'bytes in CDR', stamp=5) None
     """
 
     def __init__(self, uri: str, storage_id: str = "", on_open: Callable[[str], None] = lambda path: None) -> None:

@@ -19,7 +19,25 @@ class Output:
 
 
 def rewrite(inputs: Sequence[BagReader], outputs: Sequence[Output]) -> None:
-    """Copy the messages of all inputs to every output that includes their topic."""
+    """Copy the messages of all inputs to every output that includes their topic.
+
+    >>> import tempfile
+    >>> from coursekit.bag.storage import Message
+    >>> from coursekit.bag.metadata import TopicMetadata
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     bag = BagWriter(WriteSettings(f"{folder}/all"))
+    ...     for topic in ("/scan", "/image"):
+    ...         bag.create_topic(TopicMetadata(topic, "std_msgs/msg/String"))
+    ...         bag.write(Message(topic, b"data", 1))
+    ...     bag.close()
+    ...     source = BagReader(f"{folder}/all")
+    ...     rewrite([source], [Output(WriteSettings(f"{folder}/some"), lambda topic: topic.name == "/scan")])
+    ...     source.close()
+    ...     smaller = BagReader(f"{folder}/some")
+    ...     print([topic.name for topic in smaller.topics()])
+    ...     smaller.close()
+    ['/scan']
+    """
     writers = [BagWriter(output.settings) for output in outputs]
     targets: dict[str, list[BagWriter]] = {}
     try:

@@ -56,7 +56,12 @@ def storage_id_of(path: Path) -> str:
 
 
 def check_storage_id(storage_id: str) -> str:
-    """Return the id; BagError when there is no such storage."""
+    """Return the id; BagError when there is no such storage.
+
+    >>> check_storage_id("rosbag1")
+    Traceback (most recent call last):
+    coursekit.bag.errors.BagError: there is no storage 'rosbag1'; there are mcap and sqlite3
+    """
     if storage_id not in SUFFIXES:
         raise BagError(f"there is no storage '{storage_id}'; there are {' and '.join(sorted(SUFFIXES))}")
     return storage_id

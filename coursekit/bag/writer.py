@@ -107,7 +107,17 @@ class BagWriter:
     # -- messages
 
     def write(self, message: Message) -> None:
-        """Add a message; BagError when its topic is not registered, the bag is closed, or the disk is full."""
+        """Add a message; BagError when its topic is not registered, the bag is closed, or the disk is full.
+
+        >>> import tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     bag = BagWriter(WriteSettings(f"{folder}/walk"))
+        ...     bag.create_topic(TopicMetadata("/chatter", "std_msgs/msg/String"))
+        ...     bag.write(Message("/chatter", b"bytes in CDR", 5))
+        ...     bag.close()
+        ...     metadata_file.read(bag.folder).message_count
+        1
+        """
         if message.topic not in self._topics:
             raise BagError(f"Failed to write on topic '{message.topic}'. Call create_topic() before first write.")
         self._opened()
@@ -123,7 +133,20 @@ class BagWriter:
             self._snapshot_size -= len(self._snapshot.popleft().data)
 
     def take_snapshot(self) -> bool:
-        """In snapshot mode, write the buffered messages and clear the buffer; return whether this is snapshot mode."""
+        """In snapshot mode, write the buffered messages and clear the buffer; return whether this is snapshot mode.
+
+        >>> import tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     bag = BagWriter(WriteSettings(f"{folder}/walk", snapshot_mode=True, max_cache_size=30))
+        ...     bag.create_topic(TopicMetadata("/chatter", "std_msgs/msg/String"))
+        ...     for stamp in range(9):
+        ...         bag.write(Message("/chatter", b"ten bytes!", stamp))
+        ...     _ = bag.take_snapshot()
+        ...     bag.close()
+        ...     facts = metadata_file.read(bag.folder)
+        >>> facts.message_count, facts.starting_time_ns
+        (3, 6)
+        """
         if not self.settings.snapshot_mode:
             return False
         for message in self._snapshot:

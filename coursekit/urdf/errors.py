@@ -12,6 +12,10 @@ class UrdfError(ValueError):
 
     `what` is the fault in urdfdom's words, `file`, `line` and `element` are the location, `cure` is the remedy, and
     `chain` holds the lines that urdfdom adds when the fault ends the reading of a larger element.
+
+    >>> print(UrdfError("joint [j] has no type", file="arm.urdf", line=3, element='<joint name="j">', cure="Add one."))
+    arm.urdf:3: <joint name="j">: joint [j] has no type
+    Add one.
     """
 
     def __init__(

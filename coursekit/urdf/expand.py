@@ -21,6 +21,14 @@ def expand(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = N
     """Return the output of `xacro PATH name:=value ...`; `$(find package)` uses the ament index. Raises UrdfError.
 
     In ROS 2: `ros2 run xacro xacro PATH`, or `Command(['xacro ', path])` in a launch file.
+
+    >>> import pathlib, tempfile
+    >>> text = '<robot name="ball" xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:arg name="base" default="base_link"/>'
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = pathlib.Path(folder, "ball.urdf.xacro")
+    ...     _ = file.write_text(text + '<link name="$(arg base)"/></robot>', encoding="utf-8")
+    ...     print(expand(file, {"base": "body"}).splitlines()[-2].strip())
+    <link name="body"/>
     """
     import xacro
 

@@ -66,7 +66,13 @@ def of_shape(geometry: Geometry, mass: float, near: Path | None = None) -> np.nd
 
 
 def check_link(link: Link, near: Path | None = None) -> list[Finding]:
-    """Return the findings about a link's mass and inertia; empty if all is well."""
+    """Return the findings about a link's mass and inertia; empty if all is well.
+
+    >>> from coursekit.urdf.model import Inertial
+    >>> for finding in check_link(Link("rod", inertial=Inertial(1.0, (0.1, 0.0, 0.0, 0.1, 0.0, 0.5)))):
+    ...     print(finding.wrong, finding.text, sep=": ")
+    True: no body has the principal moments (0.1, 0.1, 0.5) kg m^2: the two smaller ones add up to at least the largest (triangle inequality)
+    """
     inertial = link.inertial
     if inertial is None:
         return []
@@ -118,7 +124,13 @@ def _seen(link: Link, near: Path | None) -> list[Finding]:
 
 
 def total_mass(robot: Robot) -> float:
-    """Return the mass of the whole robot [kg]."""
+    """Return the mass of the whole robot [kg].
+
+    >>> from coursekit.urdf import parse
+    >>> inertia = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
+    >>> total_mass(parse(f'<robot name="b"><link name="a"><inertial><mass value="2.5"/>{inertia}</inertial></link></robot>'))
+    2.5
+    """
     return sum(link.inertial.mass for link in robot.links.values() if link.inertial is not None)
 
 

@@ -34,12 +34,23 @@ def pose_of(origin: Origin) -> Pose:
 
 
 def joint_pose(joint: Joint, position: float = 0.0) -> Pose:
-    """Return the child link's pose in the parent link, with the joint at `position` (rad or m)."""
+    """Return the child link's pose in the parent link, with the joint at `position` (rad or m).
+
+    >>> from coursekit.urdf.model import Origin
+    >>> slide = Joint("slide", "prismatic", "base", "tip", Origin((0.0, 0.0, 0.5)), axis=(0.0, 0.0, 1.0))
+    >>> joint_pose(slide, 0.25)[:3]
+    (0.0, 0.0, 0.75)
+    """
     return joint_motion(joint)(position)
 
 
 def joint_motion(joint: Joint) -> Callable[[float], Pose]:
-    """Return the function from a joint's position (rad or m) to the child link's pose in the parent link."""
+    """Return the function from a joint's position (rad or m) to the child link's pose in the parent link.
+
+    >>> motion = joint_motion(Joint("hinge", "revolute", "base", "door", axis=(0.0, 0.0, 1.0)))
+    >>> [round(part, 3) for part in motion(math.pi / 2)[3:]]
+    [0.0, 0.0, 0.707, 0.707]
+    """
     writer = _Writer()
     pose = ", ".join(map(str, _joint_terms(writer, joint, {joint.name: "position"})))
     names: dict[str, Any] = {"sin": math.sin, "cos": math.cos}
@@ -72,6 +83,12 @@ class Kinematics:
         """Return each link's pose in the root link; missing joints are at 0, mimics follow.
 
         Raises LookupError for a name that is not a movable joint.
+
+        >>> from coursekit.urdf import parse
+        >>> robot = parse('<robot name="ball"><link name="base_link"/></robot>')
+        >>> Kinematics(robot).poses({"elbow": 0.1})  # doctest: +ELLIPSIS
+        Traceback (most recent call last):
+        LookupError: ...
         """
         if not positions:
             return self._run({})
@@ -88,7 +105,14 @@ class Kinematics:
                 raise LookupError(f"{self.robot.name} has no joint '{name}'. {close(name, sorted(self._known))}")
 
     def matrices(self, positions: Mapping[str, float] | None = None) -> np.ndarray:
-        """Return the poses as an array of 4x4 matrices (number of links, 4, 4), in the order of `links`."""
+        """Return the poses as an array of 4x4 matrices (number of links, 4, 4), in the order of `links`.
+
+        >>> from coursekit.urdf import parse
+        >>> robot = parse('''<robot name="mast"><link name="base"/><link name="top"/><joint name="pole" type="fixed">
+        ...   <parent link="base"/><child link="top"/><origin xyz="0 0 2"/></joint></robot>''')
+        >>> Kinematics(robot).matrices()[1][:3, 3].tolist()
+        [0.0, 0.0, 2.0]
+        """
         import numpy as np
 
         poses = np.array(list(self.poses(positions).values()))

@@ -188,7 +188,12 @@ class Robot:
         object.__setattr__(self, "_above", {joint.child: joint for joint in self.joints.values()})
 
     def link(self, name: str) -> Link:
-        """Return a link by name; LookupError suggests similar names."""
+        """Return a link by name; LookupError suggests similar names.
+
+        >>> Robot("ball", {"base_link": Link("base_link")}, {}, "base_link").link("base_lnk")
+        Traceback (most recent call last):
+        LookupError: ball has no link 'base_lnk'. Did you mean 'base_link'?
+        """
         if name not in self.links:
             raise LookupError(f"{self.name} has no link '{name}'. {close(name, self.links)}")
         return self.links[name]
@@ -210,7 +215,14 @@ class Robot:
         return above.get(self.link(link).name)
 
     def walk(self) -> Iterator[tuple[int, Link]]:
-        """Yield (depth, link) from the root on, each link after its parent, branch by branch."""
+        """Yield (depth, link) from the root on, each link after its parent, branch by branch.
+
+        >>> from coursekit.urdf import parse
+        >>> robot = parse('''<robot name="mast"><link name="top"/><link name="base"/><joint name="pole" type="fixed">
+        ...   <parent link="base"/><child link="top"/></joint></robot>''')
+        >>> [(depth, link.name) for depth, link in robot.walk()]
+        [(0, 'base'), (1, 'top')]
+        """
         waiting = [(0, self.root)]
         while waiting:
             depth, name = waiting.pop()
@@ -218,7 +230,16 @@ class Robot:
             waiting += [(depth + 1, joint.child) for joint in reversed(self.joints_below(name))]
 
     def moving_joints(self) -> list[Joint]:
-        """Return the movable joints in file order, except those that mimic another."""
+        """Return the movable joints in file order, except those that mimic another.
+
+        >>> from coursekit.urdf import parse
+        >>> robot = parse('''<robot name="gripper"><link name="palm"/><link name="left"/><link name="right"/>
+        ...   <joint name="finger" type="continuous"><parent link="palm"/><child link="left"/><axis xyz="0 0 1"/></joint>
+        ...   <joint name="other" type="continuous"><parent link="palm"/><child link="right"/><axis xyz="0 0 1"/>
+        ...   <mimic joint="finger" multiplier="-1"/></joint></robot>''')
+        >>> [joint.name for joint in robot.moving_joints()]
+        ['finger']
+        """
         return [joint for joint in self.joints.values() if joint.moves and joint.mimic is None]
 
 

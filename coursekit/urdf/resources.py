@@ -67,7 +67,11 @@ def package_paths() -> list[Path]:
 
 
 def find_package(name: str, near: Path | None = None) -> Path:
-    """Return the folder of a package; `near` is the robot's file. MeshError lists the folders searched."""
+    """Return the folder of a package; `near` is the robot's file. MeshError lists the folders searched.
+
+    >>> find_package("geometry_msgs").name
+    'geometry_msgs'
+    """
     searched = package_paths()
     for folder in searched:
         if is_folder(folder / name):

@@ -38,7 +38,12 @@ def matrix_of(origin: Origin) -> np.ndarray:
 
 
 def mesh_of(geometry: Geometry, near: Path | None = None) -> Any:
-    """Return a shape in its own frame as one trimesh.Trimesh, with a mesh's scale applied. Raises MeshError."""
+    """Return a shape in its own frame as one trimesh.Trimesh, with a mesh's scale applied. Raises MeshError.
+
+    >>> from coursekit.urdf.model import Box
+    >>> round(float(mesh_of(Box((1.0, 2.0, 3.0))).volume), 6)  # cubic metres
+    6.0
+    """
     import trimesh
 
     parts = surfaces_of(geometry, near)
@@ -46,7 +51,13 @@ def mesh_of(geometry: Geometry, near: Path | None = None) -> Any:
 
 
 def surfaces_of(geometry: Geometry, near: Path | None = None) -> list[Surface]:
-    """Return the surfaces of a shape in its own frame; a DAE, OBJ or GLB file may have several colours. Raises MeshError."""
+    """Return the surfaces of a shape in its own frame; a DAE, OBJ or GLB file may have several colours. Raises MeshError.
+
+    >>> from coursekit.urdf.model import Box
+    >>> (box,) = surfaces_of(Box((1.0, 2.0, 3.0)))
+    >>> box.vertices.max(axis=0).tolist(), len(box.faces)
+    ([0.5, 1.0, 1.5], 12)
+    """
     if isinstance(geometry, Mesh):
         path = find_file(geometry.filename, near)
         return [_scaled(one, geometry.scale) for one in load_mesh(path).surfaces]
@@ -85,6 +96,13 @@ def link_surfaces(robot: Robot, link: Link | str, *, collision: bool = False) ->
     """Return the surfaces of a link (visual or collision) in the link's frame: the visual's colour overrides the file's.
 
     Raises MeshError, which names the robot's file and the element.
+
+    >>> from coursekit.urdf import parse
+    >>> robot = parse('''<robot name="post"><link name="post"><visual><origin xyz="0 0 0.5"/>
+    ...   <geometry><box size="0.1 0.1 1"/></geometry></visual></link></robot>''')
+    >>> (post,) = link_surfaces(robot, "post")
+    >>> sorted(set(post.vertices[:, 2].tolist()))
+    [0.0, 1.0]
     """
     one = robot.link(link) if isinstance(link, str) else link
     found: list[Surface] = []

@@ -23,7 +23,17 @@ def branches(robot: Robot) -> Iterator[tuple[int, int, Joint]]:
 
 
 def check_text(robot: Robot) -> str:
-    """Return the output of `check_urdf` for a valid robot."""
+    """Return the output of `check_urdf` for a valid robot.
+
+    >>> from coursekit.urdf import parse
+    >>> robot = parse('''<robot name="mast"><link name="base"/><link name="top"/><joint name="pole" type="fixed">
+    ...   <parent link="base"/><child link="top"/></joint></robot>''')
+    >>> print(check_text(robot), end="")
+    robot name is: mast
+    ---------- Successfully Parsed XML ---------------
+    root Link: base has 1 child(ren)
+        child(1):  top
+    """
     lines = [
         f"robot name is: {robot.name}",
         "---------- Successfully Parsed XML ---------------",
@@ -34,7 +44,14 @@ def check_text(robot: Robot) -> str:
 
 
 def error_text(error: UrdfError) -> str:
-    """Return the output of `check_urdf` for a fault: urdfdom's lines, then the location and the remedy."""
+    """Return the output of `check_urdf` for a fault: urdfdom's lines, then the location and the remedy.
+
+    >>> error = UrdfError("No link elements found in urdf file", file="arm.urdf", line=1, cure="Add a link.")
+    >>> print(error_text(error), end="")
+    Error:   No link elements found in urdf file
+             at arm.urdf:1
+             Add a link.
+    """
     lines = [f"Error:   {line}" for line in (error.what, *error.chain)]
     place = f"{error.file}:{error.line}" if error.line else error.file
     lines.append(f"         at {place}{f' in {error.element}' if error.element else ''}")
@@ -42,7 +59,16 @@ def error_text(error: UrdfError) -> str:
 
 
 def graphviz_text(robot: Robot) -> str:
-    """Return the tree in Graphviz's language: links as boxes, joints as blue ellipses, origins beside the arrows."""
+    """Return the tree in Graphviz's language: links as boxes, joints as blue ellipses, origins beside the arrows.
+
+    >>> from coursekit.urdf import parse
+    >>> print(graphviz_text(parse('<robot name="ball"><link name="base_link"/></robot>')), end="")
+    digraph G {
+    node [shape=box];
+    "base_link" [label="base_link"];
+    node [shape=ellipse, color=blue, fontcolor=blue];
+    }
+    """
     found = [joint for _, _, joint in branches(robot)]
     links = [robot.root, *(joint.child for joint in found)]
     lines = ["digraph G {", "node [shape=box];", *(f"{_quoted(name)} [label={_quoted(name)}];" for name in links)]

@@ -92,7 +92,14 @@ def _model_of(mesh: Path) -> Path:
 
 
 def mean_colour(data: bytes) -> tuple[int, int, int]:
-    """Return the mean colour of an image, 0 to 255 each; any exception of the image library, ValueError for huge ones."""
+    """Return the mean colour of an image, 0 to 255 each; any exception of the image library, ValueError for huge ones.
+
+    >>> from PIL import Image
+    >>> file = io.BytesIO()
+    >>> Image.new("RGB", (2, 1), (200, 100, 0)).save(file, "PNG")
+    >>> mean_colour(file.getvalue())
+    (200, 100, 0)
+    """
     from PIL import Image
 
     with warnings.catch_warnings():

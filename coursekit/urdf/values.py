@@ -26,7 +26,13 @@ def plain(text: str) -> float | None:
 
 
 def number(element: Element, name: str, default: float, what: str = "{name} value ({text}) is not a valid float") -> float:
-    """Return an attribute as a number, or the default if it is missing."""
+    """Return an attribute as a number, or the default if it is missing.
+
+    >>> from coursekit.urdf.xml_tree import read
+    >>> limit = read('<limit lower="-1.5"/>')
+    >>> number(limit, "lower", 0.0), number(limit, "upper", 0.0)
+    (-1.5, 0.0)
+    """
     text = element.get(name)
     if text is None:
         return default
@@ -37,7 +43,12 @@ def number(element: Element, name: str, default: float, what: str = "{name} valu
 
 
 def vector(element: Element, name: str, default: Vector, prefix: str = "") -> Vector:
-    """Return an attribute of three numbers."""
+    """Return an attribute of three numbers.
+
+    >>> from coursekit.urdf.xml_tree import read
+    >>> vector(read('<origin xyz="1 2 0.5"/>'), "xyz", (0.0, 0.0, 0.0))
+    (1.0, 2.0, 0.5)
+    """
     text = element.get(name)
     if text is None:
         return default
@@ -71,7 +82,12 @@ def origin(element: Element) -> Origin:
 
 
 def colour(element: Element, material: str) -> Colour:
-    """Return the `rgba` of a `<color>`."""
+    """Return the `rgba` of a `<color>`.
+
+    >>> from coursekit.urdf.xml_tree import read
+    >>> colour(read('<color rgba="1 0.5 0 1"/>'), "orange")
+    (1.0, 0.5, 0.0, 1.0)
+    """
     text = element.get("rgba")
     if text is None:
         raise element.error(f"Material [{material}] color has no rgba", 'Write rgba="0.2 0.4 0.8 1".')

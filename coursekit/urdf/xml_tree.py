@@ -41,7 +41,12 @@ class Element:
         return (child for child in self.children if child.tag == tag)
 
     def label(self) -> str:
-        """Return a label for messages: `<origin> of <joint name="j">`."""
+        """Return a label for messages: `<origin> of <joint name="j">`.
+
+        >>> joint = read('<robot><joint name="elbow"><limit/></joint></robot>').children[0]
+        >>> joint.label(), joint.children[0].label()
+        ('<joint name="elbow">', '<limit> of <joint name="elbow">')
+        """
         own = f'<{self.tag} name="{self.attributes["name"]}">' if "name" in self.attributes else f"<{self.tag}>"
         above = self.parent
         while above is not None and "name" not in above.attributes:
@@ -57,7 +62,12 @@ class Element:
         return kind(what, file=self.file, line=self.line, element=self.label(), cure=cure, chain=chain)
 
     def tell(self, path: str) -> str:
-        """Return the stripped text of a descendant ('ray/range/min'); '' if it is missing."""
+        """Return the stripped text of a descendant ('ray/range/min'); '' if it is missing.
+
+        >>> sensor = read("<sensor><ray><range><min> 0.12 </min></range></ray></sensor>")
+        >>> sensor.tell("ray/range/min"), sensor.tell("ray/scan")
+        ('0.12', '')
+        """
         place: Element | None = self
         for tag in path.split("/"):
             place = place.first(tag) if place is not None else None

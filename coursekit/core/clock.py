@@ -64,7 +64,12 @@ class Clock(Protocol):
 
 
 class TimerHandle:
-    """A scheduled call; `cancel()` withdraws it."""
+    """A scheduled call; `cancel()` withdraws it.
+
+    >>> handle = TimerHandle(0, lambda: print("ring"))
+    >>> handle.ring(); handle.ring()
+    ring
+    """
 
     __slots__ = ("deadline", "function")
 

@@ -42,7 +42,12 @@ class ExecutionContext:
             waiter.poke()
 
     def run_pending(self) -> None:
-        """Run the posted actions; an exception in one ends the call and keeps the rest."""
+        """Run the posted actions; an exception in one ends the call and keeps the rest.
+
+        >>> context = ExecutionContext()
+        >>> context.post(lambda: print("a Ctrl-C arrives")); context.run_pending(); context.run_pending()
+        a Ctrl-C arrives
+        """
         while self.pending:
             try:
                 action = self.pending.popleft()

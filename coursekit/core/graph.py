@@ -223,7 +223,15 @@ class Graph:
         return [node for node in list(self.nodes) if node.name == name and node.namespace == namespace]
 
     def topics(self) -> list[tuple[str, list[str]]]:
-        """(name, types) of every topic with a publisher or subscription, by name."""
+        """(name, types) of every topic with a publisher or subscription, by name.
+
+        >>> from std_msgs.msg import String
+        >>> from coursekit.core.virtual_clock import VirtualClock
+        >>> graph = Graph(VirtualClock())
+        >>> _ = graph.add_node("talker", "/").publisher("/chatter", String, Qos())
+        >>> graph.topics()
+        [('/chatter', ['std_msgs/msg/String'])]
+        """
         return names_and_types([*_all(self.publishers), *_all(self.subscriptions)])
 
     def services(self) -> list[tuple[str, list[str]]]:

@@ -54,6 +54,11 @@ class Qos:
         """Return the policy for which this offer does not satisfy `requested`; None when the two match.
 
         If several policies fail, it is the one that DDS reports last: reliability, liveliness, deadline, durability.
+
+        >>> Qos(reliability=BEST_EFFORT).incompatible_with(Qos(reliability=RELIABLE)) == RELIABILITY_POLICY
+        True
+        >>> Qos(reliability=RELIABLE).incompatible_with(Qos(reliability=BEST_EFFORT)) is None
+        True
         """
         offer, wish = self.resolved(), requested.resolved()
         if offer.reliability == BEST_EFFORT and wish.reliability == RELIABLE:

@@ -41,7 +41,13 @@ class Status(Source):
             self.listener(total)
 
     def take(self) -> dict[str, Any]:
-        """Return the counters and reset the changes to zero."""
+        """Return the counters and reset the changes to zero.
+
+        >>> status = Status()
+        >>> status.add(); status.add()
+        >>> [(taken["total"], taken["change"]) for taken in (status.take(), status.take())]
+        [(2, 2), (2, 0)]
+        """
         taken = {
             "total": self.total,
             "change": self.change,

@@ -45,7 +45,15 @@ class TimeBase:
         self._timers.add(timer)
 
     def add_watcher(self, token: Any, before: JumpCallback | None, after: JumpCallback | None) -> None:
-        """Call `before` and `after` around each change with (delta ns, kind of change 1..4, went_active)."""
+        """Call `before` and `after` around each change with (delta ns, kind of change 1..4, went_active).
+
+        >>> from coursekit.core.virtual_clock import VirtualClock
+        >>> base = TimeBase(ROS_TIME, VirtualClock())
+        >>> base.set_override(5); base.set_active(True)
+        >>> base.add_watcher("mine", None, lambda delta, kind, went_active: print(delta))
+        >>> base.set_override(2)  # a jump back in time
+        -3
+        """
         self._watchers.append((token, before, after))
 
     def remove_watcher(self, token: Any) -> None:

@@ -60,7 +60,15 @@ class Timer(Source):
         self.generation += 1
 
     def reset(self) -> None:
-        """Restart: due one period from now, cancelled or not."""
+        """Restart: due one period from now, cancelled or not.
+
+        >>> from coursekit.core.time_base import STEADY_TIME
+        >>> from coursekit.core.virtual_clock import VirtualClock
+        >>> clock = VirtualClock()
+        >>> timer = Timer(TimeBase(STEADY_TIME, clock), 500_000_000)
+        >>> clock.sleep(0.4); timer.reset(); timer.time_until_next_call()
+        500000000
+        """
         self.canceled = False
         self.last = self.base.now()
         self.next = self.last + self.period

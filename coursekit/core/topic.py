@@ -189,7 +189,18 @@ class Subscription(Endpoint):
             self.listener(entry)
 
     def take(self) -> tuple[Any, int, Publisher] | None:
-        """Return the oldest message within its publisher's lifespan, or None."""
+        """Return the oldest message within its publisher's lifespan, or None.
+
+        >>> from std_msgs.msg import String
+        >>> from coursekit.core.graph import Graph
+        >>> from coursekit.core.virtual_clock import VirtualClock
+        >>> node = Graph(VirtualClock()).add_node("echo", "/")
+        >>> heard, said = node.subscription("/a", String, Qos(depth=2)), node.publisher("/a", String, Qos())
+        >>> for word in ("one", "two", "three"):  # a queue of two keeps the newest
+        ...     said.publish(String(data=word))
+        >>> heard.take()[0].data
+        'two'
+        """
         while True:
             try:
                 entry = self.queue.popleft()

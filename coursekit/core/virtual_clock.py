@@ -164,7 +164,14 @@ class VirtualClock:
                 self.sleep(POLL_TICK_NS * 1e-9)
 
     def spawn(self, function: Callable[[], Any], name: str) -> ExecutionContext:
-        """Create an execution context that runs `function` once the contexts that are ready now are waiting."""
+        """Create an execution context that runs `function` once the contexts that are ready now are waiting.
+
+        >>> clock = VirtualClock()
+        >>> _ = clock.spawn(lambda: (clock.sleep(1.0), print("spawned, at", clock.steady() / 1e9)), "worker")
+        >>> clock.sleep(2.0); print("here, at", clock.steady() / 1e9)
+        spawned, at 1.0
+        here, at 2.0
+        """
         variables = contextvars.copy_context()
         context = GreenletContext.__new__(GreenletContext)
 
@@ -183,7 +190,13 @@ class VirtualClock:
         return context
 
     def call_at(self, deadline: int, function: Callable[[], None]) -> TimerHandle:
-        """Call `function`, which must not block, at `deadline` (steady nanoseconds)."""
+        """Call `function`, which must not block, at `deadline` (steady nanoseconds).
+
+        >>> clock = VirtualClock()
+        >>> handle = clock.call_at(2 * 10**9, lambda: print("at", clock.steady()))
+        >>> clock.sleep(3.0)
+        at 2000000000
+        """
         handle = TimerHandle(deadline, function)
         heapq.heappush(self._heap, (deadline, next(self._numbers), handle, -1))
         if _get_ident() != self.thread:

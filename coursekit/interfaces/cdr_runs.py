@@ -59,7 +59,12 @@ def _layout(start: int, items: tuple[tuple[int, str], ...]) -> struct.Struct:
 
 
 def at_most(values: Sized, bound: int, name: str) -> None:
-    """Raise CdrError when a sequence has grown beyond its bound."""
+    """Raise CdrError when a sequence has grown beyond its bound.
+
+    >>> at_most([1, 2, 3], 2, "data")
+    Traceback (most recent call last):
+    coursekit.interfaces.errors.CdrError: 'data' has 3 elements; at most 2 are allowed
+    """
     if len(values) > bound:
         raise CdrError(f"'{name}' has {len(values)} elements; at most {bound} are allowed")
 
@@ -105,7 +110,13 @@ def read_string(body: memoryview, position: int, bound: int = 0) -> tuple[str, i
 
 
 def read_wide(body: memoryview, position: int) -> tuple[str, int]:
-    """Return the wstring at a position and the position after it."""
+    """Return the wstring at a position and the position after it.
+
+    >>> out = bytearray()
+    >>> write_wide(out, "größer")
+    >>> read_wide(memoryview(out), 0)  # four bytes for the length, four for each character
+    ('größer', 28)
+    """
     position += -position % 4
     (length,) = struct.unpack_from("<I", body, position)
     return decode_wide(bytes(take(body, position + 4, 4 * length))), position + 4 + 4 * length
@@ -133,14 +144,23 @@ PAD4 = tuple(b"\0" * (-start % 4) for start in range(4))
 
 
 def take(body: memoryview, position: int, count: int) -> memoryview:
-    """Return `count` bytes; raise CdrError when there are fewer."""
+    """Return `count` bytes; raise CdrError when there are fewer.
+
+    >>> bytes(take(memoryview(b"abcdef"), 2, 3))
+    b'cde'
+    """
     if position + count > len(body):
         raise CdrError(f"{count} bytes expected at byte {position}, but the data ends at byte {len(body)}")
     return body[position : position + count]
 
 
 def read_block(body: memoryview, position: int, code: str, count: int) -> tuple[array[int], int]:
-    """Return `count` numbers as an array.array, and the position after them."""
+    r"""Return `count` numbers as an array.array, and the position after them.
+
+    >>> values, end = read_block(memoryview(b"\x00\x00\x00\x00\x01\x00\x02\x00"), 3, "h", 2)  # aligned to two bytes
+    >>> list(values), end
+    ([1, 2], 8)
+    """
     values: array[int] = array(code)
     if not count:
         return values, position

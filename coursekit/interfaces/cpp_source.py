@@ -48,7 +48,11 @@ def header(interface: Interface, kind: str) -> str:
 
 
 def inner_headers(package: str, kind: str, name: str) -> dict[str, str]:
-    """Return rosidl's inner headers by name, beside the interface's own: editors insert includes of them automatically."""
+    """Return rosidl's inner headers by name, beside the interface's own: editors insert includes of them automatically.
+
+    >>> [name for name in inner_headers("std_msgs", "msg", "String")][0]
+    'std_msgs/msg/detail/string__struct.hpp'
+    """
     own = header_name(name)
     text = f'#pragma once\n#include "{package}/{kind}/{own}.hpp"\n'
     return {f"{package}/{kind}/detail/{own}__{part}.hpp": text for part in _PARTS}

@@ -84,7 +84,11 @@ class NamedType(AbstractNestableType):
 
 
 class NamespacedType(AbstractNestableType):
-    """A message type: namespaces ['std_msgs', 'msg'] and name 'String'."""
+    """A message type: namespaces ['std_msgs', 'msg'] and name 'String'.
+
+    >>> NamespacedType(["std_msgs", "msg"], "String").namespaced_name()
+    ('std_msgs', 'msg', 'String')
+    """
 
     __slots__ = ("namespaces", "name")  # noqa: RUF023 (the order of the constructor)
 
@@ -130,7 +134,11 @@ class _Bounded(AbstractGenericString):
 
 
 class BoundedString(_Bounded, AbstractString):
-    """`string<=N`; N counts characters."""
+    """`string<=N`; N counts characters.
+
+    >>> BoundedString(10).has_maximum_size(), UnboundedString().has_maximum_size()
+    (True, False)
+    """
 
     __slots__ = ("maximum_size",)
 
@@ -173,7 +181,11 @@ class AbstractNestedType(AbstractType):
 
 
 class Array(AbstractNestedType):
-    """`type[N]`: always N elements."""
+    """`type[N]`: always N elements.
+
+    >>> Array(BasicType("double"), 36).size, Array(BasicType("double"), 36) == Array(BasicType("double"), 9)
+    (36, False)
+    """
 
     __slots__ = ("size",)
 

@@ -34,7 +34,11 @@ class InterfaceError(ValueError):
 
 
 class UnknownInterface(LookupError):
-    """No definition of that name exists in any sourced workspace or in the underlay."""
+    """No definition of that name exists in any sourced workspace or in the underlay.
+
+    >>> print(UnknownInterface("std_msgs/msg/Strng", ["std_msgs/msg/String"]))
+    no interface 'std_msgs/msg/Strng' found; did you mean std_msgs/msg/String?
+    """
 
     def __init__(self, name: str, known: Iterable[str] = ()) -> None:
         self.name = name

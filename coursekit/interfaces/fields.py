@@ -75,7 +75,12 @@ def _float_source(value: float) -> str:
 
 
 def default_of(field: Field, alias: Alias) -> str:
-    """Return the source of a new message's value for this field."""
+    """Return the source of a new message's value for this field.
+
+    >>> from coursekit.interfaces.model import FieldType
+    >>> default_of(Field(FieldType("float64", is_array=True, size=9), "k"), str)
+    'numpy.zeros(9, dtype=numpy.float64)'
+    """
     kind = field.type
     if field.default is not None:
         return value_source(kind, field.default)
@@ -110,7 +115,12 @@ _AS_SENT = {"float32": "checks.float32({})", "float64": "float({})", **dict.from
 
 
 def clone_of(field: Field) -> str:
-    """Return the source of a copy as a receiver gets it: it shares no mutable object."""
+    """Return the source of a copy as a receiver gets it: it shares no mutable object.
+
+    >>> from coursekit.interfaces.model import FieldType
+    >>> clone_of(Field(FieldType("geometry_msgs/msg/Point"), "position"))
+    'self._position._clone()'
+    """
     kind, value = field.type, f"self._{field.name}"
     if kind.is_number_block:
         return f"{value}.copy()" if kind.is_fixed else f"{value}[:]"
@@ -124,7 +134,12 @@ def clone_of(field: Field) -> str:
 
 
 def difference_of(field: Field) -> str:
-    """Return the source of the test that this field differs."""
+    """Return the source of the test that this field differs.
+
+    >>> from coursekit.interfaces.model import FieldType
+    >>> difference_of(Field(FieldType("int32"), "count"))
+    'self._count != other._count'
+    """
     name = field.name
     if field.type.is_number_block and field.type.is_fixed:
         return f"not numpy.array_equal(self._{name}, other._{name})"

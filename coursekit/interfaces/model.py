@@ -22,7 +22,12 @@ Value = bool | int | float | str
 
 @dataclass(frozen=True)
 class FieldType:
-    """The type of a field as written: `base` is a primitive's name or 'package/msg/Name'."""
+    """The type of a field as written: `base` is a primitive's name or 'package/msg/Name'.
+
+    >>> matrix = FieldType("float64", is_array=True, size=9)
+    >>> matrix.is_fixed, matrix.is_sequence, matrix.is_number_block
+    (True, False, True)
+    """
 
     base: str
     string_bound: int | None = None
@@ -63,7 +68,11 @@ class FieldType:
         return f"{name}{bound}[{'<=' if self.is_upper_bound else ''}{self.size or ''}]"
 
     def slot_type(self) -> d.AbstractType:
-        """Return the type for SLOT_TYPES."""
+        """Return the type for SLOT_TYPES.
+
+        >>> FieldType("int32", is_array=True).slot_type().has_maximum_size()
+        False
+        """
         element = self._slot_element()
         if not self.is_array:
             return element
@@ -141,7 +150,12 @@ class Message:
         return f"{self.package}/{self.kind}/{self.name}"
 
     def dependencies(self) -> list[str]:
-        """Return the full names of the nested messages, without duplicates, in the order of the fields."""
+        """Return the full names of the nested messages, without duplicates, in the order of the fields.
+
+        >>> from coursekit.interfaces.registry import interface_of
+        >>> interface_of("geometry_msgs/msg/PoseStamped").dependencies()
+        ['std_msgs/msg/Header', 'geometry_msgs/msg/Pose']
+        """
         return list(dict.fromkeys(f.type.base for f in self.fields if not f.type.is_primitive))
 
 

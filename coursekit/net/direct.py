@@ -156,13 +156,24 @@ def _remove_dead_sockets() -> None:
 
 
 def frame(name: str, type_name: str, data: bytes, attachment: bytes) -> bytes:
-    """Encode a message for a line."""
+    """Encode a message for a line: three lengths, the attachment, topic, type and data.
+
+    >>> whole = frame("/chatter", "std_msgs/msg/String", b"data", Attachment(1, 2, bytes(16)).data())
+    >>> read_frame(whole[_LENGTHS.size :], _LENGTHS.unpack(whole[: _LENGTHS.size]))[:3]
+    ('/chatter', 'std_msgs/msg/String', b'data')
+    """
     parts = (name.encode(), type_name.encode(), data)
     return b"".join((_LENGTHS.pack(*map(len, parts)), attachment, *parts))
 
 
 def read_frame(body: bytes, lengths: tuple[int, ...]) -> tuple[str, str, bytes, Attachment]:
-    """Decode a message of `frame` from the part after its first six bytes; ValueError when it is incomplete."""
+    """Decode a message of `frame` from the part after its first six bytes; ValueError when it is incomplete.
+
+    >>> whole = frame("/chatter", "std_msgs/msg/String", b"data", Attachment(1, 2, bytes(16)).data())
+    >>> read_frame(whole[_LENGTHS.size : -1], _LENGTHS.unpack(whole[: _LENGTHS.size]))
+    Traceback (most recent call last):
+    ValueError: half a message
+    """
     attachment = read_attachment(body[:SIZE])
     ends = [SIZE + sum(lengths[:k]) for k in range(4)]
     name, type_name, data = (body[begin:end] for begin, end in itertools.pairwise(ends))

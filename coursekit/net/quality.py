@@ -21,7 +21,11 @@ MOST_KEPT = 100_000
 
 
 def core_qos(quality: Quality) -> Qos:
-    """Convert a remote endpoint's QoS; unknown values become the middleware's defaults."""
+    """Convert a remote endpoint's QoS; unknown values become the middleware's defaults.
+
+    >>> core_qos(Quality(depth=3)).depth, core_qos(Quality(history=77)).history == KEEP_LAST
+    (3, True)
+    """
     return Qos(
         history=quality.history if quality.history in (KEEP_LAST, KEEP_ALL) else KEEP_LAST,
         depth=min(quality.depth, MOST_KEPT),
@@ -35,7 +39,11 @@ def core_qos(quality: Quality) -> Qos:
 
 
 def wire_quality(qos: Qos) -> Quality:
-    """Convert a local QoS to the form that peers read."""
+    """Convert a local QoS to the form that peers read.
+
+    >>> wire_quality(Qos(depth=5, durability=TRANSIENT_LOCAL)).text()
+    ':1:,5:,:,:,,'
+    """
     one = qos.resolved()
     return Quality(
         one.reliability, one.durability, one.history, one.depth, one.deadline, one.lifespan, one.liveliness, one.lease

@@ -107,7 +107,11 @@ def _unknown(link: Link) -> Iterator[str]:
 
 
 def is_known(type_name: str) -> bool:
-    """Whether this side has the definition of a type, including a part of an action."""
+    """Whether this side has the definition of a type, including a part of an action.
+
+    >>> is_known("std_msgs/msg/String"), is_known("robot_msgs/msg/Gripper")
+    (True, False)
+    """
     try:
         load(type_name)
     except (InterfaceError, LookupError, OSError):

@@ -36,6 +36,13 @@ class Traffic:
         return (len(times) - 1) * 1e9 / (times[-1] - times[0])
 
     def delay(self, now: int) -> float | None:
-        """Return the median of the recent delays [s]; the difference between the two clocks adds to it."""
+        """Return the median of the recent delays [s]; the difference between the two clocks adds to it.
+
+        >>> traffic = Traffic()
+        >>> for delay in (10_000_000, 20_000_000, 900_000_000):
+        ...     traffic.count(10**9, delay)
+        >>> traffic.delay(10**9)
+        0.02
+        """
         delays = [delay for at, delay in list(self._recent) if now - at <= SPAN]
         return median(delays) * 1e-9 if delays else None

@@ -18,10 +18,17 @@ def first_user(path: Path) -> tuple[str, str]:
 
 
 def check_users(path: Path) -> int:
-    """Return the number of users in a file.
+    r"""Return the number of users in a file.
 
     Raises:
         NoNetwork: when the file is unreadable or malformed.
+
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder, "users")
+    ...     _ = file.write_text("ada:secret\nbob:hidden\n", encoding="utf-8")
+    ...     check_users(file), first_user(file)
+    (2, ('ada', 'secret'))
     """
     try:
         lines = [line for line in path.read_text(encoding="utf-8").splitlines() if line.strip()]

@@ -26,7 +26,15 @@ class NeedsCMake(CMakeError):
 
 
 def demand(command: Command, words: list[str]) -> None:
-    """Raise NeedsCMake if a command is one of those."""
+    """Raise NeedsCMake if a command is one of those.
+
+    >>> from pathlib import Path
+    >>> from coursekit.packages.cmake_text import parse_commands
+    >>> (command,) = parse_commands("file(DOWNLOAD url x)", Path("CMakeLists.txt"))
+    >>> demand(command, ["DOWNLOAD", "url", "x"])  # doctest: +ELLIPSIS
+    Traceback (most recent call last):
+    coursekit.packages.cmake_beyond.NeedsCMake: CMakeLists.txt:1: file(DOWNLOAD ...) needs CMake itself...
+    """
     name, first = command.name, (words or [""])[0]
     if name in _COMMANDS:
         raise NeedsCMake(command, f"{name}()")

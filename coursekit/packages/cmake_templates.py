@@ -82,7 +82,11 @@ def _node(recipe: Recipe) -> str:
 
 
 def node_cpp(recipe: Recipe) -> str:
-    """Return the text of the executable's source."""
+    """Return the text of the executable's source.
+
+    >>> 'printf("hello world robot package' in node_cpp(Recipe("robot", "", "MIT", "Ada", "ada@example.com", "ament_cmake"))
+    True
+    """
     return (
         "#include <cstdio>\n\nint main(int argc, char ** argv)\n{\n  (void) argc;\n  (void) argv;\n\n"
         f'  printf("hello world {recipe.name} package\\n");\n  return 0;\n}}\n'

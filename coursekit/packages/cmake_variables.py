@@ -111,7 +111,14 @@ class Variables:
         return self._outer[-1] if "PARENT_SCOPE" in words and self._outer else self.values
 
     def list_command(self, words: list[str]) -> None:
-        """list(APPEND|PREPEND|REMOVE_ITEM|REMOVE_DUPLICATES NAME ...)."""
+        """list(APPEND|PREPEND|REMOVE_ITEM|REMOVE_DUPLICATES NAME ...).
+
+        >>> variables = Variables(Path("robot"))
+        >>> variables.list_command(["APPEND", "NODES", "talker", "listener"])
+        >>> variables.list_command(["REMOVE_ITEM", "NODES", "talker"])
+        >>> variables.elements("NODES")
+        ['listener']
+        """
         if len(words) > 2 and words[0] in ("APPEND", "PREPEND"):
             known = self.elements(words[1])
             self.values[words[1]] = ";".join(known + words[2:] if words[0] == "APPEND" else words[2:] + known)

@@ -96,6 +96,13 @@ def setup_py(recipe: Recipe) -> str:
 
 
 def setup_cfg(recipe: Recipe) -> str:
-    """Return the text of setup.cfg: executables go where `ros2 run` finds them."""
+    """Return the text of setup.cfg: executables go where `ros2 run` finds them.
+
+    >>> print(setup_cfg(Recipe("robot", "", "MIT", "Ada", "ada@example.com", "ament_python")), end="")
+    [develop]
+    script_dir=$base/lib/robot
+    [install]
+    install_scripts=$base/lib/robot
+    """
     where = f"$base/lib/{recipe.name}"
     return f"[develop]\nscript_dir={where}\n[install]\ninstall_scripts={where}\n"

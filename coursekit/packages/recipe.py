@@ -29,7 +29,11 @@ class Recipe:
         return f"{self.maintainer_name} <{self.maintainer_email}>"
 
     def buildtools(self) -> list[str]:
-        """Return the build tools on which the package depends."""
+        """Return the build tools on which the package depends.
+
+        >>> Recipe("robot", "", "MIT", "Ada", "ada@example.com", "ament_cmake", library_name="robot").buildtools()
+        ['ament_cmake_ros']
+        """
         if self.build_type != "ament_cmake":
             return []
         return ["ament_cmake_ros"] if self.library_name else ["ament_cmake"]
@@ -44,7 +48,12 @@ class Recipe:
 
 
 def manifest(recipe: Recipe) -> str:
-    """Return the text of package.xml."""
+    """Return the text of package.xml.
+
+    >>> recipe = Recipe("robot", "Drives & sees", "MIT", "Ada", "ada@example.com", "ament_python", ("rclpy",))
+    >>> [line.strip() for line in manifest(recipe).splitlines() if "Drives" in line or "rclpy" in line]
+    ['<description>Drives &amp; sees</description>', '<depend>rclpy</depend>']
+    """
     email = quoteattr(recipe.maintainer_email)
     schema = _SCHEMA.format(recipe.package_format)
     lines = [

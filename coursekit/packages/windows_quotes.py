@@ -66,7 +66,11 @@ def quoted_for_cmd(script: str) -> str:
 
 
 def as_bytes(script: str, ending: str) -> bytes:
-    """Encode a script for its shell: cmd needs Windows line ends and its code page, PowerShell a UTF-8 byte order mark."""
+    r"""Encode a script for its shell: cmd needs Windows line ends and its code page, PowerShell a UTF-8 byte order mark.
+
+    >>> as_bytes("set A=1\n", ".bat"), as_bytes("$a = 'é'", ".ps1")[:3]
+    (b'set A=1\r\n', b'\xef\xbb\xbf')
+    """
     if ending == ".bat":
         lines = script.replace("\n", "\r\n")
         try:

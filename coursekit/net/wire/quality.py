@@ -27,7 +27,11 @@ class Quality(NamedTuple):
     lease: int = FOREVER
 
     def text(self) -> str:
-        """Return its form at the end of a token."""
+        """Return its form at the end of a token.
+
+        >>> Quality(reliability=2, deadline=1_500_000_000).text()  # best effort; a deadline of 1.5 s
+        '2::,:1,500000000:,:,,'
+        """
         depth = _unless(self.depth, DEFAULT_DEPTH)
         return ":".join(
             (

@@ -39,7 +39,11 @@ class Token(NamedTuple):
         return f"{self.namespace.rstrip('/')}/{self.node_name}"
 
     def text(self) -> str:
-        """Return the key under which it is announced."""
+        """Return the key under which it is announced.
+
+        >>> Token(0, "a1", "1", "2", "MP", "/", "talker", "/chatter", "std_msgs/msg/String", "RIHS01_0").text()
+        '@ros2_lv/0/a1/1/2/MP/%/%/talker/%chatter/std_msgs::msg::dds_::String_/RIHS01_0/::,:,:,:,,'
+        """
         parts = [ADMIN, str(self.domain_id), self.session, self.node, self.entity, self.kind, "%"]
         parts += [mangle(self.namespace), self.node_name]
         if self.kind != NODE:
@@ -52,6 +56,10 @@ def read_token(text: str) -> Token:
 
     Raises:
         ValueError: for a malformed token, with the reason.
+
+    >>> token = Token(0, "a1", "1", "2", "MP", "/", "talker", "/chatter", "std_msgs/msg/String", "RIHS01_0")
+    >>> read_token(token.text()) == token
+    True
     """
     parts = text.split("/")
     if len(text) > LONGEST or parts[0] != ADMIN or len(parts) not in (9, 13):

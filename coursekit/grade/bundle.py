@@ -31,7 +31,12 @@ _DATE = (1980, 1, 1, 0, 0, 0)
 
 
 def pack_bundle(files: Mapping[str, bytes], facts: Mapping[str, Any]) -> bytes:
-    """Make a bundle of these files; the same contents give the same bytes."""
+    """Make a bundle of these files; the same contents give the same bytes.
+
+    >>> manifest, files = read_bundle(pack_bundle({"02_topics.ipynb": b"{}"}, {"student": "Ada"}))
+    >>> manifest["student"], files
+    ('Ada', {'02_topics.ipynb': b'{}'})
+    """
     listed = {name: digest_of(data) for name, data in sorted(files.items())}
     manifest: dict[str, Any] = {**facts, "files": listed}
     manifest["seal"] = events.digest(manifest)
@@ -39,7 +44,12 @@ def pack_bundle(files: Mapping[str, bytes], facts: Mapping[str, Any]) -> bytes:
 
 
 def cell_digests(notebook: Mapping[str, Any]) -> list[str]:
-    """Return a digest of the text of each cell."""
+    r"""Return a digest of the text of each cell.
+
+    >>> one, other = cell_digests({"cells": [{"source": ["a = 1\n"]}, {"source": "a = 1\n"}]})
+    >>> one == other
+    True
+    """
     return [hashlib.sha256(text_of(cell).encode("utf-8", "replace")).hexdigest() for cell in notebook.get("cells", [])]
 
 
@@ -122,7 +132,11 @@ def other_hands(data: bytes, name: str) -> list[str]:
 
 
 def other_results(manifest: Mapping[str, Any], earned: Mapping[str, float]) -> list[str]:
-    """Return the differences between the recorded points and those of another run."""
+    """Return the differences between the recorded points and those of another run.
+
+    >>> other_results({"verdicts": [{"name": "relay", "points": 2.0}], "points": 2.0}, {"relay": 1.0})
+    ['relay: 2 points are recorded, a clean run earns 1', '2 points are recorded in all, a clean run earns 1']
+    """
     said = recorded(manifest)
     found = [
         f"{name}: {_points(said.get(name))} points are recorded, a clean run earns {points:g}"
@@ -141,7 +155,11 @@ def _points(said: Any) -> str:
 
 
 def recorded(manifest: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the points in a manifest, by exercise."""
+    """Return the points in a manifest, by exercise.
+
+    >>> recorded({"verdicts": [{"name": "relay", "points": 1.5}]})
+    {'relay': 1.5}
+    """
     said = manifest.get("verdicts")
     listed = said if isinstance(said, list) else []
     return {str(one.get("name")): one.get("points") for one in listed if isinstance(one, dict)}

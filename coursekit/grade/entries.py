@@ -32,7 +32,11 @@ def _of_walked(found: Walked) -> Raw:
 
 
 def is_loose(name: str) -> bool:
-    """Whether a file is neither notebook nor zip by its name."""
+    """Whether a file is neither notebook nor zip by its name.
+
+    >>> [is_loose(name) for name in ("02_topics.ipynb", "All.ZIP", "report.pdf")]
+    [False, False, True]
+    """
     return not name.casefold().endswith((".ipynb", ".zip"))
 
 

@@ -35,7 +35,16 @@ def digest(line: dict[str, Any]) -> str:
 
 
 def faults(lines: Iterable[str]) -> list[str]:
-    """Return the breaks in the chain."""
+    """Return the breaks in the chain.
+
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Path(folder, "events.jsonl")
+    ...     note(file, "check", name="relay"); note(file, "check", name="lift")
+    ...     lines = file.read_text(encoding="utf-8").splitlines()
+    >>> faults(lines), len(faults(lines[1:]))  # the first line was removed
+    ([], 1)
+    """
     before = BEGINNING
     for number, text in enumerate(lines, 1):
         try:

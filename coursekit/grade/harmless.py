@@ -47,7 +47,11 @@ def cell(text: str, most: int = 2000) -> str:
 
 
 def lines(text: str, most: int = 400) -> str:
-    """Return a text of several lines without invisible characters."""
+    r"""Return a text of several lines without invisible characters.
+
+    >>> lines("seen\u202e\x1b[2J\n\tagain")
+    'seen [2J\n    again'
+    """
     kept = text.expandtabs(4).splitlines()[:most]
     return "\n".join("".join(_letter(letter) for letter in line[:400]) for line in kept)
 
@@ -82,5 +86,9 @@ def name_of_files(identity: str, name: str = "") -> str:
 
 
 def unique(texts: Iterable[str]) -> list[str]:
-    """Return each text once, in the order of first occurrence."""
+    """Return each text once, in the order of first occurrence.
+
+    >>> unique(["b", "a", "b"])
+    ['b', 'a']
+    """
     return list(dict.fromkeys(texts))

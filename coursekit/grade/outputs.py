@@ -94,7 +94,16 @@ def expect_node(seen: Any, name: str, program: int = 0) -> None:
 
 
 def expect_subscription(seen: Any, topic: str, kind: str, hint: int | None = None) -> None:
-    """Raise Wrong unless a node subscribes to that topic with that type: different types are never connected."""
+    """Raise Wrong unless a node subscribes to that topic with that type: different types are never connected.
+
+    >>> from types import SimpleNamespace
+    >>> seen = SimpleNamespace(subscriptions={"/chater": [{"type": "std_msgs/msg/String"}]})
+    >>> try:
+    ...     expect_subscription(seen, "/chatter", "std_msgs/msg/String")
+    ... except Wrong as wrong:
+    ...     print(wrong.got, wrong.cause, sep=". ")
+    subscriptions: /chater. Is the topic's name right?
+    """
     ends = seen.subscriptions.get(topic)
     if not ends:
         others = ", ".join(name for name, found in seen.subscriptions.items() if found) or "none"
@@ -106,7 +115,13 @@ def expect_subscription(seen: Any, topic: str, kind: str, hint: int | None = Non
 
 
 def said(seen: Any, program: int = 0) -> str:
-    """Return the output of a program of a trial."""
+    r"""Return the output of a program of a trial.
+
+    >>> from types import SimpleNamespace
+    >>> seen = SimpleNamespace(outputs=["hello\n"], exit_codes=[0])
+    >>> said(seen), said(seen, program=1), exit_code(seen)
+    ('hello\n', '', 0)
+    """
     outputs = seen.outputs
     return outputs[program] if program < len(outputs) and type(outputs[program]) is str else ""
 

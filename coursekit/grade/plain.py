@@ -93,7 +93,14 @@ def close(got: Sequence[Any], need: Sequence[float], tolerance: float) -> bool:
 
 
 def number(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> float:
-    """Return the value as a float; Wrong with `expected` when it is not a plain finite number."""
+    """Return the value as a float; Wrong with `expected` when it is not a plain finite number.
+
+    >>> try:
+    ...     number("0.5", "a distance")
+    ... except Wrong as wrong:
+    ...     print(wrong.expected, wrong.cause, sep=": ")
+    a distance: That is a text: leave the quotes, `str` or the f-string out.
+    """
     array = _array(value)
     if array is not None and array.ndim == 0:
         value = array.item()  # numpy's functions return numbers in this form
@@ -117,7 +124,14 @@ def _why_no_number(value: Any) -> str:
 
 
 def whole(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> int:
-    """Return the value as an int; Wrong for anything else, including bool and 2.0."""
+    """Return the value as an int; Wrong for anything else, including bool and 2.0.
+
+    >>> try:
+    ...     whole(2.0, "the number of robots")
+    ... except Wrong as wrong:
+    ...     print(wrong.cause)
+    That is a float: `int(...)` makes an integer of it.
+    """
     if not is_number(value) or type(value) is float or float(value) != int(value):
         if is_number(value):
             cut = float(value) == int(value)
@@ -127,7 +141,12 @@ def whole(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> 
 
 
 def numbers(value: Any, count: int, expected: str, cause: str = "") -> tuple[float, ...]:
-    """Return `count` finite numbers of a tuple, list or array; Wrong for anything else."""
+    """Return `count` finite numbers of a tuple, list or array; Wrong for anything else.
+
+    >>> import numpy as np
+    >>> numbers(np.array([[1, 2]]), 2, "x and y")
+    (1.0, 2.0)
+    """
     array = _array(value)
     parts = items(value, expected, cause) if array is None else array.ravel().tolist()
     if len(parts) != count:
@@ -137,7 +156,11 @@ def numbers(value: Any, count: int, expected: str, cause: str = "") -> tuple[flo
 
 
 def items(value: Any, expected: str, cause: str = "") -> list[Any]:
-    """Return the items of a tuple or list, or the rows of an array of numbers; Wrong for anything else."""
+    """Return the items of a tuple or list, or the rows of an array of numbers; Wrong for anything else.
+
+    >>> items((1, 2), "a list of numbers")
+    [1, 2]
+    """
     if type(value) in (tuple, list):
         return list(value)
     if (array := _array(value)) is not None and array.ndim:
@@ -190,12 +213,23 @@ def field(message: Any, path: str, kind: type[T], where: str = "a message") -> T
 
 
 def fields(message: Any, paths: Sequence[str], where: str = "a message") -> tuple[float, ...]:
-    """Return several finite numbers of a recorded message."""
+    """Return several finite numbers of a recorded message.
+
+    >>> fields({"pose": {"x": 1, "y": 2.5}}, ("pose.x", "pose.y"))
+    (1.0, 2.5)
+    """
     return tuple(field(message, one, float, where) for one in paths)
 
 
 def called(function: Callable[..., Any], *given: Any, told: str) -> Any:
-    """Return the result of a student's function; Wrong with its exception and line when it raises one."""
+    """Return the result of a student's function; Wrong with its exception and line when it raises one.
+
+    >>> try:
+    ...     called(lambda x: 1 / x, 0, told="inverse(0)")
+    ... except Wrong as wrong:
+    ...     print(wrong.got.partition(" (")[0])
+    ZeroDivisionError: division by zero
+    """
     try:
         return function(*given)
     except (NotImplementedError, Gone):

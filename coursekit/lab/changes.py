@@ -16,7 +16,11 @@ def edited(text: str, old: str, new: str) -> str | None:
 
 
 def is_done(text: str, old: str, new: str) -> bool:
-    """Whether `new` is present; an addition also counts if lines or words were since inserted into it."""
+    r"""Whether `new` is present; an addition also counts if lines or words were since inserted into it.
+
+    >>> is_done("import rclpy\nimport math\n", "import rclpy\n", "import rclpy\nimport math\n")
+    True
+    """
     if new in text:
         return True
     above, anchor, below = text.partition(old)
@@ -27,7 +31,11 @@ def is_done(text: str, old: str, new: str) -> bool:
 
 
 def undone(text: str, old: str, new: str) -> str:
-    """Return `text` as it was before `old` became `new`; unchanged if that cannot be determined."""
+    r"""Return `text` as it was before `old` became `new`; unchanged if that cannot be determined.
+
+    >>> undone("speed = 0.5\n", "speed = 0.2", "speed = 0.5")
+    'speed = 0.2\n'
+    """
     if new in text:
         return text.replace(new, old, 1)
     before, found, after = new.partition(old)

@@ -41,7 +41,14 @@ def listen(hidden: HiddenNode, topic: str, callback: Callable[[Any], None]) -> A
 
 
 def as_yaml(msg: Any) -> str:
-    """Format a message as `ros2 topic echo` prints it; long arrays and texts are truncated."""
+    """Format a message as `ros2 topic echo` prints it; long arrays and texts are truncated.
+
+    >>> from geometry_msgs.msg import Vector3
+    >>> print(as_yaml(Vector3(x=1.0)), end="")
+    x: 1.0
+    y: 0.0
+    z: 0.0
+    """
     from rosidl_runtime_py import message_to_yaml
 
     return str(message_to_yaml(msg, truncate_length=TRUNCATE)).rstrip("\n")

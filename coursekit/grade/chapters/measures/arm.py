@@ -29,7 +29,11 @@ def why_tip(got: Sequence[float], shoulder: float, elbow: float) -> str:
 
 
 def arm_tip(shoulder: float, elbow: float, upper: float, fore: float) -> tuple[float, float]:
-    """Return the tip's position [m] at two angles [rad], as computed by the course's library."""
+    """Return the tip's position (x, y) [m] at two angles [rad], as computed by the course's library.
+
+    >>> [round(part, 3) + 0.0 for part in arm_tip(math.pi / 2, -math.pi / 2, 0.4, 0.3)]  # up, then ahead
+    [0.3, 0.4]
+    """
     from coursekit.urdf import parse
     from coursekit.urdf.kinematics import Kinematics
 

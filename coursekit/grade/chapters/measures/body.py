@@ -46,7 +46,14 @@ def extent(robot: Robot, link: str, positions: dict[str, float]) -> tuple[float,
 
 
 def centre_of_mass(robot: Robot, positions: dict[str, float]) -> np.ndarray:
-    """Return the whole robot's centre of mass in the root frame [m]."""
+    """Return the whole robot's centre of mass in the root frame [m].
+
+    >>> from coursekit.urdf import parse
+    >>> robot = parse('''<robot name="post"><link name="post"><inertial><origin xyz="0 0 0.5"/><mass value="2"/>
+    ...   <inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link></robot>''')
+    >>> centre_of_mass(robot, {}).tolist()
+    [0.0, 0.0, 0.5]
+    """
     import numpy as np
 
     from coursekit.urdf import inertia
@@ -63,7 +70,12 @@ def centre_of_mass(robot: Robot, positions: dict[str, float]) -> np.ndarray:
 
 
 def turned(pose: Any, vector: tuple[float, float, float]) -> tuple[float, float, float]:
-    """Transform a direction from a link's frame to the root frame."""
+    """Transform a direction from a link's frame to the root frame.
+
+    >>> quarter = (0.0, 0.0, 0.0, 0.0, 0.0, 0.7071067811865476, 0.7071067811865476)
+    >>> [round(part, 6) + 0.0 for part in turned(quarter, (1.0, 0.0, 0.0))]
+    [0.0, 1.0, 0.0]
+    """
     from coursekit.geometry.pose import compose
 
     x, y, z, *_ = compose((0.0, 0.0, 0.0, *pose[3:]), (*vector, 0.0, 0.0, 0.0, 1.0))

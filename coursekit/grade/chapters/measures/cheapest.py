@@ -16,7 +16,12 @@ MOST_TICKS = 5000
 
 
 def prices(costs: np.ndarray, start: Cell) -> np.ndarray:
-    """Return the price of the cheapest path to each cell, by relaxation until nothing changes; infinite if unreachable."""
+    """Return the price of the cheapest path to each cell, by relaxation until nothing changes; infinite if unreachable.
+
+    >>> import numpy as np
+    >>> prices(np.array([[0, 50, 254]]), (0, 0)).tolist()  # a step costs 1 and a fiftieth of the cell's cost
+    [[0.0, 2.0, inf]]
+    """
     import numpy as np
 
     price = np.full((costs.shape[0] + 2, costs.shape[1] + 2), np.inf)
@@ -31,7 +36,13 @@ def prices(costs: np.ndarray, start: Cell) -> np.ndarray:
 
 
 def path_back(price: np.ndarray, goal: Cell) -> list[Cell]:
-    """Return the cheapest path to a reachable goal, from the cell where `price` is 0."""
+    """Return the cheapest path to a reachable goal, from the cell where `price` is 0.
+
+    >>> import numpy as np
+    >>> floor = np.array([[0, 0, 0], [0, 254, 0]])
+    >>> path_back(prices(floor, (1, 0)), (1, 2))
+    [(1, 0), (0, 0), (0, 1), (0, 2), (1, 2)]
+    """
     path = [goal]
     while price[path[-1]] > 0:
         r, c = path[-1]

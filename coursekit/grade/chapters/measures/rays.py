@@ -74,7 +74,12 @@ def _why(got: Any, need: float, walls: Walls, x: float, y: float, angle: float, 
 
 
 def distance(walls: Walls, x: float, y: float, angle: float, reach: float) -> float:
-    """Return the range of the simulator's LiDAR in a direction [m]; infinity beyond `reach`."""
+    """Return the range of the simulator's LiDAR in a direction [m]; infinity beyond `reach`.
+
+    >>> wall = [(2.0, -1.0, 2.0, 1.0)]
+    >>> distance(wall, 0.5, 0.0, 0.0, 5.0), distance(wall, 0.5, 0.0, 0.0, 1.0)
+    (1.5, inf)
+    """
     import numpy as np
 
     from coursekit.geometry.plane import Pose2D

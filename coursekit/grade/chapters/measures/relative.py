@@ -28,7 +28,11 @@ def judge_seen(got: tuple[float, ...], me: Sequence[float], other: Sequence[floa
 
 
 def relative(me: Sequence[float], other: Sequence[float]) -> Spot:
-    """Return the pose of `other` relative to `me`."""
+    """Return the pose of `other` relative to `me`.
+
+    >>> [round(part, 3) + 0.0 for part in relative((1.0, 1.0, math.pi / 2), (1.0, 3.0, 0.0))]  # ahead of me, looking right
+    [2.0, 0.0, -1.571]
+    """
     from coursekit.tf import compose, inverse
 
     def pose(one: Sequence[float]) -> Any:

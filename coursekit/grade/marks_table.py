@@ -32,13 +32,24 @@ class ByHand:
     told: list[str] = field(default_factory=list)
 
     def points_of(self, key: str, chapters: Sequence[str]) -> dict[str, float]:
-        """Return a person's points by hand, by exercise; `total` if the sum of exactly these chapters was written."""
+        """Return a person's points by hand, by exercise; `total` if the sum of exactly these chapters was written.
+
+        >>> by_hand = ByHand({"ada": {"relay": 2.0, total_of(["02_topics"]): 9.0, total_of(["03_services"]): 5.0}})
+        >>> by_hand.points_of("ada", ["02_topics"])
+        {'relay': 2.0, 'total': 9.0}
+        """
         found = self.points.get(key, {})
         own = total_of(chapters)
         return {("total" if name == own else name): one for name, one in found.items() if name == own or not _is_total(name)}
 
     def move(self, before: str, now: str) -> None:
-        """Move changes from one key to another, for work whose name was hidden before."""
+        """Move changes from one key to another, for work whose name was hidden before.
+
+        >>> by_hand = ByHand({"participant 17": {"relay": 2.0}})
+        >>> by_hand.move("participant 17", "ada")
+        >>> by_hand.points
+        {'ada': {'relay': 2.0}}
+        """
         if points := self.points.pop(before, {}):
             self.points[now] = {**points, **self.points.get(now, {})}
         if extra := self.extra.pop(before, {}):
@@ -46,7 +57,11 @@ class ByHand:
 
 
 def total_of(chapters: Iterable[str]) -> str:
-    """Return the name of the sum of these chapters among the points by hand: another run has another sum."""
+    """Return the name of the sum of these chapters among the points by hand: another run has another sum.
+
+    >>> total_of(["03_services", "02_topics"])
+    'total of 02_topics 03_services'
+    """
     return " ".join(["total of", *sorted(chapters)])
 
 

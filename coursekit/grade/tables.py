@@ -47,7 +47,11 @@ class Table:
     separator: str = ","
 
     def dicts(self) -> list[dict[str, str]]:
-        """Return the rows by heading; missing cells are ''."""
+        """Return the rows by heading; missing cells are ''.
+
+        >>> Table(["student", "points"], [["Ada", "3"], ["Bob"]]).dicts()
+        [{'student': 'Ada', 'points': '3'}, {'student': 'Bob', 'points': ''}]
+        """
         return [dict(zip(self.headings, [*row, *[""] * len(self.headings)], strict=False)) for row in self.rows]
 
     @property
@@ -126,7 +130,15 @@ def read_table(file: Path) -> Table:
 def write_table(
     file: Path, headings: Sequence[str], rows: Iterable[Sequence[str] | Mapping[str, str]], form: Form = COMMA
 ) -> None:
-    """Write a table atomically. The caller has made the cells harmless, and has formatted the numbers."""
+    """Write a table atomically. The caller has made the cells harmless, and has formatted the numbers.
+
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     write_table(Path(folder, "marks.csv"), ["student", "points"], [["Ada", "1,5"]], SEMICOLON)
+    ...     table = read_table(Path(folder, "marks.csv"))
+    >>> table.separator, table.rows
+    (';', [['Ada', '1,5']])
+    """
     made = io.StringIO()
     table = csv.writer(made, delimiter=form.separator)
     table.writerow(headings)

@@ -28,7 +28,11 @@ _HEADING = re.compile(r"^#{1,3} ", re.M)
 
 
 def checks_in(notebook: Mapping[str, Any]) -> dict[str, int]:
-    """Return the exercises that a notebook checks, with the indices of the cells."""
+    """Return the exercises that a notebook checks, with the indices of the cells.
+
+    >>> checks_in({"cells": [{"cell_type": "markdown"}, {"cell_type": "code", "source": ['check("relay")']}]})
+    {'relay': 1}
+    """
     found: dict[str, int] = {}
     for place, cell in enumerate(notebook.get("cells", [])):
         for one in CHECK.finditer("".join(cell.get("source", ""))) if cell.get("cell_type") == "code" else ():
@@ -37,7 +41,11 @@ def checks_in(notebook: Mapping[str, Any]) -> dict[str, int]:
 
 
 def told(notebook: Mapping[str, Any]) -> Values:
-    """Return the values in the checks of a notebook."""
+    """Return the values in the checks of a notebook.
+
+    >>> told({"cells": [{"cell_type": "code", "source": ['check("relay", topic="/upper", depth=3)']}]})
+    {'relay': {'topic': '/upper', 'depth': 3}}
+    """
     found: Values = {}
     for name, place in checks_in(notebook).items():
         line = CHECK.search("".join(notebook["cells"][place]["source"]))
@@ -172,5 +180,9 @@ class Variants:
 
 
 def secret_file(students: Path) -> Path:
-    """Return the file with the secret of a class."""
+    """Return the file with the secret of a class.
+
+    >>> secret_file(Path("class.csv")).name
+    'class.secret'
+    """
     return students.with_suffix(".secret")

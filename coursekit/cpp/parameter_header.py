@@ -186,7 +186,7 @@ def _descriptor(one: Parameter) -> str:
     limits: dict[int, str] = {}
     for name, given in one.checks:
         for end, at in enumerate(_LIMITS.get(name.removesuffix("<>"), ())):
-            if at is not None and one.kind in ("int", "double"):
+            if at is not None and at < len(given) and one.kind in ("int", "double"):
                 limits[end] = value_text(given[at])
     if not limits:
         return told

@@ -20,6 +20,7 @@ TYPES = {
 FIXED = {"double_array", "int_array", "bool_array", "string"}
 """Those of which _fixed_N has room for N."""
 _KEYS = {"type", "default_value", "description", "read_only", "validation"}
+_NAME = re.compile(r"[A-Za-z_]\w*([.]\w+|::\w+)*")
 _NAMES = {bool: "bool", float: "double", int: "int", str: "string"}
 
 
@@ -64,12 +65,18 @@ def read_parameters(path: Path) -> Struct:
     """Read a file; ParameterFileError if it is not as generate_parameter_library wants it."""
     try:
         document = yaml.safe_load(read_text(path))
-    except yaml.YAMLError as error:
+        if not isinstance(document, dict) or len(document) != 1:
+            raise ParameterFileError("The yaml definition must only have one root element")
+        (name, tree), = document.items()  # fmt: skip
+        return _struct(_checked(name), tree, [])
+    except (yaml.YAMLError, ValueError, RecursionError) as error:
         raise ParameterFileError(str(error)) from error
-    if not isinstance(document, dict) or len(document) != 1:
-        raise ParameterFileError("The yaml definition must only have one root element")
-    (name, tree), = document.items()  # fmt: skip
-    return _struct(name, tree, [])
+
+
+def _checked(name: Any) -> str:
+    if not isinstance(name, str) or not _NAME.fullmatch(name):
+        raise ParameterFileError(f"{name!r} cannot be a name in C++: it has letters, digits and underscores")
+    return name
 
 
 def _struct(name: str, tree: dict[str, Any], above: list[str]) -> Struct:
@@ -77,6 +84,7 @@ def _struct(name: str, tree: dict[str, Any], above: list[str]) -> Struct:
     if not isinstance(tree, dict):
         raise ParameterFileError(f"No type defined for parameter {'.'.join(above) or name}")
     for key, value in tree.items():
+        _checked(key)
         if not isinstance(value, dict):
             raise ParameterFileError(f"No type defined for parameter {'.'.join(above)}")
         if any(isinstance(one, dict) for word, one in value.items() if word != "validation" or not _is_leaf(value)):
@@ -101,7 +109,7 @@ def _parameter(name: str, value: dict[str, Any], names: list[str]) -> Parameter 
         return None
     default = value.get("default_value")
     _check_default(path, kind, default)
-    checks = [(key, _arguments(given)) for key, given in (value.get("validation") or {}).items()]
+    checks = _checks(path, value.get("validation") or {})
     if size:
         checks.append(("size_lt<>", [size + 1]))
     told = str(value.get("description") or "")
@@ -125,6 +133,17 @@ def _check_default(path: str, kind: str, default: Any) -> None:
         if default is not None and _NAMES.get(type(value)) != wanted:
             got = _NAMES.get(type(value), type(value).__name__)
             raise ParameterFileError(f"Parameter {path} has incorrect type. Expected: {kind}, got: {got}")
+
+
+def _checks(path: str, validation: Any) -> list[tuple[str, list[Any]]]:
+    if not isinstance(validation, dict):
+        raise ParameterFileError(f"Invalid syntax in parameter {path}. 'validation' has to name checks")
+    checks = [(str(name), _arguments(given)) for name, given in validation.items()]
+    for name, given in checks:
+        flat = [one for value in given for one in (value if isinstance(value, list) else [value])]
+        if wrong := [one for one in flat if type(one) not in _NAMES]:
+            raise ParameterFileError(f"Invalid syntax in parameter {path}. {name} cannot be given {wrong[0]!r}")
+    return checks
 
 
 def _arguments(given: Any) -> list[Any]:

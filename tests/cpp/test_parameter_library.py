@@ -16,6 +16,10 @@ WRONG = {
     "arm: {rate: {type: double, default_value: 1}}": "Parameter rate has incorrect type. Expected: double, got: int",
     "arm: {names: {type: string_array, default_value: [a, 1]}}": "Expected: string_array, got: int",
     "arm: {rate: [": "while parsing",
+    "arm: {'rate; int x': {type: int}}": "'rate; int x' cannot be a name in C++: it has letters, digits and underscores",
+    "arm: {rate: {type: int, validation: gt}}": "Invalid syntax in parameter rate. 'validation' has to name checks",
+    "arm: {rate: {type: int, validation: {gt<>: {a: 1}}}}": "parameter rate. gt<> cannot be given {'a': 1}",
+    "arm: &a {pid: *a}": "recursion",
 }
 
 

@@ -118,6 +118,27 @@ PARAMETERS = b"""/**:
 """
 
 
+def _struct(path: Path) -> Any:
+    from coursekit.cpp.parameter_header import parameter_header
+    from coursekit.cpp.parameter_library import read_parameters
+
+    return parameter_header(read_parameters(path))
+
+
+def _struct_faults() -> Faults:
+    from coursekit.cpp.parameter_library import ParameterFileError
+
+    return ParameterFileError, OSError
+
+
+STRUCT = b"""arm:
+  joints: {type: string_array, default_value: [a, b], description: "Its joints", validation: {unique<>: null, size_gt<>: 0}}
+  rate: {type: double, default_value: 50.0, read_only: true, validation: {bounds<>: [1.0, 1000.0]}}
+  frame: {type: string_fixed_20, default_value: base, validation: {one_of<>: [[base, map]]}}
+  gains: {__map_joints: {p: {type: double, default_value: 1.0}, limits: {low: {type: int_array_fixed_2}}}}
+"""
+
+
 def _arguments(path: Path) -> Any:
     from coursekit.rcl.arguments import parse_ros_arguments
 
@@ -141,5 +162,6 @@ FORMATS = (
     Format("substitutions", ".txt", lambda: b"$(var a)/x $(env HOME 'b c') $(eval '1 + $(var b)') \\$(x)", _substitution,
            _substitution_faults, TEXT),
     Format("parameter file", ".yaml", lambda: PARAMETERS, _parameters, _parameters_faults, YAML),
+    Format("generate_parameter_library", ".yaml", lambda: STRUCT, _struct, _struct_faults, YAML),
     Format("ROS arguments", ".txt", lambda: ARGUMENTS, _arguments, _arguments_faults, TEXT),
 )  # fmt: skip

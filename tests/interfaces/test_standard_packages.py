@@ -102,3 +102,14 @@ def test_what_programs_for_a_turtlebot_4_send_and_hear_is_there():
     assert load("irobot_create_msgs/action/AudioNoteSequence").Goal().iterations == 1
     assert load("irobot_create_msgs/AudioNoteVector")(notes=[note]).notes[0].frequency == 440
     assert load("irobot_create_msgs/HazardDetection").WHEEL_DROP == 4
+
+
+def test_what_drivers_of_cameras_radars_and_buses_send_is_there():
+    tag = load("apriltag_msgs/AprilTagDetection")(family="36h11", id=3)
+    assert len(tag.corners) == 4 and tag.corners[0].x == tag.centre.y == 0.0 and len(tag.homography) == 9
+    assert load("apriltag_msgs/AprilTagDetectionArray")(detections=[tag]).detections[0].id == 3
+    assert len(load("can_msgs/Frame")(id=0x123, dlc=8).data) == 8
+    assert load("radar_msgs/RadarScan")(returns=[load("radar_msgs/RadarReturn")(range=2.0)]).returns[0].range == 2.0
+    assert load("radar_msgs/RadarTracks")().get_fields_and_field_types()["tracks"] == "sequence<radar_msgs/RadarTrack>"
+    assert load("radar_msgs/RadarTrack").DYNAMIC == 2
+    assert len(load("velodyne_msgs/VelodynePacket")().data) == 1206

@@ -215,12 +215,12 @@ class Work:
             return None
         group = entity.callback_group
         if self._overrides_can_execute and not self.can_execute(entity):
-            self._parked.append(entity)
+            self._park(entity)
             return None
         if not group.beginning_execution(entity):
             for source in sources:
                 source.queued = True
-            self._parked.append(entity)
+            self._park(entity)
             return None
         try:
             work = entity._take()
@@ -238,10 +238,20 @@ class Work:
         """The entity's callback has ended: its group is free for others."""
         entity.callback_group.ending_execution(entity)
         if self._parked:
-            with self._lock:
-                parked, self._parked = self._parked, []
-            for other in parked:
-                self._queue.put(other)
+            self._unpark()
+
+    def _park(self, entity: Any) -> None:
+        """Let an entity wait for the end of a callback; another thread's may have ended just before, and not seen it here."""
+        with self._lock:
+            self._parked.append(entity)
+        if self.can_execute(entity):
+            self._unpark()
+
+    def _unpark(self) -> None:
+        with self._lock:
+            parked, self._parked = self._parked, []
+        for entity in parked:
+            self._queue.put(entity)
 
     def _run(self, entity: Any, work: Any) -> None:
         """Run work in this thread; its exceptions propagate."""

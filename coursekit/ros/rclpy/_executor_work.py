@@ -241,7 +241,7 @@ class Work:
             self._unpark()
 
     def _park(self, entity: Any) -> None:
-        """Let an entity wait for the end of a callback; another thread's may have ended just before, and not seen it here."""
+        """Let an entity wait for the end of a callback; one in another thread may have ended before it could see this one."""
         with self._lock:
             self._parked.append(entity)
         if self.can_execute(entity):

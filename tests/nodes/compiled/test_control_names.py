@@ -38,7 +38,7 @@ def test_transmissions_map_both_ways(session, build):
     process = session.launch(make_process(session, path, [ROBOT], name="transmissions"))
     assert process.wait(20.0) == 0, process.output
     lines = process.output.splitlines()
-    told = [line for line in lines if line.startswith("[ERROR]")]  # by another way than what is printed: before it or after
+    told = [line for line in lines if line.startswith("[ERROR]")]  # not by the way of what is printed: before it or after
     assert [line for line in lines if line not in told] == [
         "simple 2.25 4 150 back 100 200 3",
         "differential 5.5 0.5 3.5 0.125 40 -80 back 20 40 2 3",

@@ -241,7 +241,7 @@ class Work:
             self._unpark()
 
     def _park(self, entity: Any) -> None:
-        """Let an entity wait for the end of a callback; one in another thread may have ended before it could see this one."""
+        """Let an entity wait for the end of a callback; one that ended in another thread just before did not see it."""
         with self._lock:
             self._parked.append(entity)
         if self.can_execute(entity):

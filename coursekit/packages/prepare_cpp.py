@@ -18,7 +18,7 @@ _FAILED = "C++ could not be prepared, for the reason above"
 
 async def prepared_toolchain() -> Toolchain:
     """Return the tools with their runtime built; NoToolchain if there are none, or if the runtime cannot be built."""
-    if "COURSEKIT_GRADING" in os.environ:  # no points are given for C++, and it would take half a minute of a copy's time
+    if "COURSEKIT_GRADING" in os.environ:  # no points are given for C++, and it would take a minute of a copy's time
         raise NoToolchain("C++ is not compiled while a copy is marked")
     tools = find_toolchain()
     async with _locks.setdefault(asyncio.get_running_loop(), asyncio.Lock()):
@@ -30,7 +30,7 @@ async def prepared_toolchain() -> Toolchain:
 
 
 async def _prepare(tools: Toolchain) -> None:
-    print("Preparing C++, once: half a minute with the system's compiler, three with coursekit[cpp]'s ...", flush=True)
+    print("Preparing C++, once: about a minute with the system's compiler, three with coursekit[cpp]'s ...", flush=True)
     began = time.monotonic()
     env = {name: value for name, value in os.environ.items() if name != "AMENT_PREFIX_PATH"}
     command = [sys.executable, "-m", "coursekit.cpp.runtime", str(runtime_folder(tools))]

@@ -244,7 +244,7 @@ class Work:
         """Let an entity wait for the end of a callback; one that ended in another thread just before did not see it."""
         with self._lock:
             self._parked.append(entity)
-        if self.can_execute(entity):
+        if entity.callback_group.can_execute(entity) and self.can_execute(entity):
             self._unpark()
 
     def _unpark(self) -> None:

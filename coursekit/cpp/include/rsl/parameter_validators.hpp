@@ -40,11 +40,17 @@ Result check(bool holds, const Pieces & ... pieces)
   (write(out, pieces), ...);
   return tl::make_unexpected(out.str());
 }
+/// How many characters a text has, or elements an array.
+template<class T>
+size_t size_of(const rclcpp::Parameter & parameter)
+{
+  bool text = parameter.get_type() == rclcpp::ParameterType::PARAMETER_STRING;
+  return text ? parameter.as_string().size() : parameter.get_value<std::vector<T>>().size();
+}
 template<class T, class F>
 Result size_is(const rclcpp::Parameter & parameter, size_t size, const char * words, F compare)
 {
-  bool text = parameter.get_type() == rclcpp::ParameterType::PARAMETER_STRING;
-  size_t has = text ? parameter.as_string().size() : parameter.get_value<std::vector<T>>().size();
+  size_t has = size_of<T>(parameter);
   return check(compare(has, size), "Length of parameter '", parameter.get_name(), "' is '", has, "' but must be ", words, " '", size, "'");
 }
 template<class T, class F>
@@ -103,9 +109,7 @@ Result size_lt(const rclcpp::Parameter & parameter, size_t size)
 template<class T>
 Result not_empty(const rclcpp::Parameter & parameter)
 {
-  bool text = parameter.get_type() == rclcpp::ParameterType::PARAMETER_STRING;
-  bool empty = text ? parameter.as_string().empty() : parameter.get_value<std::vector<T>>().empty();
-  return detail::check(!empty, "Parameter '", parameter.get_name(), "' cannot be empty");
+  return detail::check(detail::size_of<T>(parameter) > 0, "Parameter '", parameter.get_name(), "' cannot be empty");
 }
 template<class T>
 Result element_bounds(const rclcpp::Parameter & parameter, const T & lower, const T & upper)

@@ -48,6 +48,7 @@ class CoursekitPairLoader : public TransmissionLoader
 public:
   std::shared_ptr<Transmission> load(const hardware_interface::TransmissionInfo & info) override
   {
+    // Humble's loader of differentials logs under this name, too.
     return made("four_bar_linkage_transmission_loader", [&] {
                const auto & a = info.actuators.at(0), & b = info.actuators.at(1);
                const auto & j = info.joints.at(0), & k = info.joints.at(1);

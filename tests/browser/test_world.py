@@ -48,6 +48,7 @@ def test_a_box_is_added_dragged_and_removed(opened, picture):
     page.get_by_role("button", name="Add a box").click()
     page.mouse.click(runner["left"] + 60, runner["top"])
     page.wait_for_function(HAS, arg="box_1")
+    page.wait_for_function(f"(name) => ({WHERE})(name).x !== 0", arg="box_1")  # its name comes before its place
     box = page.evaluate(WHERE, "box_1")
     assert box["x"] > runner["x"] + 0.3 and abs(box["y"] - runner["y"]) < 0.3
 

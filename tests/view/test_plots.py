@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from coursekit.processes.session import Session
-from coursekit.view.highgui import desk
+from coursekit.view.windows import desk
 
 
 def animated():

@@ -1,5 +1,6 @@
-# OpenCV: the system's where it has one for C++, else the headers here, whose functions Python's cv2 answers.
-#   COURSEKIT_OPENCV   `face` takes those headers even where the system has OpenCV: for its windows and the virtual camera
+# OpenCV: the system's where it has one for C++, else the headers here, whose functions Python's cv2 answers. Cameras and
+# windows are the session's in both.
+#   COURSEKIT_OPENCV   `face` takes the headers here even where the system has OpenCV
 
 if(NOT TARGET coursekit_opencv)
   _add_library(coursekit_opencv INTERFACE IMPORTED GLOBAL)
@@ -9,8 +10,13 @@ if(NOT TARGET coursekit_opencv)
   if(_coursekit_found AND NOT COURSEKIT_OPENCV STREQUAL "face")
     list(GET _coursekit_found 0 _coursekit_found)
     include("${_coursekit_found}")
-    target_include_directories(coursekit_opencv SYSTEM INTERFACE ${OpenCV_INCLUDE_DIRS})
-    target_link_libraries(coursekit_opencv INTERFACE ${OpenCV_LIBS})
+    foreach(_coursekit_part IN LISTS OpenCV_LIBS) # for those who link to one part only
+      set_property(TARGET ${_coursekit_part} PROPERTY
+        INTERFACE_INCLUDE_DIRECTORIES "${COURSEKIT_ROOT}/opencv_system" ${OpenCV_INCLUDE_DIRS})
+      set_property(TARGET ${_coursekit_part} APPEND PROPERTY INTERFACE_LINK_LIBRARIES coursekit_headers)
+    endforeach()
+    target_include_directories(coursekit_opencv SYSTEM INTERFACE "${COURSEKIT_ROOT}/opencv_system" ${OpenCV_INCLUDE_DIRS})
+    target_link_libraries(coursekit_opencv INTERFACE coursekit_headers ${OpenCV_LIBS})
   else()
     target_include_directories(coursekit_opencv SYSTEM INTERFACE "${COURSEKIT_ROOT}/opencv")
     target_link_libraries(coursekit_opencv INTERFACE coursekit_headers)

@@ -112,6 +112,8 @@ class Host:
         """The channels of threads made by the program on the virtual clock, by its own numbers."""
         self.blocked: dict[int, list[Any]] = {}
         """The threads that wait on the virtual clock for a mutex or condition variable, by its address."""
+        self.seen: list[tuple[Any, ...]] = []
+        """The movements of sliders and the mouse in the program's windows that it was not told of yet."""
         self.typed = b""
         """The typed characters not read yet."""
         self.over = False

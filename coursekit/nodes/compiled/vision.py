@@ -1,6 +1,6 @@
 """A compiled program's requests to OpenCV on a computer without OpenCV for C++, carried out by Python's cv2.
 
-`cpp/opencv/opencv2/core/remote.hpp` is the other end: arguments and results are sent as a kind followed by the value.
+`cpp/include/coursekit/opencv/remote.hpp` is the other end: arguments and results are sent as a kind followed by the value.
 """
 
 from __future__ import annotations
@@ -119,3 +119,27 @@ def do_cv_method(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     method = getattr(host.things[frame.integer()], frame.text())
     by_place, by_name = arguments(frame)
     return answer(method(*by_place, **by_name))
+
+
+def do_cv_slider(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Add a slider to a window; its movements are kept for the program."""
+    import cv2
+
+    name, window, value, count = frame.text(), frame.text(), frame.integer(), frame.integer()
+    cv2.createTrackbar(name, window, value, count, lambda moved: host.seen.append((window, name, moved)))
+    return answer(None)
+
+
+def do_cv_mouse(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Keep the events of the mouse in a window for the program."""
+    import cv2
+
+    window = frame.text()
+    cv2.setMouseCallback(window, lambda *event: host.seen.append((window, *event[:4])))
+    return answer(None)
+
+
+def do_cv_heard(host: Host, _channel: Channel, _frame: Unpacker) -> bytes:
+    """Return what moved since the last call: (window, name, value) of a slider, (window, event, x, y, flags) of a mouse."""
+    events, host.seen = host.seen, []
+    return answer(events)

@@ -11,6 +11,7 @@ import pytest
 from coursekit.nodes.compiled import vision
 from coursekit.nodes.compiled.frames import FrameError, Unpacker, packed
 from coursekit.processes.executables import make_process
+from coursekit.view.windows import desk
 from tests.nodes.compiled.conftest import ROOM, program
 
 
@@ -67,6 +68,27 @@ def test_mat_is_memory_and_functions_do_what_cv2_does(said, tmp_path):
     (width, height), base = cv2.getTextSize("Vera", cv2.FONT_HERSHEY_SIMPLEX, 1.0, 2)
     assert lines[11:13] == [f"[{width} x {height}]{base}", "refused 1"]
     assert lines[13:] == ["20[6 x 4 from (0, 0)]31020 [9, 0, 7][50, 60, 70]"]  # a stamp on a page, by a mask
+
+
+def test_a_window_s_sliders_and_mouse_are_told_while_the_program_waits_for_a_key(session, build):
+    tuner = session.launch(make_process(session, build("tuner", program("tuner.cpp")), name="tuner"))
+    session.clock.sleep(0.1)
+    desk().slide("tuner", "low", 90)
+    desk().slide("tuner", "width", 12)
+    desk().point("tuner", cv2.EVENT_LBUTTONDOWN, 3, 4, cv2.EVENT_FLAG_LBUTTON)
+    session.clock.sleep(1.0)
+    desk().slide("tuner", "width", 50)
+    session.clock.sleep(0.1)
+    desk().press("q")
+    assert tuner.wait(5.0) == 0, tuner.output
+    assert tuner.output.splitlines() == [
+        "low 90",
+        "mouse 1 3 4 1",
+        "-1 500 90 12 12",
+        "low 33",
+        "q 50",
+        "The window 'tuner' has no trackbar 'high'. It has: low, width.",
+    ]
 
 
 def test_images_go_over_the_bridge_and_over_topics(said):

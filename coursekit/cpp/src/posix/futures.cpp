@@ -40,7 +40,7 @@ bool __atomic_futex_unsigned_base::_M_futex_wait_until(
   unsigned * number, unsigned value, bool has_end, chrono::seconds s, chrono::nanoseconds ns)
 {
   COURSEKIT_NEXT(Wait, "_ZNSt28__atomic_futex_unsigned_base19_M_futex_wait_untilEPjjb" COURSEKIT_DURATIONS);
-  if (!coursekit::g_state.is_virtual) {
+  if (!coursekit::g_state.is_virtual || coursekit::t_in_pool) {
     return next(this, number, value, has_end, s, ns);
   }
   return wait_while(number, value, has_end, s, ns, coursekit::g_state.system);
@@ -49,7 +49,7 @@ bool __atomic_futex_unsigned_base::_M_futex_wait_until_steady(
   unsigned * number, unsigned value, bool has_end, chrono::seconds s, chrono::nanoseconds ns)
 {
   COURSEKIT_NEXT(Wait, "_ZNSt28__atomic_futex_unsigned_base26_M_futex_wait_until_steadyEPjjb" COURSEKIT_DURATIONS);
-  if (!coursekit::g_state.is_virtual) {
+  if (!coursekit::g_state.is_virtual || coursekit::t_in_pool) {
     return next(this, number, value, has_end, s, ns);
   }
   return wait_while(number, value, has_end, s, ns, coursekit::g_state.steady);
@@ -58,7 +58,9 @@ void __atomic_futex_unsigned_base::_M_futex_notify_all(unsigned * number)
 {
   COURSEKIT_NEXT(Notify, "_ZNSt28__atomic_futex_unsigned_base19_M_futex_notify_allEPj");
   next(number);
-  coursekit::unblock(number, true);
+  if (!coursekit::t_in_pool) {
+    coursekit::unblock(number, true);
+  }
 }
 }  // namespace std
 #endif

@@ -3,6 +3,7 @@
 #include <dlfcn.h>
 
 #include "../state.hpp"
+#include "pools.hpp"
 
 namespace coursekit
 {
@@ -18,8 +19,12 @@ F real(std::atomic<void *> & known, const char * name)
 }
 }  // namespace coursekit
 
-/// In a function that hides one of the C library: go on there unless time is virtual.
+/// In a function that hides one of the C library: go on there unless the calling thread is on the virtual clock.
 #define COURSEKIT_REAL(name, ...) \
   static std::atomic<void *> known{nullptr}; \
   const auto next = coursekit::real<decltype(&name)>(known, #name); \
-  if (!coursekit::g_state.is_virtual) {return next(__VA_ARGS__);}
+  if (!coursekit::g_state.is_virtual || coursekit::t_in_pool) {return next(__VA_ARGS__);}
+/// The same, and go on there too for a library that waits for threads of its own.
+#define COURSEKIT_REAL_FOR_POOLS(name, ...) \
+  COURSEKIT_REAL(name, __VA_ARGS__) \
+  if (coursekit::is_of_pool(__builtin_return_address(0))) {return next(__VA_ARGS__);}

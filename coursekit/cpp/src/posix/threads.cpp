@@ -25,6 +25,13 @@ void * begin(void * given)
   begin_thread();
   return start.function(start.argument);
 }
+void * begin_in_pool(void * given)
+{
+  Start start = *static_cast<Start *>(given);
+  delete static_cast<Start *>(given);
+  t_in_pool = true;
+  return start.function(start.argument);
+}
 int64_t number_of(pthread_t thread) {return (int64_t)thread;}  // NOLINT: a number on Linux, on a Mac a pointer
 int wait_until(pthread_cond_t * c, pthread_mutex_t * m, int64_t left)
 {
@@ -51,6 +58,9 @@ int pthread_create(
   pthread_t * __restrict thread, const pthread_attr_t * __restrict how, void * (*function)(void *), void * __restrict argument)
 {
   COURSEKIT_REAL(pthread_create, thread, how, function, argument)
+  if (coursekit::starts_pool(function, argument)) {
+    return next(thread, how, coursekit::begin_in_pool, new coursekit::Start{function, argument, {}});
+  }
   coursekit::Connection own = coursekit::connect_to_session(coursekit::THREAD);
   int error = next(thread, how, coursekit::begin, new coursekit::Start{function, argument, own});
   if (!error) {
@@ -60,13 +70,13 @@ int pthread_create(
 }
 int pthread_join(pthread_t thread, void ** result)
 {
-  COURSEKIT_REAL(pthread_join, thread, result)
+  COURSEKIT_REAL_FOR_POOLS(pthread_join, thread, result)
   coursekit::request("join", coursekit::Packer{}.i(coursekit::number_of(thread)));
   return next(thread, result);
 }
 int pthread_mutex_lock(pthread_mutex_t * m)
 {
-  COURSEKIT_REAL(pthread_mutex_lock, m)
+  COURSEKIT_REAL_FOR_POOLS(pthread_mutex_lock, m)
   int error;
   while ((error = pthread_mutex_trylock(m)) == EBUSY) {
     coursekit::block(m, -1);
@@ -78,18 +88,20 @@ int pthread_mutex_unlock(pthread_mutex_t * m)
   static std::atomic<void *> known{nullptr};
   const auto next = coursekit::real<decltype(&pthread_mutex_unlock)>(known, "pthread_mutex_unlock");
   int error = next(m);
-  coursekit::unblock(m, false);
+  if (!coursekit::t_in_pool) {
+    coursekit::unblock(m, false);
+  }
   return error;
 }
 int pthread_cond_wait(pthread_cond_t * __restrict c, pthread_mutex_t * __restrict m)
 {
-  COURSEKIT_REAL(pthread_cond_wait, c, m)
+  COURSEKIT_REAL_FOR_POOLS(pthread_cond_wait, c, m)
   coursekit::wait_until(c, m, -1);
   return 0;
 }
 int pthread_cond_timedwait(pthread_cond_t * __restrict c, pthread_mutex_t * __restrict m, const timespec * __restrict until)
 {
-  COURSEKIT_REAL(pthread_cond_timedwait, c, m, until)
+  COURSEKIT_REAL_FOR_POOLS(pthread_cond_timedwait, c, m, until)
   int64_t left = until->tv_sec * 1000000000LL + until->tv_nsec - coursekit::g_state.system;
   return coursekit::wait_until(c, m, std::max<int64_t>(left, 0));
 }
@@ -97,20 +109,20 @@ int pthread_cond_timedwait(pthread_cond_t * __restrict c, pthread_mutex_t * __re
 int pthread_cond_clockwait(
   pthread_cond_t * __restrict c, pthread_mutex_t * __restrict m, clockid_t id, const timespec * __restrict until)
 {
-  COURSEKIT_REAL(pthread_cond_clockwait, c, m, id, until)
+  COURSEKIT_REAL_FOR_POOLS(pthread_cond_clockwait, c, m, id, until)
   int64_t now = id == CLOCK_MONOTONIC ? coursekit::g_state.steady : coursekit::g_state.system;
   return coursekit::wait_until(c, m, std::max<int64_t>(until->tv_sec * 1000000000LL + until->tv_nsec - now, 0));
 }
 #endif
 int pthread_cond_signal(pthread_cond_t * c)
 {
-  COURSEKIT_REAL(pthread_cond_signal, c)
+  COURSEKIT_REAL_FOR_POOLS(pthread_cond_signal, c)
   coursekit::unblock(c, false);
   return 0;
 }
 int pthread_cond_broadcast(pthread_cond_t * c)
 {
-  COURSEKIT_REAL(pthread_cond_broadcast, c)
+  COURSEKIT_REAL_FOR_POOLS(pthread_cond_broadcast, c)
   coursekit::unblock(c, true);
   return 0;
 }

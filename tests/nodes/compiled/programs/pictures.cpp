@@ -20,7 +20,7 @@ static void memory()
             << colour.channels()
             << colour.total() << colour.reshape(1).cols << std::endl;
   cv::Mat matrix = (cv::Mat_<double>(2, 3) << 1, 2, 3, 4, 5, 6);
-  std::cout << matrix << matrix.t().at<double>(2, 1) << cv::Mat::eye(2, 2, CV_32F) << cv::Mat(matrix * 0.5).at<double>(1, 2)
+  std::cout << matrix << cv::Mat(matrix.t()).at<double>(2, 1) << cv::Mat::eye(2, 2, CV_32F) << cv::Mat(matrix * 0.5).at<double>(1, 2)
             << std::endl;
   int sum = 0;
   for (auto it = a.begin<uchar>(); it != a.end<uchar>(); ++it) {sum += *it;}

@@ -1,6 +1,6 @@
 // InputArray, OutputArray and InputOutputArray: whatever a function takes and gives.
 #pragma once
-#include "opencv2/core/remote.hpp"
+#include "coursekit/opencv/remote.hpp"
 
 namespace cv
 {

@@ -23,8 +23,6 @@ public:
     msg = "OpenCV(" CV_VERSION ") " + file + ":" + std::to_string(line) + ": error: (" + std::to_string(code) + ") " + err;
     msg += func.empty() ? "\n" : " in function '" + func + "'\n";
   }
-  explicit Exception(const std::string & text)
-  : msg(text), err(text) {}
   const char * what() const noexcept override {return msg.c_str();}
   std::string msg, err, func, file;
   int code = -2, line = 0;

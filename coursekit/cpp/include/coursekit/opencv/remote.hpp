@@ -1,4 +1,5 @@
-// How OpenCV's functions are answered: by Python's cv2 in the session, asked over the link.
+// How functions of OpenCV are answered: by Python's cv2 in the session, asked over the link.
+// The Mat is the system's where it has OpenCV for C++, else the one in coursekit/cpp/opencv.
 #pragma once
 #include "coursekit/link.hpp"
 #include "opencv2/core/mat.hpp"
@@ -130,7 +131,9 @@ inline Value asked(const char * what, const Packer & with)
     Unpacker answer = coursekit::request(what, with);
     return unpack(answer);
   } catch (const coursekit::Refused & refusal) {
-    throw Exception(refusal.what());
+    Exception error;
+    error.msg = error.err = refusal.what();
+    throw error;
   }
 }
 /// Call a function of cv2; Exception with its words where it refuses.

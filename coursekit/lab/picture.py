@@ -45,8 +45,6 @@ class Picture(View):
         self._alarm: Any = None
         self._viewed = False
         self.on_key: Callable[[int], None] = lambda _code: None
-        self.on_slider: Callable[[str, int], None] = lambda _name, _value: None
-        self.on_mouse: Callable[[int, int, int, int], None] = lambda _event, _x, _y, _flags: None
         self.on_msg(self._hear)
 
     # -- for subclasses
@@ -62,14 +60,6 @@ class Picture(View):
     def is_open(self) -> bool:
         """Whether more images may come."""
         return True
-
-    def sliders(self) -> list[dict[str, Any]]:
-        """Return the sliders below the picture: dicts with name, value, low and high."""
-        return []
-
-    def takes_mouse(self) -> bool:
-        """Whether the mouse's events are wanted."""
-        return False
 
     # -- news
 
@@ -101,9 +91,8 @@ class Picture(View):
     def _tell(self) -> None:
         image = self._read()
         message = {"title": self.heading(), "note": self.note(), "open": self.is_open(), "live": self._live}
-        message |= {"sliders": self.sliders(), "mouse": self.takes_mouse()}
         if image is None:
-            self.send({**message, "empty": "" if message["sliders"] else gettext("no image yet")})
+            self.send({**message, "empty": gettext("no image yet")})
             with self._lock:
                 self._under_way = 0
             return
@@ -117,10 +106,6 @@ class Picture(View):
             self._tell()
         elif kind == "key":
             self.on_key(int(message.get("code", -1)))
-        elif kind == "slider":
-            self.on_slider(str(message.get("name", "")), int(message.get("value", 0)))
-        elif kind == "mouse":
-            self.on_mouse(*(int(message.get(what, 0)) for what in ("event", "x", "y", "flags")))
         elif kind == "shown":
             with self._lock:
                 self._under_way = max(0, self._under_way - 1)

@@ -1,4 +1,4 @@
-"""OpenCV's windows in the notebook: the images of `cv2.imshow`, live, their sliders, and the keys for `cv2.waitKey`."""
+"""OpenCV's windows in the notebook: the images of `cv2.imshow`, live, and the keys for `cv2.waitKey`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ import ipywidgets
 
 from coursekit.processes.process import current_process
 from coursekit.processes.session import current
-from coursekit.view.windows import Desk, Window, as_bgr, desk, unwatch, watch
+from coursekit.view import highgui
+from coursekit.view.highgui import Desk, Window
 
 from .bundle import with_text
 from .errors import NotThere
@@ -18,14 +19,12 @@ NO_WINDOWS = "No windows are open. cv2.imshow('name', image) opens one."
 
 
 class WindowPicture(Picture):
-    """One window with its trackbars; after a click on it, `cv2.waitKey` returns the pressed keys."""
+    """One window; after a click on it, `cv2.waitKey` returns the pressed keys."""
 
     def __init__(self, desk: Desk, window: Window) -> None:
-        super().__init__(lambda: None if window.image is None else as_bgr(window.image))
+        super().__init__(lambda: None if window.image is None else highgui.as_bgr(window.image))
         self.window = window
         self.on_key = desk.press
-        self.on_slider = lambda name, value: desk.slide(window.name, name, value)
-        self.on_mouse = lambda *event: desk.point(window.name, *event)
 
     def heading(self) -> str:
         """Return the window's title."""
@@ -40,15 +39,6 @@ class WindowPicture(Picture):
         """Whether the window is still open."""
         return self.window.open
 
-    def sliders(self) -> list[dict[str, Any]]:
-        """Return the window's trackbars."""
-        bars = list(self.window.trackbars.values())
-        return [{"name": bar.name, "value": bar.value, "low": bar.low, "high": bar.high} for bar in bars]
-
-    def takes_mouse(self) -> bool:
-        """Whether the program has set a mouse callback."""
-        return self.window.mouse is not None
-
     def __repr__(self) -> str:
         return repr(self.window)
 
@@ -58,24 +48,16 @@ class Windows:
 
     def __init__(self, names: tuple[str, ...]) -> None:
         self.names = names
-        self.desk = desk()
+        self.desk = highgui.desk()
         self._pictures: dict[Window, WindowPicture] = {}
         self._box: Any = None
         for window in self.desk.windows.values():
             self._take(window)
-        watch(self._hear)
+        highgui.watch(self._hear)
 
     def press(self, key: str | int) -> None:
         """Press a key, as if one of the windows had the focus: `cv2.waitKey` returns it."""
         self.desk.press(key)
-
-    def slide(self, window: str, name: str, value: int) -> None:
-        """Pull a window's trackbar to a value, as with the mouse."""
-        self.desk.slide(window, name, value)
-
-    def point(self, window: str, event: int, x: int, y: int, flags: int = 0) -> None:
-        """Move or press the mouse at a pixel of a window; `event` is cv2.EVENT_LBUTTONDOWN, cv2.EVENT_MOUSEMOVE, ..."""
-        self.desk.point(window, event, x, y, flags)
 
     def __getitem__(self, name: str) -> Window:
         """Return the window of that name: `.image` is its image; LookupError if it is not open."""
@@ -121,19 +103,18 @@ _shown: dict[tuple[str, ...], Windows] = {}
 def windows(*names: str) -> Windows:
     """Show the present and future windows of `cv2.imshow` as live pictures; with names, only those.
 
-    Click a window and press a key for `cv2.waitKey`; from code: `windows().press("q")`. Trackbars are below their window;
-    from code: `windows().slide("frame", "hue", 120)`.
+    Click a window and press a key for `cv2.waitKey`; from code: `windows().press("q")`.
     """
     older = _shown.pop(names, None)
     if older is not None:
-        unwatch(older._hear)
+        highgui.unwatch(older._hear)
     _shown[names] = Windows(names)
     return _shown[names]
 
 
 def show_new_windows() -> None:
     """Show a window that a cell itself opens with `cv2.imshow` below that cell."""
-    watch(_appear)
+    highgui.watch(_appear)
 
 
 def _appear(window: Window) -> None:

@@ -4,10 +4,8 @@ The OpenCV wheel of the course opens no windows, and most lab machines have no w
 session, `install` adds
 
 - imshow, namedWindow, waitKey, waitKeyEx, pollKey, destroyWindow, destroyAllWindows, getWindowProperty,
-  setWindowTitle, resizeWindow, moveWindow: windows are kept here, and a notebook shows them
-  (`coursekit.lab.windows()`);
-- createTrackbar, getTrackbarPos, setTrackbarPos, setTrackbarMin, setTrackbarMax, setMouseCallback: their sliders and
-  mouse;
+  setWindowTitle,
+  resizeWindow, moveWindow: windows are kept here, and a notebook shows them (`coursekit.lab.windows()`);
 - VideoCapture: camera 0 is the virtual one; files and URLs are opened by OpenCV itself.
 
 It does not replace working functions: windows stay OpenCV's own where it can open them (a display, and a build with a
@@ -19,18 +17,108 @@ from __future__ import annotations
 
 import os
 import sys
+from collections import deque
 from typing import Any
 
 import cv2
 import numpy as np
 
+from coursekit.processes.live_things import LiveThings
 from coursekit.processes.patching import IMPORTS, Patch, always, patch_manager
+from coursekit.processes.session import current
 
 from .capture import VirtualCapture
-from .window_input import Mouse, MouseMoved, Moved, Trackbar
-from .windows import desk, tell
 
 _RealCapture = cv2.VideoCapture
+
+
+class Window:
+    """A named window with its newest image."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.title = name
+        self.image: Any = None
+        self.shown = 0
+        """The number of images shown so far."""
+        self.open = True
+
+    def __repr__(self) -> str:
+        if self.image is None:
+            return f"[window {self.name}: no image yet]"
+        height, width = self.image.shape[:2]
+        return f"[window {self.name}: {width}x{height}]"
+
+
+_windows = LiveThings[Window]("cv2")
+watch = _windows.watch
+unwatch = _windows.unwatch
+
+
+class Desk:
+    """The windows of one session, and the keys pressed in them."""
+
+    def __init__(self, session: Any) -> None:
+        self.session = session
+        self.windows: dict[str, Window] = {}
+        self.keys: deque[int] = deque(maxlen=100)
+        self._pressed = session.clock.new_event()
+
+    def window(self, name: str) -> Window:
+        """Return the window of that name, opened on first use."""
+        window = self.windows.get(name)
+        if window is None:
+            window = self.windows[name] = Window(name)
+            _windows.tell(window)
+        return window
+
+    def close(self, name: str) -> None:
+        """Close a window; does nothing if there is none."""
+        window = self.windows.pop(name, None)
+        if window is not None:
+            window.open = False
+            _windows.tell(window)
+
+    def press(self, key: str | int) -> None:
+        """Press a key: a character, or a key code as returned by waitKey."""
+        self.keys.append(ord(key) if isinstance(key, str) else int(key))
+        self._pressed.set()
+
+    def wait_key(self, milliseconds: int) -> int:
+        """Wait at most that long for a key (0: forever). Returns its code, or -1 for none."""
+        clock = self.session.clock
+        end = None if milliseconds <= 0 else clock.steady() + milliseconds * 1_000_000
+        while not self.keys:
+            self._pressed.clear()
+            if self.keys:
+                break
+            remaining = None if end is None else (end - clock.steady()) * 1e-9
+            if remaining is not None and remaining <= 0:
+                return -1
+            self._pressed.wait(remaining)
+        return self.keys.popleft()
+
+
+def desk() -> Desk:
+    """Return the current session's desk."""
+    session = current()
+    found = getattr(session, "_desk", None)
+    if found is None:
+        found = session._desk = Desk(session)  # type: ignore[attr-defined]
+    return found  # type: ignore[no-any-return]
+
+
+def as_bgr(image: Any) -> Any:
+    """Convert an array to a window's image, as OpenCV does: 16-bit values are divided, floats range from 0 to 1."""
+    if image.dtype == np.uint16:
+        image = (image >> 8).astype(np.uint8)
+    elif image.dtype.kind == "f":
+        image = np.clip(image * 255.0, 0, 255).astype(np.uint8)
+    elif image.dtype != np.uint8:
+        image = image.astype(np.uint8)
+    if image.ndim == 2 or image.shape[2] == 1:
+        return cv2.cvtColor(image, cv2.COLOR_GRAY2BGR)
+    return image if image.shape[2] == 3 else cv2.cvtColor(image, cv2.COLOR_BGRA2BGR)
 
 
 # -- OpenCV's functions
@@ -46,7 +134,7 @@ def imshow(winname: str, mat: Any) -> None:
     window = desk().window(winname)
     window.image = mat.copy()
     window.shown += 1
-    tell(window)
+    _windows.tell(window)
 
 
 def namedWindow(winname: str, flags: int = 1) -> None:
@@ -74,7 +162,6 @@ def waitKey(delay: int = 0) -> int:
 
 def pollKey() -> int:
     """Return the pressed key, or -1 for none, without waiting."""
-    desk().deliver()
     return desk().keys.popleft() if desk().keys else -1
 
 
@@ -82,7 +169,7 @@ def setWindowTitle(winname: str, title: str) -> None:
     """Change a window's title."""
     window = desk().window(winname)
     window.title = title
-    tell(window)
+    _windows.tell(window)
 
 
 def getWindowProperty(winname: str, prop_id: int) -> float:
@@ -96,46 +183,6 @@ def resizeWindow(winname: str, *_size: Any) -> None:
 
 def moveWindow(winname: str, x: int, y: int) -> None:
     """Do nothing: the notebook positions the windows."""
-
-
-def createTrackbar(trackbarName: str, windowName: str, value: int, count: int, onChange: Moved | None = None) -> None:
-    """Put a slider from 0 to `count` below a window; `onChange(value)` is called while the program waits for a key."""
-    window = desk().open_window(windowName)
-    window.trackbars[trackbarName] = Trackbar(trackbarName, max(0, min(count, value)), count, onChange)
-    tell(window)
-
-
-def getTrackbarPos(trackbarname: str, winname: str) -> int:
-    """Return the position of a slider."""
-    return desk().open_window(winname).trackbar(trackbarname).value
-
-
-def setTrackbarPos(trackbarname: str, winname: str, pos: int) -> None:
-    """Move a slider; its function is called at once."""
-    window = desk().open_window(winname)
-    window.trackbar(trackbarname).move(pos)
-    tell(window)
-
-
-def setTrackbarMin(trackbarname: str, winname: str, minval: int) -> None:
-    """Change a slider's lowest position."""
-    bar = desk().open_window(winname).trackbar(trackbarname)
-    bar.low = minval
-    setTrackbarPos(trackbarname, winname, bar.value)
-
-
-def setTrackbarMax(trackbarname: str, winname: str, maxval: int) -> None:
-    """Change a slider's highest position."""
-    bar = desk().open_window(winname).trackbar(trackbarname)
-    bar.high = maxval
-    setTrackbarPos(trackbarname, winname, bar.value)
-
-
-def setMouseCallback(windowName: str, onMouse: MouseMoved | None, param: Any = None) -> None:
-    """Call `onMouse(event, x, y, flags, param)` for the mouse in a window, while the program waits for a key."""
-    window = desk().open_window(windowName)
-    window.mouse = None if onMouse is None else Mouse(onMouse, param)
-    tell(window)
 
 
 class VideoCapture:
@@ -159,12 +206,6 @@ _WINDOWS = (
     getWindowProperty,
     resizeWindow,
     moveWindow,
-    createTrackbar,
-    getTrackbarPos,
-    setTrackbarPos,
-    setTrackbarMin,
-    setTrackbarMax,
-    setMouseCallback,
 )
 
 

@@ -19,8 +19,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from coursekit.processes.patching import IMPORTS, Patch, always, patch_manager
 from coursekit.processes.process import Process, current_process
 
-from .highgui import imshow
-from .windows import desk
+from .highgui import desk, imshow
 
 FRAME = 0.1
 """The maximum time between two updates of the figures [s]."""

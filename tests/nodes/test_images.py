@@ -8,7 +8,7 @@ from sensor_msgs.msg import Image
 
 from coursekit.nodes.images.transport import compress, decompress, to_bgr
 from coursekit.sim.camera import Scene
-from coursekit.view import highgui, windows
+from coursekit.view import highgui
 
 BRIDGE = CvBridge()
 PICTURE = Scene().render(1.0, 160, 120)
@@ -127,8 +127,8 @@ def test_list_transports_lists_them(run):
 def test_rqt_image_view_opens_a_window_and_closes_it(camera, run, session, argv):
     viewer = run("rqt_image_view", "rqt_image_view", *argv)
     session.clock.sleep(1.0)
-    assert windows.desk().windows["/camera/image_raw"].image.shape == (480, 640, 3)
+    assert highgui.desk().windows["/camera/image_raw"].image.shape == (480, 640, 3)
     viewer.interrupt()
     assert viewer.wait(2.0) == 0
-    assert windows.desk().windows == {}
+    assert highgui.desk().windows == {}
     assert Image._TYPE_NAME == "sensor_msgs/msg/Image"

@@ -10,8 +10,8 @@ from turtlesim.msg import Pose
 from coursekit.nodes.rqt.curves import Curves, numbers, part, paths
 from coursekit.nodes.rqt.plot import Plot
 from coursekit.nodes.rqt.windows import windows
+from coursekit.view import highgui
 from coursekit.view.graph_facts import take
-from coursekit.view.windows import desk
 
 
 @pytest.fixture
@@ -77,14 +77,14 @@ def test_numbers_of_topics_are_kept_by_their_paths(session, sources):
 def test_a_window_shows_them_until_the_end(session, sources, run):
     window = run("rqt_plot", "rqt_plot", "/turtle1/pose")
     session.clock.sleep(1.0)
-    ((title, picture),) = desk().windows.items()
+    ((title, picture),) = highgui.desk().windows.items()
     before = picture.image
     session.clock.sleep(2.0)
-    after = desk().windows[title].image
+    after = highgui.desk().windows[title].image
     assert title == f"rqt_plot_{window.pid}"
     assert before.shape == after.shape == (360, 720, 3) and (before != after).any()
     window.interrupt()
-    assert window.wait(2.0) == 0 and not desk().windows
+    assert window.wait(2.0) == 0 and not highgui.desk().windows
 
 
 def test_without_a_path_it_says_how(run, session):

@@ -1,7 +1,6 @@
 """OpenCV's windows and camera in a session."""
 
 import sys
-import time
 
 import cv2
 import numpy as np
@@ -9,7 +8,7 @@ import pytest
 
 from coursekit import wiring
 from coursekit.processes.session import Session
-from coursekit.view import capture, highgui, windows
+from coursekit.view import capture, highgui
 
 IMAGE = np.full((30, 40, 3), 7, np.uint8)
 
@@ -27,7 +26,7 @@ def test_a_window_keeps_a_copy_of_the_newest_image(session):
     image = IMAGE.copy()
     cv2.imshow("frame", image)
     image[:] = 0
-    window = windows.desk().windows["frame"]
+    window = highgui.desk().windows["frame"]
     assert np.array_equal(window.image, IMAGE) and repr(window) == "[window frame: 40x30]"
 
 
@@ -40,7 +39,7 @@ def test_destroying_closes_and_an_unknown_window_is_an_error(session):
     with pytest.raises(cv2.error, match=r"There is no window 'b'. There are: a"):
         cv2.destroyWindow("b")
     cv2.destroyAllWindows()
-    assert windows.desk().windows == {}
+    assert highgui.desk().windows == {}
 
 
 def test_showing_nothing_says_what_to_look_at(session):
@@ -56,85 +55,19 @@ def test_wait_key_waits_in_session_time(session, milliseconds):
 
 
 def test_wait_key_returns_the_key_when_it_is_pressed(session):
-    session.clock.call_at(session.clock.steady() + 2_000_000_000, lambda: windows.desk().press("q"))
+    session.clock.call_at(session.clock.steady() + 2_000_000_000, lambda: highgui.desk().press("q"))
     assert cv2.waitKey(0) == ord("q")
     assert session.clock.steady() == 2_000_000_000
-    windows.desk().press(27)
+    highgui.desk().press(27)
     assert (cv2.pollKey(), cv2.pollKey()) == (27, -1)
-
-
-def test_a_slider_tells_the_program_while_it_waits_for_a_key(session):
-    heard = []
-    cv2.namedWindow("tuner")
-    cv2.createTrackbar("hue", "tuner", 20, 179, heard.append)
-    windows.desk().slide("tuner", "hue", 200)
-    assert (cv2.getTrackbarPos("hue", "tuner"), heard) == (20, [])
-    assert (cv2.waitKey(1), cv2.getTrackbarPos("hue", "tuner"), heard) == (-1, 179, [179])
-    windows.desk().slide("tuner", "hue", 179)
-    cv2.waitKey(1)
-    assert heard == [179], "it did not move"
-    assert repr(windows.desk().windows["tuner"]) == "[window tuner: no image yet; hue: 179]"
-
-
-def test_a_slider_that_the_program_moves_tells_it_at_once_and_keeps_its_bounds(session):
-    heard = []
-    cv2.namedWindow("tuner")
-    cv2.createTrackbar("hue", "tuner", 20, 179, heard.append)
-    cv2.setTrackbarPos("hue", "tuner", 90)
-    cv2.setTrackbarMax("hue", "tuner", 50)
-    cv2.setTrackbarMin("hue", "tuner", 10)
-    cv2.setTrackbarPos("hue", "tuner", 0)
-    assert heard == [90, 50, 10] and cv2.getTrackbarPos("hue", "tuner") == 10
-
-
-def test_the_mouse_is_told_while_the_program_waits_for_a_key(session):
-    heard = []
-    cv2.imshow("frame", IMAGE)
-    cv2.setMouseCallback("frame", lambda *event: heard.append(event), "mine")
-    desk = windows.desk()
-    desk.point("frame", cv2.EVENT_LBUTTONDOWN, 3, 4, cv2.EVENT_FLAG_LBUTTON)
-    session.clock.call_at(session.clock.steady() + 5_000_000, lambda: desk.point("frame", cv2.EVENT_LBUTTONUP, 9, 4))
-    assert (cv2.waitKey(4), heard) == (-1, [(cv2.EVENT_LBUTTONDOWN, 3, 4, 1, "mine")])
-    assert (cv2.waitKey(4), heard[1:]) == (-1, [(cv2.EVENT_LBUTTONUP, 9, 4, 0, "mine")])
-    cv2.setMouseCallback("frame", None)
-    desk.point("frame", cv2.EVENT_LBUTTONDOWN, 3, 4)
-    assert (cv2.pollKey(), len(heard)) == (-1, 2)
-
-
-def test_another_programs_wait_leaves_the_events_where_they_are(session):
-    heard = []
-    program = session.start(lambda: own_window(heard.append), name="theirs")
-    session.clock.sleep(0.1)
-    windows.desk().slide("theirs", "x", 5)
-    cv2.waitKey(1)
-    assert heard == []
-    assert program.wait(5.0) == 0 and heard == [5]
-
-
-def own_window(moved):
-    cv2.namedWindow("theirs")
-    cv2.createTrackbar("x", "theirs", 0, 10, moved)
-    time.sleep(1.0)
-    cv2.waitKey(1)
-
-
-def test_a_missing_window_or_slider_is_an_error_that_lists_what_is_there(session):
-    with pytest.raises(cv2.error, match=r"There is no window 'a': cv2.namedWindow\('a'\) opens it. There are: none"):
-        cv2.createTrackbar("hue", "a", 0, 10)
-    cv2.namedWindow("a")
-    cv2.createTrackbar("hue", "a", 0, 10)
-    with pytest.raises(cv2.error, match="The window 'a' has no trackbar 'heu'. It has: hue"):
-        cv2.getTrackbarPos("heu", "a")
-    with pytest.raises(cv2.error, match="There is no window 'b'"):
-        cv2.setMouseCallback("b", print)
 
 
 def test_windows_are_told_of(session):
     heard = []
-    windows.watch(heard.append)
+    highgui.watch(heard.append)
     cv2.imshow("frame", IMAGE)
     cv2.destroyAllWindows()
-    windows.unwatch(heard.append)
+    highgui.unwatch(heard.append)
     assert [window.name for window in heard] == ["frame", "frame", "frame"] and not heard[-1].open
 
 
@@ -142,7 +75,7 @@ def test_windows_are_told_of(session):
 @pytest.mark.parametrize("channels", [None, 1, 3, 4])
 def test_every_kind_of_image_is_shown(kind, channels):
     shape = (4, 5) if channels is None else (4, 5, channels)
-    shown = windows.as_bgr(np.ones(shape, kind))
+    shown = highgui.as_bgr(np.ones(shape, kind))
     assert shown.shape == (4, 5, 3) and shown.dtype == np.uint8
 
 

@@ -5,7 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from coursekit.processes.session import Session
-from coursekit.view.windows import desk
+from coursekit.view.highgui import desk
 
 
 def animated():

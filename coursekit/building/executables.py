@@ -247,6 +247,9 @@ EXECUTABLES: dict[str, dict[str, str]] = {
     "nav2_smoother": {
         "smoother_server": "coursekit.nodes.nav2.smoother_server:main",
     },
+    "nav2_util": {
+        "lifecycle_bringup": "coursekit.nodes.nav2.lifecycle_bringup:main",
+    },
     "nav2_velocity_smoother": {
         "velocity_smoother": "coursekit.nodes.nav2.velocity_smoother:main",
     },

@@ -113,3 +113,10 @@ def test_what_drivers_of_cameras_radars_and_buses_send_is_there():
     assert load("radar_msgs/RadarTracks")().get_fields_and_field_types()["tracks"] == "sequence<radar_msgs/RadarTrack>"
     assert load("radar_msgs/RadarTrack").DYNAMIC == 2
     assert len(load("velodyne_msgs/VelodynePacket")().data) == 1206
+
+
+def test_what_receivers_of_satellites_tell_beyond_a_fix_is_there():
+    fix = load("gps_msgs/GPSFix")(latitude=48.1, track=90.0, err_horz=1.5)
+    assert fix.position_covariance_type == fix.COVARIANCE_TYPE_UNKNOWN and len(fix.position_covariance) == 9
+    assert fix.status.status == fix.status.STATUS_FIX and fix.status.STATUS_NO_FIX == -1
+    assert list(load("gps_msgs/GPSStatus")(satellite_used_prn=[3, 7]).satellite_used_prn) == [3, 7]

@@ -61,6 +61,13 @@ class Picture(View):
         """Whether more images may come."""
         return True
 
+    def controls(self) -> dict[str, Any]:
+        """Return what can be changed at the picture: `trackbars`, and `mouse` if somebody hears of it."""
+        return {}
+
+    def touched(self, message: dict[str, Any]) -> None:
+        """Handle a trackbar that was moved, or the mouse."""
+
     # -- news
 
     def news(self) -> None:
@@ -91,6 +98,7 @@ class Picture(View):
     def _tell(self) -> None:
         image = self._read()
         message = {"title": self.heading(), "note": self.note(), "open": self.is_open(), "live": self._live}
+        message |= self.controls()
         if image is None:
             self.send({**message, "empty": gettext("no image yet")})
             with self._lock:
@@ -106,6 +114,8 @@ class Picture(View):
             self._tell()
         elif kind == "key":
             self.on_key(int(message.get("code", -1)))
+        elif kind in ("slide", "mouse"):
+            self.touched(message)
         elif kind == "shown":
             with self._lock:
                 self._under_way = max(0, self._under_way - 1)

@@ -8,7 +8,7 @@ from typing import Any
 import ipywidgets
 
 from coursekit.nodes.rqt.windows import RqtWindow, windows
-from coursekit.view import highgui
+from coursekit.view.desk import Window, desk, unwatch, watch
 
 from .graph_panel import GraphPanel
 from .log_console import LogConsole
@@ -47,16 +47,16 @@ class PlotPicture(WindowPicture):
     """The curves drawn by `rqt_plot`."""
 
     def __init__(self, name: str) -> None:
-        super().__init__(highgui.desk(), highgui.desk().window(name))
-        highgui.watch(self._newer)
+        super().__init__(desk(), desk().window(name))
+        watch(self._newer)
 
-    def _newer(self, window: highgui.Window) -> None:
+    def _newer(self, window: Window) -> None:
         if window is self.window:
             self.news()
 
     def close(self) -> None:
         """Stop watching the window."""
-        highgui.unwatch(self._newer)
+        unwatch(self._newer)
         super().close()
 
 

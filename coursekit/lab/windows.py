@@ -9,7 +9,7 @@ import ipywidgets
 from coursekit.processes.process import current_process
 from coursekit.processes.session import current
 from coursekit.view import highgui
-from coursekit.view.highgui import Desk, Window
+from coursekit.view.desk import Desk, Window, desk, unwatch, watch
 
 from .bundle import with_text
 from .errors import NotThere
@@ -19,7 +19,7 @@ NO_WINDOWS = "No windows are open. cv2.imshow('name', image) opens one."
 
 
 class WindowPicture(Picture):
-    """One window; after a click on it, `cv2.waitKey` returns the pressed keys."""
+    """One window with its trackbars; after a click on it, `cv2.waitKey` returns the pressed keys."""
 
     def __init__(self, desk: Desk, window: Window) -> None:
         super().__init__(lambda: None if window.image is None else highgui.as_bgr(window.image))
@@ -39,6 +39,19 @@ class WindowPicture(Picture):
         """Whether the window is still open."""
         return self.window.open
 
+    def controls(self) -> dict[str, Any]:
+        """Return the window's trackbars, and whether a program hears of the mouse."""
+        bars = self.window.trackbars.items()
+        shown = [{"name": name, "value": bar.value, "min": bar.least, "max": bar.most} for name, bar in bars]
+        return {"trackbars": shown, "mouse": self.window.on_mouse is not None}
+
+    def touched(self, message: dict[str, Any]) -> None:
+        """Move a trackbar, or use the mouse."""
+        if message["type"] == "slide" and message["name"] in self.window.trackbars:
+            self.window.slide(message["name"], int(message["value"]))
+        elif message["type"] == "mouse":
+            self.window.mouse(*(int(message[part]) for part in ("event", "x", "y", "flags")))
+
     def __repr__(self) -> str:
         return repr(self.window)
 
@@ -48,12 +61,12 @@ class Windows:
 
     def __init__(self, names: tuple[str, ...]) -> None:
         self.names = names
-        self.desk = highgui.desk()
+        self.desk = desk()
         self._pictures: dict[Window, WindowPicture] = {}
         self._box: Any = None
         for window in self.desk.windows.values():
             self._take(window)
-        highgui.watch(self._hear)
+        watch(self._hear)
 
     def press(self, key: str | int) -> None:
         """Press a key, as if one of the windows had the focus: `cv2.waitKey` returns it."""
@@ -103,18 +116,19 @@ _shown: dict[tuple[str, ...], Windows] = {}
 def windows(*names: str) -> Windows:
     """Show the present and future windows of `cv2.imshow` as live pictures; with names, only those.
 
-    Click a window and press a key for `cv2.waitKey`; from code: `windows().press("q")`.
+    Click a window and press a key for `cv2.waitKey`; from code: `windows().press("q")`. Trackbars are sliders below the
+    picture; from code: `windows()["tune"].slide("hue", 20)`, and for the mouse `windows()["frame"].click(320, 240)`.
     """
     older = _shown.pop(names, None)
     if older is not None:
-        highgui.unwatch(older._hear)
+        unwatch(older._hear)
     _shown[names] = Windows(names)
     return _shown[names]
 
 
 def show_new_windows() -> None:
     """Show a window that a cell itself opens with `cv2.imshow` below that cell."""
-    highgui.watch(_appear)
+    watch(_appear)
 
 
 def _appear(window: Window) -> None:
@@ -122,6 +136,8 @@ def _appear(window: Window) -> None:
         return
     from IPython.display import display
 
-    everything = _shown.get(())
-    if window.image is not None and (everything is None or everything._box is None):
+    everything, own = _shown.get(()), _shown.get((window.name,))
+    if own is not None and window in own._pictures:
+        return
+    if (window.image is not None or window.trackbars) and (everything is None or everything._box is None):
         display(windows(window.name))

@@ -4,8 +4,8 @@ The OpenCV wheel of the course opens no windows, and most lab machines have no w
 session, `install` adds
 
 - imshow, namedWindow, waitKey, waitKeyEx, pollKey, destroyWindow, destroyAllWindows, getWindowProperty,
-  setWindowTitle,
-  resizeWindow, moveWindow: windows are kept here, and a notebook shows them (`coursekit.lab.windows()`);
+  setWindowTitle, resizeWindow, moveWindow, trackbars and the mouse (`window_controls`): windows are kept here, and
+  a notebook shows them (`coursekit.lab.windows()`);
 - VideoCapture: camera 0 is the virtual one; files and URLs are opened by OpenCV itself.
 
 It does not replace working functions: windows stay OpenCV's own where it can open them (a display, and a build with a
@@ -17,95 +17,18 @@ from __future__ import annotations
 
 import os
 import sys
-from collections import deque
 from typing import Any
 
 import cv2
 import numpy as np
 
-from coursekit.processes.live_things import LiveThings
 from coursekit.processes.patching import IMPORTS, Patch, always, patch_manager
-from coursekit.processes.session import current
 
 from .capture import VirtualCapture
+from .desk import desk, tell
+from .window_controls import CONTROLS, existing
 
 _RealCapture = cv2.VideoCapture
-
-
-class Window:
-    """A named window with its newest image."""
-
-    def __init__(self, name: str) -> None:
-        self.name = name
-        self.title = name
-        self.image: Any = None
-        self.shown = 0
-        """The number of images shown so far."""
-        self.open = True
-
-    def __repr__(self) -> str:
-        if self.image is None:
-            return f"[window {self.name}: no image yet]"
-        height, width = self.image.shape[:2]
-        return f"[window {self.name}: {width}x{height}]"
-
-
-_windows = LiveThings[Window]("cv2")
-watch = _windows.watch
-unwatch = _windows.unwatch
-
-
-class Desk:
-    """The windows of one session, and the keys pressed in them."""
-
-    def __init__(self, session: Any) -> None:
-        self.session = session
-        self.windows: dict[str, Window] = {}
-        self.keys: deque[int] = deque(maxlen=100)
-        self._pressed = session.clock.new_event()
-
-    def window(self, name: str) -> Window:
-        """Return the window of that name, opened on first use."""
-        window = self.windows.get(name)
-        if window is None:
-            window = self.windows[name] = Window(name)
-            _windows.tell(window)
-        return window
-
-    def close(self, name: str) -> None:
-        """Close a window; does nothing if there is none."""
-        window = self.windows.pop(name, None)
-        if window is not None:
-            window.open = False
-            _windows.tell(window)
-
-    def press(self, key: str | int) -> None:
-        """Press a key: a character, or a key code as returned by waitKey."""
-        self.keys.append(ord(key) if isinstance(key, str) else int(key))
-        self._pressed.set()
-
-    def wait_key(self, milliseconds: int) -> int:
-        """Wait at most that long for a key (0: forever). Returns its code, or -1 for none."""
-        clock = self.session.clock
-        end = None if milliseconds <= 0 else clock.steady() + milliseconds * 1_000_000
-        while not self.keys:
-            self._pressed.clear()
-            if self.keys:
-                break
-            remaining = None if end is None else (end - clock.steady()) * 1e-9
-            if remaining is not None and remaining <= 0:
-                return -1
-            self._pressed.wait(remaining)
-        return self.keys.popleft()
-
-
-def desk() -> Desk:
-    """Return the current session's desk."""
-    session = current()
-    found = getattr(session, "_desk", None)
-    if found is None:
-        found = session._desk = Desk(session)  # type: ignore[attr-defined]
-    return found  # type: ignore[no-any-return]
 
 
 def as_bgr(image: Any) -> Any:
@@ -134,7 +57,7 @@ def imshow(winname: str, mat: Any) -> None:
     window = desk().window(winname)
     window.image = mat.copy()
     window.shown += 1
-    _windows.tell(window)
+    tell(window)
 
 
 def namedWindow(winname: str, flags: int = 1) -> None:
@@ -144,9 +67,7 @@ def namedWindow(winname: str, flags: int = 1) -> None:
 
 def destroyWindow(winname: str) -> None:
     """Close a window; cv2.error if there is none of that name."""
-    if winname not in desk().windows:
-        raise cv2.error(f"There is no window '{winname}'. There are: {', '.join(desk().windows) or 'none'}.")
-    desk().close(winname)
+    desk().close(existing(winname).name)
 
 
 def destroyAllWindows() -> None:
@@ -162,6 +83,7 @@ def waitKey(delay: int = 0) -> int:
 
 def pollKey() -> int:
     """Return the pressed key, or -1 for none, without waiting."""
+    desk().serve()
     return desk().keys.popleft() if desk().keys else -1
 
 
@@ -169,7 +91,7 @@ def setWindowTitle(winname: str, title: str) -> None:
     """Change a window's title."""
     window = desk().window(winname)
     window.title = title
-    _windows.tell(window)
+    tell(window)
 
 
 def getWindowProperty(winname: str, prop_id: int) -> float:
@@ -206,6 +128,7 @@ _WINDOWS = (
     getWindowProperty,
     resizeWindow,
     moveWindow,
+    *CONTROLS,
 )
 
 

@@ -19,7 +19,8 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from coursekit.processes.patching import IMPORTS, Patch, always, patch_manager
 from coursekit.processes.process import Process, current_process
 
-from .highgui import desk, imshow
+from .desk import desk
+from .highgui import imshow
 
 FRAME = 0.1
 """The maximum time between two updates of the figures [s]."""

@@ -59,3 +59,26 @@ def test_a_window_of_imshow_takes_keys(notebook, picture):
     page.keyboard.press("Escape")
     opened.eventually("print(keys)", f"[{ord('q')}, 27]")
     picture(page.locator(".ck-picture"), "imshow")
+
+
+def test_a_window_has_trackbars_and_tells_of_clicks(notebook, picture):
+    opened = notebook(
+        "from coursekit.lab import *\nimport cv2\nimport threading\ntold = []",
+        "_, image = cv2.VideoCapture(0).read()\ncv2.namedWindow('tune')\n"
+        "cv2.createTrackbar('hue', 'tune', 20, 179, lambda value: told.append(value))\n"
+        "cv2.setMouseCallback('tune', lambda *given: told.append(given) if given[0] else None)\n"
+        "cv2.imshow('tune', image)\nthreading.Thread(target=lambda: cv2.waitKey(0), daemon=True).start()",
+    )
+    opened.run()
+    page = opened.page
+    image = page.locator(".ck-picture img[src]")
+    image.wait_for(timeout=30_000)
+    slider = page.get_by_label("hue")
+    slider.focus()
+    page.keyboard.press("End")
+    opened.eventually("print(told)", "[179]")
+    box = image.bounding_box()
+    image.click(position={"x": box["width"] / 2, "y": box["height"] / 2})
+    opened.eventually("print([event for event, *_ in told[1:]])", "[1, 4]")  # pressed and released
+    opened.eventually("print(all(abs(x - 320) < 3 and abs(y - 240) < 3 for _, x, y, *_ in told[1:]))", "True")
+    picture(page.locator(".ck-picture"), "trackbars")

@@ -10,11 +10,11 @@ from coursekit.lab.drive import SILENCE_SECONDS, Driver, meaning
 from coursekit.lab.image_view import image_view
 from coursekit.lab.pad import pad
 from coursekit.lab.turtle import NONE_RUNS, turtlesim_window
-from coursekit.lab.windows import NO_WINDOWS, windows
+from coursekit.lab.windows import NO_WINDOWS, WindowPicture, windows
 from coursekit.processes.executables import find
 from coursekit.processes.patching import patch_manager
 from coursekit.processes.session import Session
-from coursekit.view import highgui
+from coursekit.view import highgui, window_controls
 
 
 @pytest.fixture
@@ -177,6 +177,22 @@ def test_windows_show_what_imshow_opened(session):
     assert highgui.waitKey(0) == ord("q")
     bundle = shown._repr_mimebundle_()
     assert (bundle[0] if isinstance(bundle, tuple) else bundle)["text/plain"] == "[window frame: 40x30]"
+
+
+def test_a_window_has_its_trackbars_and_tells_of_the_mouse(session):
+    told = []
+    highgui.namedWindow("tune")
+    shown = windows()
+    picture = WindowPicture(shown.desk, shown["tune"])
+    assert picture.controls() == {"trackbars": [], "mouse": False}
+    window_controls.createTrackbar("hue", "tune", 3, 179, told.append)
+    window_controls.setMouseCallback("tune", lambda *given: told.append(given))
+    assert picture.controls() == {"trackbars": [{"name": "hue", "value": 3, "min": 0, "max": 179}], "mouse": True}
+    picture._hear(None, {"type": "slide", "name": "hue", "value": 90}, [])
+    picture._hear(None, {"type": "slide", "name": "gone", "value": 1}, [])
+    picture._hear(None, {"type": "mouse", "event": 1, "x": 20, "y": 10, "flags": 1}, [])
+    highgui.pollKey()
+    assert told == [90, (1, 20, 10, 1, None)]
 
 
 def test_an_image_view_keeps_the_newest_image(session):

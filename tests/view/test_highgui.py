@@ -8,7 +8,7 @@ import pytest
 
 from coursekit import wiring
 from coursekit.processes.session import Session
-from coursekit.view import capture, highgui
+from coursekit.view import capture, desk, highgui
 
 IMAGE = np.full((30, 40, 3), 7, np.uint8)
 
@@ -64,10 +64,10 @@ def test_wait_key_returns_the_key_when_it_is_pressed(session):
 
 def test_windows_are_told_of(session):
     heard = []
-    highgui.watch(heard.append)
+    desk.watch(heard.append)
     cv2.imshow("frame", IMAGE)
     cv2.destroyAllWindows()
-    highgui.unwatch(heard.append)
+    desk.unwatch(heard.append)
     assert [window.name for window in heard] == ["frame", "frame", "frame"] and not heard[-1].open
 
 

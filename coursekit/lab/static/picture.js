@@ -5,13 +5,61 @@ export default {
     frame.className = "ck-picture";
     frame.innerHTML = `
       <div class="ck-bar"><span class="ck-dot"></span><span class="ck-title"></span><span class="ck-note"></span></div>
-      <div class="ck-screen" tabindex="0" data-lm-suppress-shortcuts="true"><img alt="" draggable="false"><div class="ck-empty"></div></div>`;
+      <div class="ck-screen" tabindex="0" data-lm-suppress-shortcuts="true"><img alt="" draggable="false"><div class="ck-empty"></div></div>
+      <div class="ck-trackbars"></div>`;
     const part = (name) => frame.querySelector(`.ck-${name}`);
     const screen = part("screen");
     const image = frame.querySelector("img");
     let address = null;
     let times = [];
+    // A trackbar that is being dragged is left alone: its own values come back while it moves on.
+    const bars = new Map();
+    let mouse = false;
+    const arrange = ({ trackbars = [], ...rest }) => {
+      mouse = rest.mouse ?? false;
+      const names = trackbars.map(({ name }) => name).join("\n");
+      if (names !== [...bars.keys()].join("\n")) {
+        bars.clear();
+        part("trackbars").replaceChildren(...trackbars.map(({ name }) => {
+          const label = document.createElement("label");
+          const [text, value] = [document.createElement("span"), document.createElement("output")];
+          const bar = Object.assign(document.createElement("input"), { type: "range" });
+          text.textContent = name;
+          bar.addEventListener("input", () => {
+            value.textContent = bar.value;
+            model.send({ type: "slide", name, value: Number(bar.value) });
+          });
+          label.append(text, bar, value);
+          bars.set(name, { bar, value });
+          return label;
+        }));
+      }
+      for (const one of trackbars) {
+        const { bar, value } = bars.get(one.name);
+        if (bar.matches(":active")) continue;
+        Object.assign(bar, { min: one.min, max: one.max });
+        bar.value = one.value;
+        value.textContent = one.value;
+      }
+    };
+    // OpenCV's numbers: an event is its base and the button's place (left, right, middle); flags are bits.
+    const PLACES = [0, 2, 1];
+    const tell = (event, number) => {
+      if (!mouse || !image.naturalWidth) return;
+      const box = image.getBoundingClientRect();
+      const x = Math.floor(((event.clientX - box.left) / box.width) * image.naturalWidth);
+      const y = Math.floor(((event.clientY - box.top) / box.height) * image.naturalHeight);
+      const held = event.buttons | (event.type === "mouseup" ? [1, 4, 2][event.button] ?? 0 : 0);
+      const flags = (held & 7) | (event.ctrlKey ? 8 : 0) | (event.shiftKey ? 16 : 0) | (event.altKey ? 32 : 0);
+      model.send({ type: "mouse", event: number, x, y, flags });
+    };
+    for (const [kind, base] of [["mousedown", 1], ["mouseup", 4], ["dblclick", 7]]) {
+      image.addEventListener(kind, (event) => tell(event, base + (PLACES[event.button] ?? 0)));
+    }
+    image.addEventListener("mousemove", (event) => tell(event, 0));
+    image.addEventListener("contextmenu", (event) => { if (mouse) event.preventDefault(); });
     const hear = async (message, buffers) => {
+      arrange(message);
       part("title").textContent = message.title;
       frame.dataset.state = message.open ? "open" : "closed";
       part("empty").textContent = message.empty ?? "";

@@ -20,6 +20,7 @@ PAUSES = (0.01, 0.02, 0.05, 0.1, 0.2, 0.4, 0.8)
 """Pauses between attempts to replace a file on Windows [s]."""
 TEXT, DATA = 16 << 20, 256 << 20
 """Maximum size of text files, and of other files, for reading [bytes]."""
+_ON_A_ROBOT = "/opt/ros/humble/share/"
 _PIECE = 1 << 18
 """Size of the pieces in which files are read [bytes]."""
 _OPEN = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
@@ -36,6 +37,22 @@ def in_order(paths: Iterable[AnyPath]) -> list[AnyPath]:
     return sorted(paths, key=lambda one: one.as_posix())
 
 
+def installed(path: str | os.PathLike[str]) -> str:
+    """Return where a file or folder is that is named by its place on a robot, /opt/ros/humble/share/PACKAGE/...
+
+    The path is returned as it is if something is there, or if coursekit's packages have nothing of that name.
+
+    >>> installed("/opt/ros/humble/share/turtlesim/package.xml").endswith("/coursekit/share/turtlesim/package.xml")
+    True
+    """
+    given = os.fspath(path)
+    _, mark, inner = given.partition(_ON_A_ROBOT)
+    if not mark or not given.startswith(mark) or ".." in PurePath(inner).parts or os.path.exists(given):
+        return given
+    here = Path(__file__).parent / "share" / inner
+    return str(here) if here.exists() else given
+
+
 def read_bytes(path: str | os.PathLike[str], most: int = DATA) -> bytes:
     """Return the contents of a file; OSError if it is a pipe, a device or too large: none of these is read.
 
@@ -44,7 +61,7 @@ def read_bytes(path: str | os.PathLike[str], most: int = DATA) -> bytes:
     OSError: [Errno 22] It is a device or a pipe, not a file: '/dev/zero'
     """
     try:
-        descriptor = os.open(path, _OPEN)
+        descriptor = os.open(installed(path), _OPEN)
     except ValueError as error:  # a name with a null character
         raise OSError(errno.EINVAL, str(error), os.fspath(path)) from None
     with os.fdopen(descriptor, "rb") as file:
@@ -74,13 +91,13 @@ def read_text(path: str | os.PathLike[str], *, errors: str = "strict", most: int
 
 
 def is_file(path: str | os.PathLike[str]) -> bool:
-    """Return whether there is such a file; also accepts names that no file can have.
+    """Return whether there is such a file, also under its name on a robot; accepts names that no file can have.
 
     >>> is_file("x" * 5000), is_file("a\\0b")
     (False, False)
     """
     try:
-        return stat.S_ISREG(os.stat(path).st_mode)
+        return stat.S_ISREG(os.stat(installed(path)).st_mode)
     except (OSError, ValueError):
         return False
 
@@ -151,4 +168,4 @@ def _rights(target: Path) -> int:
         return 0o666 & ~mask
 
 
-__all__ = ["DATA", "TEXT", "is_file", "is_folder", "read_bytes", "read_text", "write_whole"]
+__all__ = ["DATA", "TEXT", "installed", "is_file", "is_folder", "read_bytes", "read_text", "write_whole"]

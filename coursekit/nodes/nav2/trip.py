@@ -13,6 +13,7 @@ from rclpy.action import ActionClient
 from std_msgs.msg import String
 from tf2_ros import TransformException
 
+from coursekit.files import installed
 from coursekit.geometry.plane import Pose2D
 from coursekit.nav.behavior_tree import RUNNING, SUCCESS, TreeError, TreeNode, read_tree
 from coursekit.nav.planner import length
@@ -91,7 +92,7 @@ class Crew:
 def load_tree(file: str, crew: Crew, goals: list[PoseStamped]) -> TreeNode:
     """Load the tree of a file for these goals; raises TreeError with the file, the fault and its remedy."""
     try:
-        with Path(file).open("rb") as stream:
+        with Path(installed(file)).open("rb") as stream:
             text = stream.read(MOST_BYTES).decode()
     except (OSError, ValueError) as fault:
         reason = getattr(fault, "strerror", None) or "it is no text"

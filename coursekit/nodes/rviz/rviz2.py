@@ -14,6 +14,7 @@ from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rclpy.utilities import remove_ros_args
 from rclpy.validate_topic_name import validate_topic_name
 
+from coursekit.files import is_file
 from coursekit.interfaces import load
 from coursekit.nodes.running import spin_to_the_end
 from coursekit.processes.process import current_process
@@ -112,7 +113,7 @@ def _config(argv: list[str]) -> Config:
     if args.display_config:
         process = current_process()
         folder = Path(process.cwd) if process is not None else Path()
-        if (folder / args.display_config).is_file():
+        if is_file(folder / args.display_config):
             config = read(folder / args.display_config, rooted=False)
         else:
             LOG.warning(f"{args.display_config}: there is no such file; the default view is shown")

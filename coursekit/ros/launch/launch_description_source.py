@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from coursekit.files import installed
+
 from .some_substitutions_type import SomeSubstitutionsType
 from .substitution import Substitution
 from .utilities import normalize_to_list_of_substitutions, perform_substitutions
@@ -34,14 +36,14 @@ class LaunchDescriptionSource:
         from .launch_context import LaunchContext
 
         try:
-            return self._get_launch_description(perform_substitutions(LaunchContext(), self.__location))
+            return self._get_launch_description(installed(perform_substitutions(LaunchContext(), self.__location)))
         except Exception:
             return None
 
     def get_launch_description(self, context: LaunchContext) -> LaunchDescription:
         """Return the description; the location's substitutions are performed in `context`."""
         if self.__expanded_location is None:
-            self.__expanded_location = perform_substitutions(context, self.__location)
+            self.__expanded_location = installed(perform_substitutions(context, self.__location))
         if self.__launch_description is None:
             self.__launch_description = self._get_launch_description(self.__expanded_location)
         return self.__launch_description

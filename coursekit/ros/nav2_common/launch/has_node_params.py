@@ -9,6 +9,8 @@ from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
 
+from coursekit.files import installed
+
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
 
@@ -32,5 +34,5 @@ class HasNodeParams(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         """Return `True` or `False`."""
-        with open(perform_substitutions(context, self.__source_file), encoding="utf-8") as file:
+        with open(installed(perform_substitutions(context, self.__source_file)), encoding="utf-8") as file:
             return str(self.__node_name in (yaml.safe_load(file) or {}))

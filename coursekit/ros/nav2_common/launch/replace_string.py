@@ -10,6 +10,8 @@ from launch.substitution import Substitution
 from launch.temporary_files import temporary_files
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
 
+from coursekit.files import installed
+
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
 
@@ -47,7 +49,7 @@ class ReplaceString(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         """Return the name of the file to use."""
-        source = perform_substitutions(context, self.__source_file)
+        source = installed(perform_substitutions(context, self.__source_file))
         if self.__condition is not None and not self.__condition.evaluate(context):
             return source
         with open(source, encoding="utf-8") as file:

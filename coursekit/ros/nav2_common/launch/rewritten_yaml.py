@@ -11,6 +11,8 @@ from launch.substitution import Substitution
 from launch.temporary_files import temporary_files
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
 
+from coursekit.files import installed
+
 if TYPE_CHECKING:
     from launch.launch_context import LaunchContext
 
@@ -48,7 +50,7 @@ class RewrittenYaml(Substitution):
 
     def perform(self, context: LaunchContext) -> str:
         """Return the name of the new file."""
-        with open(perform_substitutions(context, self.__source_file), encoding="utf-8") as file:
+        with open(installed(perform_substitutions(context, self.__source_file)), encoding="utf-8") as file:
             data = yaml.safe_load(file)
         values = {key: perform_substitutions(context, to) for key, to in self.__values.items()}
         keys = {key: perform_substitutions(context, to) for key, to in self.__keys.items()}

@@ -270,5 +270,5 @@ CONTROLS: dict[str, type[TreeNode]] = {
         Inverter, ForceSuccess, ForceFailure, KeepRunningUntilFailure, Repeat, RetryUntilSuccessful, SingleTrigger,
         AlwaysSuccess, AlwaysFailure,
     )
-}  # fmt: skip
-"""The nodes by their XML names."""
+} | {"RetryUntilSuccesful": RetryUntilSuccessful}  # fmt: skip
+"""The nodes by their XML names; one is also known as BehaviorTree.CPP spelled it first."""

@@ -123,6 +123,18 @@ def test_trees_of_goals_are_gone_and_those_that_are_none_refused(stage, tmp_path
     assert "has a node 'Dance', which is not known here; known are: AlwaysFailure" in stage.launch.output
 
 
+@pytest.mark.parametrize("when", ["path_becomes_invalid", "goal_is_updated"])
+def test_trees_of_nav2_are_driven_under_their_names_on_a_robot(stage, when):
+    stage.tell_pose(START)
+    client = ActionClient(stage.node, NavigateToPose, "navigate_to_pose")
+    assert client.wait_for_server(timeout_sec=5.0)
+    file = f"/opt/ros/humble/share/nav2_bt_navigator/behavior_trees/navigate_w_replanning_only_if_{when}.xml"
+    for pose in (Pose2D(2.5, 0.5, 0.0), Pose2D(1.0, 0.0, 0.0)):
+        goal = NavigateToPose.Goal(pose=stage.stamped(pose), behavior_tree=file)
+        assert stage.until(stage.until(client.send_goal_async(goal)).get_result_async()).status == 4
+        assert stage.distance_to(pose) < 0.4
+
+
 def test_a_goal_that_cannot_begin_leaves_no_robot_driving(stage, tmp_path):
     stage.tell_pose(START)
     client = ActionClient(stage.node, NavigateToPose, "navigate_to_pose")

@@ -149,7 +149,7 @@ CONDITIONS: dict[str, type[TreeNode]] = {
     "RateController": Paced, "DistanceController": PacedByWay, "SpeedController": PacedBySpeed, "GoalUpdater": TakeGoal,
     "GoalReached": _condition("GoalReached", _near), "TimeExpired": _condition("TimeExpired", _expired),
     "DistanceTraveled": _condition("DistanceTraveled", _travelled),
-    "GoalUpdated": ConditionNode, "GlobalUpdatedGoal": ConditionNode, "IsStuck": ConditionNode,
+    "GoalUpdated": ConditionNode, "IsStuck": ConditionNode,
     "InitialPoseReceived": _condition("InitialPoseReceived", lambda node: node.board["crew"].pose() is not None),
     "RemovePassedGoals": _condition("RemovePassedGoals", _drop_passed),
     "TruncatePath": _condition("TruncatePath", _truncate),

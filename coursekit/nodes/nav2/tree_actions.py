@@ -14,6 +14,7 @@ from nav2_msgs.action import (
     ComputePathToPose,
     DriveOnHeading,
     FollowPath,
+    NavigateThroughPoses,
     NavigateToPose,
     SmoothPath,
     Spin,
@@ -276,6 +277,8 @@ ACTIONS: dict[str, type[TreeNode]] = {
     "ComputePathToPose": PlanToPose, "ComputePathThroughPoses": PlanThroughPoses, "FollowPath": Follow, "SmoothPath": Smooth,
     "NavigateToPose": _ordered("go", NavigateToPose, "navigate_to_pose", lambda n: NavigateToPose.Goal(
         pose=n.get("goal"), behavior_tree=n.get("behavior_tree", ""))),
+    "NavigateThroughPoses": _ordered("go_through", NavigateThroughPoses, "navigate_through_poses",
+        lambda n: NavigateThroughPoses.Goal(poses=n.get("goals"), behavior_tree=n.get("behavior_tree", ""))),
     "Spin": _ordered("spin", Spin, "spin", lambda n: Spin.Goal(
         target_yaw=n.number("spin_dist", 1.57), time_allowance=_time(n, "time_allowance", 10.0))),
     "BackUp": _ordered("backup", BackUp, "backup", lambda n: BackUp.Goal(

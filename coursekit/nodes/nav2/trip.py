@@ -18,14 +18,16 @@ from coursekit.geometry.plane import Pose2D
 from coursekit.nav.behavior_tree import RUNNING, SUCCESS, TreeError, TreeNode, read_tree
 from coursekit.nav.planner import length
 from coursekit.nav.second_thoughts import remaining
+from coursekit.nav.tree_branches import BRANCHES
 from coursekit.nav.tree_controls import CONTROLS
 from coursekit.nodes.nav2.condition_nodes import CONDITIONS
 from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.running import Beat
 from coursekit.nodes.nav2.tree_actions import ACTIONS
+from coursekit.nodes.nav2.tree_watchers import WATCHERS
 from coursekit.nodes.scanning.planar import points_of
 
-KINDS: dict[str, type[TreeNode]] = {**CONTROLS, **ACTIONS, **CONDITIONS}
+KINDS: dict[str, type[TreeNode]] = {**CONTROLS, **BRANCHES, **ACTIONS, **CONDITIONS, **WATCHERS}
 MOST_BYTES = 2**20
 
 

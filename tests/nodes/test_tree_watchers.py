@@ -1,0 +1,95 @@
+"""nav2's tree nodes that watch the path, the goal and the battery; and the trees that come with nav2_bt_navigator."""
+
+from collections import deque
+from types import SimpleNamespace
+
+import pytest
+from geometry_msgs.msg import PoseStamped
+from nav_msgs.msg import Path
+from sensor_msgs.msg import BatteryState
+
+from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, read_tree
+from coursekit.nodes.nav2.trip import KINDS, load_tree
+
+
+@pytest.fixture
+def crew():
+    topics = {}
+    made = SimpleNamespace(now=0.0, topics=topics, service=lambda *_: None, client=lambda *_: None)
+    made.seconds = lambda: made.now
+    made.listen = lambda topic, *_: topics.setdefault(topic, deque(maxlen=1))
+    return made
+
+
+@pytest.fixture
+def tree(crew):
+    def made(inner, **board):
+        board |= {"crew": crew}
+        return read_tree(f'<root><BehaviorTree ID="Main">{inner}</BehaviorTree></root>', KINDS, board), board
+
+    return made
+
+
+def straight(metres):
+    path = Path(poses=[PoseStamped(), PoseStamped()])
+    path.poses[1].pose.position.x = float(metres)
+    return path
+
+
+def test_a_path_expires_when_it_has_been_the_same_for_long(crew, tree):
+    timer, board = tree('<PathExpiringTimer seconds="2" path="{path}"/>', path=straight(1))
+    results = []
+    for now, path in ((0, 1), (1.9, 1), (2.0, 1), (2.1, 1), (3.9, 4), (5.8, 4), (5.9, 4)):
+        crew.now, board["path"] = now, straight(path)
+        results.append(timer.tick() == SUCCESS)
+    assert results == [False, False, True, False, False, False, True]
+
+
+def test_a_child_is_ticked_once_for_each_goal(tree):
+    once, board = tree('<GoalUpdatedController><SetBlackboard value="yes" output_key="planned"/></GoalUpdatedController>')
+    assert once.tick() == SUCCESS and board.pop("planned") == "yes"
+    assert once.tick() == RUNNING and "planned" not in board
+    once.halt()
+    assert once.tick() == SUCCESS and "planned" in board
+
+
+def test_a_goal_is_new_once_however_often_a_sequence_ends(tree):
+    branch, _ = tree("<ReactiveSequence><Inverter><GlobalUpdatedGoal/></Inverter><AlwaysSuccess/></ReactiveSequence>")
+    assert [branch.tick() for _ in range(3)] == [FAILURE, SUCCESS, SUCCESS]
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "expected"), [(2, 5, FAILURE), (2, 3, SUCCESS), (4, 20, SUCCESS), (2, 2, SUCCESS)]
+)
+def test_a_much_longer_path_near_the_goal_is_told(tree, before, after, expected):
+    watch, board = tree('<PathLongerOnApproach path="{path}"><AlwaysFailure/></PathLongerOnApproach>', path=straight(before))
+    assert watch.tick() == SUCCESS
+    board["path"] = straight(after)
+    assert watch.tick() == expected
+    assert watch.tick() == SUCCESS  # of the same path once
+
+
+@pytest.mark.parametrize(
+    ("ports", "expected"),
+    [('min_battery="0.2"', FAILURE), ('min_battery="0.4"', SUCCESS), ('min_battery="11.5" is_voltage="true"', SUCCESS)],
+)
+def test_a_battery_is_low_by_its_charge_or_its_voltage(crew, tree, ports, expected):
+    condition, _ = tree(f'<IsBatteryLow battery_topic="/battery" {ports}/>')
+    assert condition.tick() == FAILURE
+    crew.topics["/battery"].append(BatteryState(percentage=0.3, voltage=11.4))
+    assert condition.tick() == expected
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "nav_to_pose_with_consistent_replanning_and_if_path_becomes_invalid",
+        "navigate_w_replanning_only_if_goal_is_updated",
+        "navigate_w_replanning_only_if_path_becomes_invalid",
+        "odometry_calibration",
+        "navigate_to_pose_w_replanning_and_recovery",
+    ],
+)
+def test_nav2s_trees_are_there_under_their_names_on_a_robot(crew, name):
+    file = f"/opt/ros/humble/share/nav2_bt_navigator/behavior_trees/{name}.xml"
+    assert load_tree(file, crew, [PoseStamped()]).children

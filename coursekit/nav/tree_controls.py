@@ -270,5 +270,6 @@ CONTROLS: dict[str, type[TreeNode]] = {
         Inverter, ForceSuccess, ForceFailure, KeepRunningUntilFailure, Repeat, RetryUntilSuccessful, SingleTrigger,
         AlwaysSuccess, AlwaysFailure,
     )
-} | {"RetryUntilSuccesful": RetryUntilSuccessful}  # fmt: skip
-"""The nodes by their XML names; one is also known as BehaviorTree.CPP spelled it first."""
+}  # fmt: skip
+"""The nodes by their XML names."""
+CONTROLS["RetryUntilSuccesful"] = RetryUntilSuccessful  # as BehaviorTree.CPP spelled it first

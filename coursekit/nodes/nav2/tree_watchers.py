@@ -88,7 +88,7 @@ class Detour(TreeNode):
 
 
 class LowBattery(TreeNode):
-    """IsBatteryLow: whether the battery's percentage (0 to 1), or with `is_voltage` its voltage, is at most `min_battery`."""
+    """IsBatteryLow: whether its percentage (0 to 1), or with `is_voltage` its voltage, is at most `min_battery`."""
 
     def prepare(self) -> None:
         """Listen."""
@@ -105,7 +105,7 @@ class LowBattery(TreeNode):
 
 
 WATCHERS: dict[str, type[TreeNode]] = {
-    "PathExpiringTimer": PathAge, "GlobalUpdatedGoal": NewGoal, "GoalUpdatedController": OncePerGoal, "PathLongerOnApproach": Detour,
-    "IsBatteryLow": LowBattery,
+    "PathExpiringTimer": PathAge, "GlobalUpdatedGoal": NewGoal, "GoalUpdatedController": OncePerGoal,
+    "PathLongerOnApproach": Detour, "IsBatteryLow": LowBattery,
 }  # fmt: skip
 """The nodes by their XML names."""

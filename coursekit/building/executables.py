@@ -173,6 +173,10 @@ EXECUTABLES: dict[str, dict[str, str]] = {
         "list_transports": "coursekit.nodes.images.republish:list_transports",
         "republish": "coursekit.nodes.images.republish:main",
     },
+    "image_view": {
+        "image_saver": "coursekit.nodes.image_view.saver:main",
+        "image_view": "coursekit.nodes.image_view.view:main",
+    },
     "imu_complementary_filter": {
         "complementary_filter_node": "coursekit.nodes.imu_tools.filters:complementary",
     },

@@ -1,0 +1,1 @@
+"""image_view: windows and files for image topics."""

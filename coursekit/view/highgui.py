@@ -6,7 +6,8 @@ session, `install` adds
 - imshow, namedWindow, waitKey, waitKeyEx, pollKey, destroyWindow, destroyAllWindows, getWindowProperty,
   setWindowTitle, resizeWindow, moveWindow, trackbars and the mouse (`window_controls`): windows are kept here, and
   a notebook shows them (`coursekit.lab.windows()`);
-- VideoCapture: camera 0 is the virtual one; files and URLs are opened by OpenCV itself.
+- VideoCapture: camera 0 is the virtual one; files and URLs are opened by OpenCV itself;
+- names of Humble's OpenCV that a newer one lacks (`older_opencv`).
 
 It does not replace working functions: windows stay OpenCV's own where it can open them (a display, and a build with a
 GUI), and the real camera stays where there is a device (`/dev/video0`). COURSEKIT_CAMERA=virtual or real overrides
@@ -24,6 +25,7 @@ import numpy as np
 
 from coursekit.processes.patching import IMPORTS, Patch, always, patch_manager
 
+from . import older_opencv
 from .capture import VirtualCapture
 from .desk import desk, tell
 from .window_controls import CONTROLS, existing
@@ -152,11 +154,12 @@ def install() -> None:
         patch_manager.lend(*_WINDOW_PATCHES)
     if not has_camera():
         patch_manager.lend(_CAMERA_PATCH)
+    patch_manager.lend(*older_opencv.PATCHES)
 
 
 def patches() -> list[Patch]:
     """Return all possible patches, regardless of this computer."""
-    return [*_WINDOW_PATCHES, _CAMERA_PATCH]
+    return [*_WINDOW_PATCHES, _CAMERA_PATCH, *older_opencv.PATCHES]
 
 
 _TEST = "tests/view/test_highgui.py"

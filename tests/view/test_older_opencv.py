@@ -1,0 +1,94 @@
+"""The names of OpenCV 4.5, which robots with Humble have, where a newer OpenCV lacks them."""
+
+import cv2
+import numpy as np
+import pytest
+
+from coursekit.processes.session import Session
+from coursekit.view import highgui, older_opencv
+
+CAMERA = np.array([[400.0, 0.0, 320.0], [0.0, 400.0, 240.0], [0.0, 0.0, 1.0]])
+SIZE = 0.2
+
+
+@pytest.fixture(autouse=True)
+def session():
+    with Session(virtual=True).use() as made:
+        highgui.install()
+        yield made
+
+
+def seen(rvec, tvec, number=7):
+    """What a camera sees of a marker of 20 cm on white paper."""
+    dictionary = cv2.aruco.Dictionary_get(cv2.aruco.DICT_4X4_50)
+    marker = cv2.aruco.drawMarker(dictionary, number, 200)
+    paper = cv2.copyMakeBorder(marker, 50, 50, 50, 50, cv2.BORDER_CONSTANT, value=255)
+    half = SIZE / 2 * 1.5
+    corners = np.array([[-half, half, 0], [half, half, 0], [half, -half, 0], [-half, -half, 0]])
+    there = cv2.projectPoints(corners, np.array(rvec), np.array(tvec), CAMERA, None)[0].reshape(4, 2)
+    here = np.array([[0, 0], [300, 0], [300, 300], [0, 300]], np.float32)
+    turned = cv2.getPerspectiveTransform(here, there.astype(np.float32))
+    return cv2.warpPerspective(paper, turned, (640, 480), borderValue=255), dictionary
+
+
+def test_a_marker_is_found_and_located_as_older_programs_do_it():
+    rvec, tvec = [np.pi - 0.3, 0.1, 0.0], [0.1, -0.05, 1.2]
+    image, dictionary = seen(rvec, tvec)
+    parameters = cv2.aruco.DetectorParameters_create()
+    parameters.cornerRefinementMethod = cv2.aruco.CORNER_REFINE_SUBPIX
+    corners, ids, _ = cv2.aruco.detectMarkers(image, dictionary, parameters=parameters)
+    assert ids.tolist() == [[7]] and corners[0].shape == (1, 4, 2)
+    rvecs, tvecs, points = cv2.aruco.estimatePoseSingleMarkers(corners, SIZE, CAMERA, np.zeros(5))
+    assert rvecs.shape == tvecs.shape == (1, 1, 3) and points.shape == (4, 1, 3)
+    assert tvecs[0][0] == pytest.approx(tvec, abs=0.02)
+    turn = cv2.Rodrigues(rvecs[0][0])[0] @ cv2.Rodrigues(np.array(rvec))[0].T
+    assert np.trace(turn) == pytest.approx(3.0, abs=0.02)
+    colours = cv2.cvtColor(image, cv2.COLOR_GRAY2BGR)
+    drawn = cv2.aruco.drawAxis(colours.copy(), CAMERA, np.zeros(5), rvecs[0], tvecs[0], 0.1)
+    assert (drawn != colours).any()
+
+
+def test_where_no_marker_is_there_is_none():
+    corners, ids, _ = cv2.aruco.detectMarkers(np.full((60, 80), 255, np.uint8), cv2.aruco.Dictionary_get(0))
+    assert ids is None and len(corners) == 0
+
+
+def test_boards_are_made_from_numbers():
+    dictionary = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_6X6_250)
+    board = cv2.aruco.GridBoard_create(3, 2, 0.04, 0.01, dictionary)
+    assert board.getGridSize() == (3, 2)
+    squares = cv2.aruco.CharucoBoard_create(5, 7, 0.04, 0.02, dictionary)
+    assert squares.getChessboardSize() == (5, 7)
+
+
+def test_what_opencv_has_itself_is_left_alone(monkeypatch):
+    monkeypatch.setattr(older_opencv, "ARUCO", {**older_opencv.ARUCO, "drawDetectedMarkers": print})
+    undo = older_opencv.add_aruco(None)
+    assert cv2.aruco.drawDetectedMarkers is not print
+    undo()
+
+
+def test_results_have_the_shapes_that_programs_for_humble_unpack():
+    image = np.zeros((200, 200), np.uint8)
+    cv2.line(image, (10, 10), (180, 150), 255, 2)
+    assert cv2.HoughLinesP(image, 1, np.pi / 180, 50, minLineLength=30, maxLineGap=5).shape[1:] == (1, 4)
+    assert cv2.findNonZero(image).shape[1:] == (1, 2)
+    assert cv2.calcHist([image], [0], None, [16], [0, 256]).shape == (16, 1)
+    assert not cv2.CascadeClassifier(cv2.data.haarcascades + "haarcascade_frontalface_default.xml").empty()
+
+
+@pytest.mark.skipif(hasattr(cv2, "face"), reason="this OpenCV has it")
+def test_what_only_contrib_modules_have_is_told_with_what_to_type():
+    with pytest.raises(AttributeError, match=r"'face'.*pip install 'opencv-contrib-python-headless<5'"):
+        cv2.face.LBPHFaceRecognizer_create()
+    with pytest.raises(AttributeError, match=r"module 'cv2' has no attribute 'nothing'$"):
+        _ = cv2.nothing
+
+
+def test_after_the_last_session_opencv_is_as_it_was_found():
+    added = set(older_opencv.ARUCO) - {name for name in older_opencv.ARUCO if name not in vars(cv2.aruco)}
+    with Session(virtual=True).use():
+        pass
+    undo = older_opencv.add_aruco(None)
+    undo()
+    assert {name for name in older_opencv.ARUCO if name in vars(cv2.aruco)} == added

@@ -37,7 +37,7 @@ SEEN = """
 from coursekit.processes.executables import find, make_process
 from coursekit.processes.session import Session
 from coursekit.sim.camera import Scene
-from coursekit.view.windows import desk
+from coursekit.view.desk import desk
 from sensor_msgs.msg import Image
 import numpy as np
 import rclpy

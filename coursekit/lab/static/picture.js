@@ -6,7 +6,7 @@ export default {
     frame.innerHTML = `
       <div class="ck-bar"><span class="ck-dot"></span><span class="ck-title"></span><span class="ck-note"></span></div>
       <div class="ck-screen" tabindex="0" data-lm-suppress-shortcuts="true"><img alt="" draggable="false"><div class="ck-empty"></div></div>
-      <div class="ck-trackbars"></div>`;
+      <div class="ck-trackbars" data-lm-suppress-shortcuts="true"></div>`;
     const part = (name) => frame.querySelector(`.ck-${name}`);
     const screen = part("screen");
     const image = frame.querySelector("img");
@@ -57,6 +57,7 @@ export default {
       image.addEventListener(kind, (event) => tell(event, base + (PLACES[event.button] ?? 0)));
     }
     image.addEventListener("mousemove", (event) => tell(event, 0));
+    part("trackbars").addEventListener("keydown", (event) => event.stopPropagation()); // the notebook has other uses for arrows
     image.addEventListener("contextmenu", (event) => { if (mouse) event.preventDefault(); });
     const hear = async (message, buffers) => {
       arrange(message);

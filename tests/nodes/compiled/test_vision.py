@@ -11,7 +11,7 @@ import pytest
 from coursekit.nodes.compiled import vision
 from coursekit.nodes.compiled.frames import FrameError, Unpacker, packed
 from coursekit.processes.executables import make_process
-from coursekit.view.windows import desk
+from coursekit.view.desk import desk
 from tests.nodes.compiled.conftest import ROOM, program
 
 
@@ -73,11 +73,11 @@ def test_mat_is_memory_and_functions_do_what_cv2_does(said, tmp_path):
 def test_a_window_s_sliders_and_mouse_are_told_while_the_program_waits_for_a_key(session, build):
     tuner = session.launch(make_process(session, build("tuner", program("tuner.cpp")), name="tuner"))
     session.clock.sleep(0.1)
-    desk().slide("tuner", "low", 90)
-    desk().slide("tuner", "width", 12)
-    desk().point("tuner", cv2.EVENT_LBUTTONDOWN, 3, 4, cv2.EVENT_FLAG_LBUTTON)
+    desk().windows["tuner"].slide("low", 90)
+    desk().windows["tuner"].slide("width", 12)
+    desk().windows["tuner"].mouse(cv2.EVENT_LBUTTONDOWN, 3, 4, cv2.EVENT_FLAG_LBUTTON)
     session.clock.sleep(1.0)
-    desk().slide("tuner", "width", 50)
+    desk().windows["tuner"].slide("width", 50)
     session.clock.sleep(0.1)
     desk().press("q")
     assert tuner.wait(5.0) == 0, tuner.output
@@ -87,7 +87,8 @@ def test_a_window_s_sliders_and_mouse_are_told_while_the_program_waits_for_a_key
         "-1 500 90 12 12",
         "low 33",
         "q 50",
-        "The window 'tuner' has no trackbar 'high'. It has: low, width.",
+        "-1",
+        "There is no window 'none'. There are: tuner. Make it: cv2.namedWindow('none')",
     ]
 
 

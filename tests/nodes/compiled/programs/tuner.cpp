@@ -23,8 +23,9 @@ int main()
             << width << " " << cv::getTrackbarPos("width", "tuner") << std::endl;
   cv::setTrackbarPos("low", "tuner", 33);
   std::cout << static_cast<char>(cv::waitKey()) << " " << width << std::endl;
+  std::cout << cv::getTrackbarPos("high", "tuner") << std::endl;
   try {
-    cv::getTrackbarPos("high", "tuner");
+    cv::createTrackbar("low", "none", nullptr, 9);
   } catch (const cv::Exception & error) {
     std::cout << error.what() << std::endl;
   }

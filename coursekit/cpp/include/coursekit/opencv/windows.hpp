@@ -111,6 +111,17 @@ inline double getWindowProperty(const std::string & window, int property)
 {
   return remote::call("getWindowProperty", window, property).number();
 }
+inline void setWindowProperty(const std::string & window, int property, double value)
+{
+  remote::call("setWindowProperty", window, property, value);
+}
+/// The place and size of a window's image.
+inline Rect getWindowImageRect(const std::string & window)
+{
+  remote::Value rect = remote::call("getWindowImageRect", window);
+  auto at = [&rect](size_t i) {return static_cast<int>(rect[i].integer);};
+  return Rect(at(0), at(1), at(2), at(3));
+}
 inline void setWindowTitle(const std::string & window, const std::string & title)
 {
   remote::call("setWindowTitle", window, title);

@@ -44,8 +44,9 @@ FORWARDED = {
     "image_transport/simple_publisher_plugin.hpp": "publisher_plugin",
     "image_transport/simple_subscriber_plugin.hpp": "subscriber_plugin",
     "rcutils/types.h": (
-        "/rcl/macros.h /rmw/ret_types.h types/char_array.h types/rcutils_ret.h types/string_array.h types/uint8_array.h"
+        "/rcl/macros.h types/char_array.h types/string_array.h types/uint8_array.h"
     ),
+    "rcutils/types/rcutils_ret.h": "/rmw/ret_types.h",
     "rcutils/format_string.h": "snprintf.h",
     "rcutils/env.h": "get_env.h",
     "rcutils/macros.h": "/rmw/macros.h",

@@ -26,10 +26,11 @@ public:
   }
   rcl_serialized_message_t & get_rcl_serialized_message() {return view_;}
   const rcl_serialized_message_t & get_rcl_serialized_message() const {return view_;}
-  /// Hand the bytes over: whoever gets them frees the buffer.
+  /// Hand the bytes over: whoever gets them ends them.
   rcl_serialized_message_t release_rcl_serialized_message()
   {
-    rcl_serialized_message_t given{static_cast<uint8_t *>(malloc(size() ? size() : 1)), size(), size()};
+    rcl_serialized_message_t given{static_cast<uint8_t *>(malloc(size() ? size() : 1)), size(), size(),
+      rcutils_get_default_allocator()};
     memcpy(given.buffer, view_.buffer, size());
     bytes_.clear();
     look();

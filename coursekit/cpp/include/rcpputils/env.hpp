@@ -6,15 +6,21 @@
 
 namespace rcpputils
 {
-/// The value of a variable; empty where it is not set.
+/// The value of a variable; empty where it is not set, std::runtime_error without a name.
 inline std::string get_env_var(const char * name)
 {
+  if (!name) {
+    throw std::runtime_error("argument env_name is null");
+  }
   const char * value = std::getenv(name);
   return value ? value : "";
 }
 /// Set a variable, or unset it where the value is null.
 inline bool set_env_var(const char * name, const char * value)
 {
+  if (!name) {
+    throw std::runtime_error("argument env_name is null");
+  }
 #ifdef _WIN32
   bool done = _putenv_s(name, value ? value : "") == 0;
 #else

@@ -9,10 +9,10 @@ class scope_exit
 {
 public:
   explicit scope_exit(F && call)
-  : call_(std::move(call)) {}
+  : call_(std::forward<F>(call)) {}
   scope_exit(const scope_exit &) = delete;
   scope_exit(scope_exit && other)
-  : call_(std::move(other.call_)), cancelled_(other.cancelled_) {other.cancelled_ = true;}
+  : call_(std::forward<F>(other.call_)), cancelled_(other.cancelled_) {other.cancelled_ = true;}
   ~scope_exit()
   {
     if (!cancelled_) {

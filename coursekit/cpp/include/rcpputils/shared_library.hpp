@@ -14,6 +14,7 @@ public:
   SharedLibrary(const SharedLibrary &) = delete;
   SharedLibrary & operator=(const SharedLibrary &) = delete;
   virtual ~SharedLibrary();
+  /// std::runtime_error where it has been unloaded before.
   void unload_library();
   /// What the library exports under a name; std::runtime_error where there is nothing.
   void * get_symbol(const std::string & symbol_name);
@@ -26,6 +27,6 @@ private:
   void * library_;
   std::string path_;
 };
-/// A library's file name on this system: libname.so, libname.dylib or name.dll.
+/// A library's file name on this system: libname.so, libname.dylib or name.dll; std::runtime_error where that is too long.
 std::string get_platform_library_name(const std::string & library_name, bool debug = false);
 }  // namespace rcpputils

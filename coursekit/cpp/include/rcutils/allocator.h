@@ -2,7 +2,7 @@
 #pragma once
 #include <stdlib.h>
 
-/// Who gives memory and takes it back. What wants one here takes it and asks it for nothing: memory is the program's own.
+/// Who gives memory and takes it back.
 struct rcutils_allocator_t
 {
   void * (* allocate)(size_t size, void * state);
@@ -24,4 +24,22 @@ inline bool rcutils_allocator_is_valid(const rcutils_allocator_t * a)
 {
   return a && a->allocate && a->deallocate && a->reallocate && a->zero_allocate;
 }
+/// Let memory grow; where that fails it is given back.
+inline void * rcutils_reallocf(void * pointer, size_t size, rcutils_allocator_t * a)
+{
+  if (!rcutils_allocator_is_valid(a)) {
+    return nullptr;
+  }
+  void * grown = a->reallocate(pointer, size, a->state);
+  if (!grown) {
+    a->deallocate(pointer, a->state);
+  }
+  return grown;
+}
+#define RCUTILS_CHECK_ALLOCATOR(allocator, otherwise) if (!rcutils_allocator_is_valid(allocator)) {otherwise;}
+#define RCUTILS_CHECK_ALLOCATOR_WITH_MSG(allocator, message, otherwise) \
+  if (!rcutils_allocator_is_valid(allocator)) { \
+    RCUTILS_SET_ERROR_MSG(message); \
+    otherwise; \
+  }
 inline rcl_allocator_t rcl_get_default_allocator() {return rcutils_get_default_allocator();}

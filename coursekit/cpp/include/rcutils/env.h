@@ -13,6 +13,15 @@ inline const char * rcutils_get_env(const char * name, const char ** value)
   *value = found ? found : "";
   return nullptr;
 }
+/// The user's home; null where the environment does not say.
+inline const char * rcutils_get_home_dir()
+{
+#ifdef _WIN32
+  return std::getenv("USERPROFILE");
+#else
+  return std::getenv("HOME");
+#endif
+}
 /// Set a variable, or remove it where the value is null.
 inline bool rcutils_set_env(const char * name, const char * value)
 {

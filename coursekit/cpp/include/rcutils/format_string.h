@@ -7,7 +7,8 @@
 
 inline int rcutils_vsnprintf(char * buffer, size_t size, const char * format, va_list args)
 {
-  return format ? vsnprintf(buffer, size, format, args) : -1;
+  // only what has neither a place nor a size is merely measured
+  return format && !buffer == !size ? vsnprintf(buffer, size, format, args) : -1;
 }
 #ifdef __GNUC__
 __attribute__((format(printf, 3, 4)))
@@ -23,14 +24,14 @@ inline int rcutils_snprintf(char * buffer, size_t size, const char * format, ...
 #ifdef __GNUC__
 __attribute__((format(printf, 3, 4)))
 #endif
-inline char * rcutils_format_string_limit(rcutils_allocator_t, size_t limit, const char * format, ...)
+inline char * rcutils_format_string_limit(rcutils_allocator_t allocator, size_t limit, const char * format, ...)
 {
   va_list args, again;
   va_start(args, format);
   va_copy(again, args);
-  int length = rcutils_vsnprintf(nullptr, 0, format, args);
+  int length = rcutils_allocator_is_valid(&allocator) ? rcutils_vsnprintf(nullptr, 0, format, args) : -1;
   size_t size = length < 0 ? 0 : static_cast<size_t>(length) + 1 < limit ? static_cast<size_t>(length) + 1 : limit;
-  char * made = size ? static_cast<char *>(malloc(size)) : nullptr;
+  char * made = size ? static_cast<char *>(allocator.allocate(size, allocator.state)) : nullptr;
   if (made) {
     rcutils_vsnprintf(made, size, format, again);
   }

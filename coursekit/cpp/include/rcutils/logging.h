@@ -6,19 +6,13 @@
 
 #include "rclcpp/logger.hpp"
 #include "rcutils/allocator.h"
+#include "rcutils/error_handling.h"
+#include "rcutils/types/rcutils_ret.h"
 
-typedef int rcutils_ret_t;
-typedef int rcl_ret_t;
-typedef int rmw_ret_t;
-#define RCUTILS_RET_OK 0
-#define RCUTILS_RET_ERROR 2
-#define RCUTILS_RET_INVALID_ARGUMENT 11
-#define RCUTILS_RET_LOGGING_SEVERITY_STRING_INVALID 22
-#define RCL_RET_OK 0
-#define RCL_RET_ERROR 1
-#define RMW_RET_OK 0
-#define RMW_RET_ERROR 1
-#define RMW_RET_INVALID_ARGUMENT 11
+typedef int64_t rcutils_time_point_value_t;
+typedef int64_t rcutils_duration_value_t;
+#define RCUTILS_LOGGING_SEPARATOR_STRING "."
+#define RCUTILS_DEFAULT_LOGGER_DEFAULT_LEVEL RCUTILS_LOG_SEVERITY_INFO
 
 enum RCUTILS_LOG_SEVERITY
 {
@@ -54,6 +48,11 @@ inline rcutils_ret_t rcutils_logging_set_logger_level(const char * name, int lev
 }
 /// The level that was set for this logger itself, 0 where none was, -1 without a name.
 int rcutils_logging_get_logger_level(const char * name);
+/// That of the logger whose name has so many letters.
+inline int rcutils_logging_get_logger_leveln(const char * name, size_t length)
+{
+  return name ? rcutils_logging_get_logger_level(std::string(name, length).c_str()) : -1;
+}
 inline int rcutils_logging_get_logger_effective_level(const char * name)
 {
   return static_cast<int>(rclcpp::Logger(name ? name : "").get_effective_level());
@@ -82,5 +81,27 @@ void rcutils_logging_set_output_handler(rcutils_logging_output_handler_t handler
 void rcutils_logging_console_output_handler(
   const rcutils_log_location_t * location, int severity, const char * name, int64_t timestamp, const char * format,
   va_list * args);
-inline rcutils_ret_t rcutils_logging_initialize() {return RCUTILS_RET_OK;}
-inline rcutils_ret_t rcutils_logging_shutdown() {return RCUTILS_RET_OK;}
+/// A line of one's own, where the logger shows its level; the location may be null.
+void rcutils_log(const rcutils_log_location_t * location, int severity, const char * name, const char * format, ...)
+#ifdef __GNUC__
+__attribute__((format(printf, 4, 5)))
+#endif
+;
+/// Whether a program has asked for logging. It works before, too.
+extern bool g_rcutils_logging_initialized;
+inline rcutils_ret_t rcutils_logging_initialize_with_allocator(rcutils_allocator_t allocator)
+{
+  bool valid = rcutils_allocator_is_valid(&allocator);
+  g_rcutils_logging_initialized = g_rcutils_logging_initialized || valid;
+  return valid ? RCUTILS_RET_OK : RCUTILS_RET_INVALID_ARGUMENT;
+}
+inline rcutils_ret_t rcutils_logging_initialize()
+{
+  return rcutils_logging_initialize_with_allocator(rcutils_get_default_allocator());
+}
+inline rcutils_ret_t rcutils_logging_shutdown()
+{
+  g_rcutils_logging_initialized = false;
+  return RCUTILS_RET_OK;
+}
+#define RCUTILS_LOGGING_AUTOINIT do {(void)rcutils_logging_initialize();} while (0)

@@ -1,4 +1,4 @@
-// A part of a text for another, in C: the program frees the new text.
+// A part of a text for another, in C: the program gives the new text back to the allocator.
 #pragma once
 #include "rcpputils/find_and_replace.hpp"
 #include "rcutils/strdup.h"

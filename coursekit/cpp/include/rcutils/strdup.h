@@ -1,13 +1,14 @@
-// Copies of texts, in C: the program frees them.
+// Copies of texts, in C: the program gives them back to the allocator.
 #pragma once
-#include <stdlib.h>
 #include <string.h>
 
 #include "rcutils/allocator.h"
 
-inline char * rcutils_strndup(const char * text, size_t length, rcutils_allocator_t)
+/// A copy of at most so many letters.
+inline char * rcutils_strndup(const char * text, size_t length, rcutils_allocator_t allocator)
 {
-  char * copy = text ? static_cast<char *>(malloc(length + 1)) : nullptr;
+  length = text ? strnlen(text, length) : 0;
+  char * copy = text ? static_cast<char *>(allocator.allocate(length + 1, allocator.state)) : nullptr;
   if (copy) {
     memcpy(copy, text, length);
     copy[length] = '\0';

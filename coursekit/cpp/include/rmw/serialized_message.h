@@ -1,4 +1,4 @@
-// A message's bytes, in C: the buffer is the program's own memory.
+// A message's bytes, in C.
 #pragma once
 #include "rcutils/types.h"
 

@@ -379,7 +379,8 @@ Logger::Level Logger::get_effective_level() const
 }
 void log(const Logger & logger, int level, const char * file, const char * function, int line, const char * format, ...)
 {
-  rcutils_log_location_t location{function, file, static_cast<size_t>(line)};
+  thread_local rcutils_log_location_t location;  // a handler may look at it later
+  location = {function, file, static_cast<size_t>(line)};
   va_list args;
   va_start(args, format);
   rcutils_logging_get_output_handler()(&location, level, logger.get_name(), coursekit::system_now(), format, &args);

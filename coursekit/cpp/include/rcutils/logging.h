@@ -55,14 +55,17 @@ inline int rcutils_logging_get_logger_leveln(const char * name, size_t length)
 }
 inline int rcutils_logging_get_logger_effective_level(const char * name)
 {
-  return static_cast<int>(rclcpp::Logger(name ? name : "").get_effective_level());
+  return name ? static_cast<int>(rclcpp::Logger(name).get_effective_level()) : -1;
 }
 inline bool rcutils_logging_logger_is_enabled_for(const char * name, int severity)
 {
-  return severity >= rcutils_logging_get_logger_effective_level(name);
+  return severity >= rcutils_logging_get_logger_effective_level(name ? name : "");
 }
 /// The level of all loggers that have none of their own.
-inline void rcutils_logging_set_default_logger_level(int level) {rcutils_logging_set_logger_level("", level);}
+inline void rcutils_logging_set_default_logger_level(int level)
+{
+  rcutils_logging_set_logger_level("", level ? level : RCUTILS_DEFAULT_LOGGER_DEFAULT_LEVEL);
+}
 inline int rcutils_logging_get_default_logger_level() {return rcutils_logging_get_logger_effective_level("");}
 
 typedef struct rcutils_log_location_t

@@ -6,12 +6,12 @@
 /// Log at most once in so many milliseconds of the clock that a function tells.
 #define COURSEKIT_LOG_THROTTLE(log, time_now, milliseconds, ...) \
   do { \
-    static rcutils_time_point_value_t next = 0; \
-    static bool first = true; \
-    rcutils_time_point_value_t at = 0; \
-    if (time_now(&at) == RCUTILS_RET_OK && (first || at >= next)) { \
-      first = false; \
-      next = at + RCUTILS_MS_TO_NS(static_cast<rcutils_time_point_value_t>(milliseconds)); \
+    static rcutils_time_point_value_t coursekit_next = 0; \
+    static bool coursekit_first = true; \
+    rcutils_time_point_value_t coursekit_at = 0; \
+    if (time_now(&coursekit_at) == RCUTILS_RET_OK && (coursekit_first || coursekit_at >= coursekit_next)) { \
+      coursekit_first = false; \
+      coursekit_next = coursekit_at + RCUTILS_MS_TO_NS(static_cast<rcutils_time_point_value_t>(milliseconds)); \
       log(__VA_ARGS__); \
     } \
   } while (0)

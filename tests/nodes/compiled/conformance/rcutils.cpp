@@ -228,11 +228,13 @@ static void libraries()
 }
 
 static std::string said;
-static void hear(const rcutils_log_location_t *, int severity, const char * name, int64_t, const char * format, va_list * args)
+static const rcutils_log_location_t * place = nullptr;
+static void hear(const rcutils_log_location_t * where, int severity, const char * name, int64_t, const char * format, va_list * args)
 {
   char line[64];
   vsnprintf(line, sizeof line, format, *args);
   said += std::to_string(severity) + name + line;
+  place = where;
 }
 static void lines()
 {
@@ -241,8 +243,17 @@ static void lines()
   rcutils_logging_set_output_handler(hear);
   rcutils_log(nullptr, RCUTILS_LOG_SEVERITY_WARN, "ears", " %d walls;", 3);
   rcutils_log(nullptr, RCUTILS_LOG_SEVERITY_DEBUG, "ears", "not heard");
-  rcutils_logging_set_output_handler(before);
   equal("a line without a macro", said, "30ears 3 walls;");
+  said.clear();
+  const int first = 1, next = 2, at = 3;
+  RCUTILS_LOG_WARN_THROTTLE_NAMED(RCUTILS_STEADY_TIME, 1000, "ears", " %d%d%d", first, next, at);
+  rcutils_logging_set_output_handler(before);
+  equal("a throttled line of the program's own variables", said, "30ears 123");
+  equal("where it was said stays known", std::string(place->function_name), "lines");
+  rcutils_logging_set_default_logger_level(RCUTILS_LOG_SEVERITY_FATAL);
+  rcutils_logging_set_default_logger_level(RCUTILS_LOG_SEVERITY_UNSET);
+  equal("without a level loggers have that of the beginning", rcutils_logging_get_default_logger_level(), 20);
+  equal("no name, no level", rcutils_logging_get_logger_effective_level(nullptr), -1);
   equal("the level of a part of a name", rcutils_logging_get_logger_leveln("ears.left", 4), 0);
   (void)rcutils_logging_set_logger_level("ears", RCUTILS_LOG_SEVERITY_ERROR);
   equal("that was set", rcutils_logging_get_logger_leveln("ears.left", 4), 40);

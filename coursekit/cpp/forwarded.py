@@ -64,9 +64,10 @@ FORWARDED = {
     ),
     "rclcpp/topic_endpoint_info.hpp": "/rmw/topic_endpoint_info.h",
     "rosidl_typesupport_cpp/message_type_support.hpp": (
-        "/rosidl_runtime_cpp/message_type_support_decl.hpp /rosidl_runtime_cpp/service_type_support_decl.hpp "
-        "/rosidl_runtime_c/message_type_support_struct.h"
+        "/rosidl_runtime_cpp/message_type_support_decl.hpp /rosidl_runtime_cpp/service_type_support_decl.hpp"
     ),
+    "rosidl_typesupport_introspection_cpp/message_introspection.hpp": "field_types identifier message_type_support_decl",
+    "rosidl_typesupport_introspection_cpp/service_introspection.hpp": "service_type_support_decl",
     "tf2/LinearMath/Quaternion.h": "LinearMath/QuadWord.h",
     "tf2/buffer_core_interface.h": "buffer_core_interface.hpp",
     "tf2/time_cache.h": "time_cache.hpp",

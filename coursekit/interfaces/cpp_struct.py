@@ -32,6 +32,7 @@ def struct_lines(message: Message) -> list[str]:
         f"  static constexpr bool coursekit_fixed_size = {_all(_fixed_size, fields)};",
         f"  static constexpr bool coursekit_bounded_size = {_all(_bounded_size, fields)};",
         *_octets(fields),
+        *_text_bounds(fields),
         f"  template<class V, class M> static void each_field(V & visit, M & message) {{{visits}}}",
         f"  bool operator==(const {name} & o) const {{return {same};}}",
         f"  bool operator!=(const {name} & o) const {{return !(*this == o);}}",
@@ -87,6 +88,12 @@ def _octets(fields: Iterable[Field]) -> list[str]:
     """Return the names of the byte fields: in C++ they have the type of uint8, but YAML writes them differently."""
     names = ", ".join(f'"{field.name}"' for field in fields if field.type.base == "byte")
     return [f"  static constexpr const char * coursekit_octets[] = {{{names}}};"] if names else []
+
+
+def _text_bounds(fields: Iterable[Field]) -> list[str]:
+    """Return the names of the fields of bounded texts with the bounds, which their type in C++ does not tell."""
+    bounds = ", ".join(f'{{"{field.name}", {field.type.string_bound}}}' for field in fields if field.type.string_bound)
+    return [f"  static constexpr std::pair<const char *, size_t> coursekit_text_bounds[] = {{{bounds}}};"] if bounds else []
 
 
 def _all(condition: Callable[[FieldType], str], fields: Iterable[Field]) -> str:

@@ -25,19 +25,28 @@ project(reader)
 find_package(ament_cmake REQUIRED)
 find_package(rosidl_cmake REQUIRED)
 find_package(rosidl_generator_cpp REQUIRED)
+find_package(rosidl_typesupport_introspection_cpp REQUIRED)
 find_package(lists REQUIRED)
 rosidl_generate_interfaces(${PROJECT_NAME} "${lists_DIR}/..:${lists_FILE}" SKIP_INSTALL)
 rosidl_get_typesupport_target(generated ${PROJECT_NAME} "rosidl_generator_cpp")
+rosidl_get_typesupport_target(looks ${PROJECT_NAME} "rosidl_typesupport_introspection_cpp")
 rosidl_get_typesupport_target(unknown ${PROJECT_NAME} "of_mine")
-message(STATUS "SAID ${generated} ${unknown} ${lists_LATER}")
+message(STATUS "SAID ${generated} ${looks} ${unknown} ${lists_LATER}")
 add_executable(reads reads.cpp)
-target_link_libraries(reads ${generated})
+target_link_libraries(reads ${generated} ${looks} rosidl_typesupport_introspection_cpp::rosidl_typesupport_introspection_cpp)
 install(TARGETS reads DESTINATION lib/${PROJECT_NAME})
 ament_package()
 """
 READS = """#include <iostream>
 #include "reader/msg/length.hpp"
-int main() {std::cout << rosidl_generator_traits::name<reader::msg::Length>() << std::endl;}
+#include "rosidl_typesupport_introspection_cpp/message_introspection.hpp"
+int main()
+{
+  namespace facts = rosidl_typesupport_introspection_cpp;
+  auto members = static_cast<const facts::MessageMembers *>(
+    facts::get_message_type_support_handle<reader::msg::Length>()->data);
+  std::cout << rosidl_generator_traits::name<reader::msg::Length>() << " " << members->members_[0].name_ << std::endl;
+}
 """
 LATE = """cmake_minimum_required(VERSION 3.8)
 project(late)
@@ -64,8 +73,9 @@ def test_a_package_without_a_language_gives_files_that_another_generates_from(tm
     package(tmp_path, "reader", {"CMakeLists.txt": READER, "reads.cpp": READS}, depend="lists")
     built = colcon(tmp_path, "build", "--event-handlers", "console_direct+")
     assert built.returncode == 0, built.stderr
-    assert "-- SAID reader__rosidl_generator_cpp reader__of_mine-NOTFOUND yes\n" in built.stdout
-    assert sourced(tmp_path, "ros2 run reader reads").stdout == "reader/msg/Length\n"
+    targets = "reader__rosidl_generator_cpp reader__rosidl_typesupport_introspection_cpp reader__of_mine-NOTFOUND"
+    assert f"-- SAID {targets} yes\n" in built.stdout
+    assert sourced(tmp_path, "ros2 run reader reads").stdout == "reader/msg/Length metres\n"
     assert not (tmp_path / "install" / "reader" / "include").exists()
 
 

@@ -20,10 +20,18 @@ const coursekit::MessageType & known(const coursekit::MessageType & type)
   }
   return type;
 }
+/// Whether the handle is of the support whose data are a coursekit::MessageType.
+bool makes_bytes(const rosidl_message_type_support_t * type_support)
+{
+  return get_message_typesupport_handle_function(type_support, rosidl_typesupport_cpp::typesupport_identifier);
+}
 const coursekit::MessageType & type_of(const rosidl_message_type_support_t * type_support)
 {
   if (!type_support) {
     throw std::invalid_argument("Typesupport is nullpointer.");
+  }
+  if (!makes_bytes(type_support)) {
+    throw std::runtime_error(std::string("no bytes are made by ") + type_support->typesupport_identifier);
   }
   return *static_cast<const coursekit::MessageType *>(type_support->data);
 }
@@ -98,7 +106,7 @@ rmw_ret_t rmw_serialize(
     return RMW_RET_INVALID_ARGUMENT;
   }
   auto type = static_cast<const coursekit::MessageType *>(type_support->data);
-  if (!type->to_bytes) {
+  if (!rclcpp::makes_bytes(type_support) || !type->to_bytes) {
     return RMW_RET_ERROR;
   }
   const std::string bytes = type->to_bytes(message);
@@ -119,7 +127,7 @@ rmw_ret_t rmw_deserialize(
     return RMW_RET_INVALID_ARGUMENT;
   }
   auto type = static_cast<const coursekit::MessageType *>(type_support->data);
-  if (!type->from_bytes) {
+  if (!rclcpp::makes_bytes(type_support) || !type->from_bytes) {
     return RMW_RET_ERROR;
   }
   auto start = reinterpret_cast<const char *>(serialized_message->buffer);

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "coursekit/cdr.hpp"
+#include "rosidl_runtime_c/message_type_support_struct.h"
 
 namespace coursekit
 {
@@ -23,17 +24,10 @@ const MessageType & message_type()
 }
 }  // namespace coursekit
 
-struct rosidl_message_type_support_t
-{
-  const char * typesupport_identifier;
-  /// A coursekit::MessageType.
-  const void * data;
-};
-
 namespace rosidl_typesupport_cpp
 {
 constexpr char typesupport_identifier[] = "rosidl_typesupport_cpp";
-/// The handle of a message's type.
+/// The handle of a message's type, whose data are its coursekit::MessageType.
 template<class M>
 const rosidl_message_type_support_t * get_message_type_support_handle()
 {

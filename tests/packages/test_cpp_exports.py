@@ -146,12 +146,19 @@ OWN = {
         "CMakeLists.txt": """cmake_minimum_required(VERSION 3.8)
 project(rcpputils)
 find_package(ament_cmake REQUIRED)
+find_package(rcutils REQUIRED)
 add_library(rcpputils src/own.cpp)
+target_include_directories(rcpputils PUBLIC include)
+ament_target_dependencies(rcpputils rcutils)
 install(TARGETS rcpputils DESTINATION lib)
 ament_export_libraries(rcpputils)
 ament_package()
 """,
-        "src/own.cpp": "namespace rcpputils {namespace fs {int current_path() {return 7;}}}\n",
+        "include/rcpputils/filesystem_helper.hpp": "namespace rcpputils {namespace fs {class path; int current_path();}}\n",
+        "src/own.cpp": """#include "rcpputils/filesystem_helper.hpp"
+#include "rcutils/filesystem.h"
+namespace rcpputils {namespace fs {int current_path() {return rcutils_exists("/") ? 7 : 0;}}}
+""",
     },
     "asker": {
         "CMakeLists.txt": """cmake_minimum_required(VERSION 3.8)

@@ -1,6 +1,9 @@
-// Folders in C: what they have, how much it is, and who may read it.
+// Files and folders in C: whether they are there, what they have, how much it is, and who may read it.
+#include <algorithm>
 #include <filesystem>
-#include <set>
+#include <new>
+#include <string>
+#include <vector>
 
 #include "rcutils/error_handling.h"
 #include "rcutils/filesystem.h"
@@ -13,12 +16,19 @@ struct rcutils_dir_iter_state_t
   size_t at = 0;
 };
 
-static bool permits(const char * path, files::perms what)
+static files::file_status status_of(const char * path)
 {
   std::error_code why_not;
-  const files::file_status found = files::status(path ? path : "", why_not);
+  return files::status(path ? path : "", why_not);
+}
+static bool permits(const char * path, files::perms what)
+{
+  const files::file_status found = status_of(path);
   return files::exists(found) && (found.permissions() & what) != files::perms::none;
 }
+bool rcutils_exists(const char * path) {return files::exists(status_of(path));}
+bool rcutils_is_directory(const char * path) {return files::is_directory(status_of(path));}
+bool rcutils_is_file(const char * path) {return files::is_regular_file(status_of(path));}
 bool rcutils_is_readable(const char * path) {return permits(path, files::perms::owner_read);}
 bool rcutils_is_writable(const char * path) {return permits(path, files::perms::owner_write);}
 
@@ -27,6 +37,43 @@ bool rcutils_mkdir(const char * path)
   std::error_code why_not;
   return path && files::path(path).is_absolute() &&
          (files::create_directory(path, why_not) || files::is_directory(path, why_not));
+}
+
+size_t rcutils_get_file_size(const char * path)
+{
+  std::error_code why_not;
+  const auto size = rcutils_is_file(path) ? files::file_size(path, why_not) : 0;
+  return why_not ? 0 : static_cast<size_t>(size);
+}
+bool rcutils_get_cwd(char * buffer, size_t size)
+{
+  std::error_code why_not;
+  const std::string now = files::current_path(why_not).string();
+  if (!buffer || why_not || now.size() + 1 > size) {
+    return false;
+  }
+  memcpy(buffer, now.c_str(), now.size() + 1);
+  return true;
+}
+
+static constexpr char separator = static_cast<char>(files::path::preferred_separator);
+char * rcutils_join_path(const char * left, const char * right, rcutils_allocator_t allocator)
+{
+  return left && right ? rcutils_strdup((std::string(left) + separator + right).c_str(), allocator) : nullptr;
+}
+char * rcutils_to_native_path(const char * path, rcutils_allocator_t allocator)
+{
+  char * made = rcutils_strdup(path, allocator);
+  if (made) {
+    std::replace(made, made + strlen(made), '/', separator);
+  }
+  return made;
+}
+char * rcutils_expand_user(const char * path, rcutils_allocator_t allocator)
+{
+  const bool at_home = path && path[0] == '~' && (!path[1] || path[1] == '/' || path[1] == '\\');
+  const char * home = at_home ? rcutils_get_home_dir() : "";
+  return path && home ? rcutils_strdup((std::string(home) + (path + at_home)).c_str(), allocator) : nullptr;
 }
 
 static uint64_t size_of(const files::path & folder, size_t levels)

@@ -1,4 +1,5 @@
 // Libraries and the program's file by the names that rcpputils and rcutils give them.
+#include <filesystem>
 #include <stdexcept>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "rcpputils/shared_library.hpp"
 #include "rcpputils/split.hpp"
 #include "rcutils/error_handling.h"
+#include "rcutils/process.h"
 #include "rcutils/shared_library.h"
 #include "rcutils/strdup.h"
 #include "system.hpp"
@@ -94,17 +96,27 @@ std::string find_library_path(const std::string & library_name)
 
 std::string get_executable_name()
 {
-  std::string path = coursekit::executable();
-  if (path.empty()) {
+  auto allocator = rcutils_get_default_allocator();
+  char * found = rcutils_get_executable_name(allocator);
+  if (!found) {
     throw std::runtime_error("failed to get executable name");
   }
-#ifdef _WIN32
-  return fs::path(path).stem().string();
-#else
-  return fs::path(path).filename().string();
-#endif
+  std::string name = found;
+  allocator.deallocate(found, allocator.state);
+  return name;
 }
 }  // namespace rcpputils
+
+char * rcutils_get_executable_name(rcutils_allocator_t allocator)
+{
+  const std::filesystem::path path = coursekit::executable();
+#ifdef _WIN32
+  const std::string name = path.stem().string();
+#else
+  const std::string name = path.filename().string();
+#endif
+  return name.empty() ? nullptr : rcutils_strdup(name.c_str(), allocator);
+}
 
 static rcutils_ret_t fail(rcutils_ret_t how, const std::string & why)
 {

@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdlib>
 
-#include "rcpputils/env.hpp"
+#include "rcutils/error_handling.h"
 
 inline const char * rcutils_get_env(const char * name, const char ** value)
 {
@@ -25,9 +25,14 @@ inline const char * rcutils_get_home_dir()
 /// Set a variable, or remove it where the value is null.
 inline bool rcutils_set_env(const char * name, const char * value)
 {
-  try {
-    return name && rcpputils::set_env_var(name, value);
-  } catch (const std::exception &) {
-    return false;
+  RCUTILS_CHECK_ARGUMENT_FOR_NULL(name, false);
+#ifdef _WIN32
+  bool done = _putenv_s(name, value ? value : "") == 0;
+#else
+  bool done = value ? setenv(name, value, 1) == 0 : unsetenv(name) == 0;
+#endif
+  if (!done) {
+    RCUTILS_SET_ERROR_MSG_WITH_FORMAT_STRING("failed to set environment variable %s", name);
   }
+  return done;
 }

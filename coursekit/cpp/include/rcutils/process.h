@@ -6,8 +6,7 @@
 #include <unistd.h>
 #endif
 
-#include "rcpputils/process.hpp"
-#include "rcutils/strdup.h"
+#include "rcutils/allocator.h"
 
 inline int rcutils_get_pid()
 {
@@ -17,8 +16,5 @@ inline int rcutils_get_pid()
   return getpid();
 #endif
 }
-/// The name of the file that runs, which the program frees.
-inline char * rcutils_get_executable_name(rcutils_allocator_t allocator)
-{
-  return rcutils_strdup(rcpputils::get_executable_name().c_str(), allocator);
-}
+/// The name of the file that runs, which the program gives back to the allocator; null where the system does not say.
+char * rcutils_get_executable_name(rcutils_allocator_t allocator);

@@ -49,7 +49,21 @@ public:
   std::string bytes() const {return std::string(reinterpret_cast<const char *>(view_.buffer), view_.buffer_length);}
 
 private:
-  void look() {view_ = {reinterpret_cast<uint8_t *>(bytes_.data()), bytes_.size(), bytes_.size()};}
+  void look() {view_ = {reinterpret_cast<uint8_t *>(bytes_.data()), bytes_.size(), bytes_.size(), allocator()};}
+  /// C's functions let the bytes grow where they are.
+  rcutils_allocator_t allocator()
+  {
+    return {
+      [](size_t size, void * bytes) {return grow(bytes, size);}, [](void *, void *) {},
+      [](void *, size_t size, void * bytes) {return grow(bytes, size);},
+      [](size_t number, size_t size, void * bytes) {return grow(bytes, number * size);}, &bytes_};
+  }
+  static void * grow(void * bytes, size_t size)
+  {
+    auto own = static_cast<std::string *>(bytes);
+    own->resize(size);
+    return own->data();
+  }
   std::string bytes_;
   rcl_serialized_message_t view_{nullptr, 0, 0};
 };

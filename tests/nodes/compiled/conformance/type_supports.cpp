@@ -38,6 +38,12 @@ int main(int argc, char ** argv)
   throws<std::invalid_argument>("no support", [] {rclcpp::SerializationBase(nullptr);});
   throws<std::invalid_argument>("no message", [&] {by_support.serialize_message(nullptr, &packed);});
 
+  rclcpp::SerializedMessage grown;
+  auto & within = grown.get_rcl_serialized_message();
+  check("bytes of C++ grow in C", rmw_serialize(&said, support, &within) == RMW_RET_OK && grown.size() == 14u);
+  check("and are read in C++", (by_support.deserialize_message(&grown, &read), read.data == "hello"));
+  check("what grows keeps its bytes", rmw_serialized_message_resize(&within, 4096) == RMW_RET_OK && grown.bytes() == packed.bytes());
+
   // by a name
   const std::string plain = "rosidl_typesupport_cpp";
   auto library = rclcpp::get_typesupport_library("std_msgs/msg/String", plain);

@@ -13,7 +13,9 @@ from coursekit.nodes.running import to_the_end
 
 
 class Talker(Node):
-    """Publishes twice a second, `publish_count` times; 0 means without end."""
+    """Publishes, twice a second by default, `publish_count` times; 0 means without end."""
+
+    NAME, TOLD = "qos_talker", "Publishing: {}"
 
     def __init__(
         self,
@@ -23,24 +25,29 @@ class Talker(Node):
         events: Any = None,
         publish_count: int = 0,
         assert_period: float = 0.0,
+        period: float = 0.5,
     ) -> None:
-        super().__init__("qos_talker")
+        super().__init__(self.NAME)
         self.get_logger().info("Talker starting up")
         self.published = 0
         self._most = publish_count
         self._publisher = self.create_publisher(String, topic, qos, event_callbacks=events)
-        self._timer = self.create_timer(0.5, self.publish)
+        self._timer = self.create_timer(period, self.publish)
         self._pause: Any = None
-        self._asserting = assert_period and self.create_timer(assert_period, self._publisher.assert_liveliness)
+        self._asserting = assert_period and self.create_timer(assert_period, self.assert_liveliness)
 
     def publish(self) -> None:
         """Publish one message; the last one ends the timer."""
         msg = String(data=f"Talker says {self.published}")
-        self.get_logger().info(f"Publishing: {msg.data}")
+        self.get_logger().info(self.TOLD.format(msg.data))
         self.published += 1
         if self._most and self.published >= self._most:
             self._timer.cancel()
         self._publisher.publish(msg)
+
+    def assert_liveliness(self) -> None:
+        """Say that the publisher lives."""
+        self._publisher.assert_liveliness()
 
     def pause_for(self, seconds: float) -> None:
         """Stop publishing for that time; a pause in progress is not extended."""
@@ -64,8 +71,10 @@ class Talker(Node):
 class Listener(Node):
     """Logs received messages; with `later`, only after `start_listening`."""
 
+    NAME, TOLD = "qos_listener", "I heard: {}"
+
     def __init__(self, topic: str, qos: QoSProfile, *, events: Any = None, later: bool = False) -> None:
-        super().__init__("qos_listener")
+        super().__init__(self.NAME)
         self._made: Any = None
         self._make: Callable[[], Any] = lambda: self.create_subscription(
             String, topic, self._heard, qos, event_callbacks=events
@@ -77,10 +86,13 @@ class Listener(Node):
         """Subscribe, unless already subscribed."""
         if self._made is None:
             self._made = self._make()
-            self.get_logger().info("Subscription created")
+            self._subscribed()
+
+    def _subscribed(self) -> None:
+        self.get_logger().info("Subscription created")
 
     def _heard(self, msg: String) -> None:
-        self.get_logger().info(f"I heard: {msg.data}")
+        self.get_logger().info(self.TOLD.format(msg.data))
 
 
 def spin(listener: Node, talker: Node, goes_on: Callable[[SingleThreadedExecutor], bool] = lambda _: True) -> int:

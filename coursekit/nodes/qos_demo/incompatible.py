@@ -64,7 +64,9 @@ POLICIES = {
 }  # fmt: skip
 
 
-def _tell(name: str, what: str) -> Callable[[Any], None]:
+def told_of(name: str, what: str) -> Callable[[Any], None]:
+    """A callback that logs an event of QoS that do not match."""
+
     def tell(event: Any) -> None:
         get_logger(name).info(
             f"{what} incompatible qos - total {event.total_count} delta {event.total_count_change} "
@@ -81,8 +83,8 @@ def main(args: list[str] | None = None) -> int:
     pair = POLICIES[parser.parse_args(remove_ros_args(sys.argv)[1:]).incompatible_qos_policy_name]
     print(pair)
     rclpy.init(args=args)
-    told = PublisherEventCallbacks(incompatible_qos=_tell("talker", "Offered"))
-    heard = SubscriptionEventCallbacks(incompatible_qos=_tell("listener", "Requested"))
+    told = PublisherEventCallbacks(incompatible_qos=told_of("talker", "Offered"))
+    heard = SubscriptionEventCallbacks(incompatible_qos=told_of("listener", "Requested"))
     talker = Talker(TOPIC, QoSProfile(depth=10, **pair.offered), events=told, publish_count=COUNT)
     listener = Listener(TOPIC, QoSProfile(depth=10, **pair.asked), events=heard)
     return spin(listener, talker, lambda _: talker.published < COUNT)

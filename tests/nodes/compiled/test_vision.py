@@ -108,6 +108,19 @@ def test_images_go_over_the_bridge_and_over_topics(said):
     ]
 
 
+def test_a_film_is_written_lit_pixels_are_found_and_a_pair_of_cameras_sees_depth(said, tmp_path):
+    assert said("films") == [
+        "01",
+        "10",
+        "3 15 [64 x 48]1",
+        "0[5, 2;",
+        " 1, 4][5 x 3 from (1, 2)]",
+        "1 [0.04, 0.01, 2] 10000 -200",
+        "[2 x 2 from (6, 1)][1 x 2 from (1, 1)]",
+    ]
+    assert (tmp_path / "film.avi").stat().st_size > 1000  # in the program's folder, not in the session's
+
+
 TRANSPORT = """
 #include "image_transport/image_transport.hpp"
 #include "image_transport/publisher_plugin.hpp"

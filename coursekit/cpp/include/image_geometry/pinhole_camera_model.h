@@ -65,6 +65,18 @@ public:
     cv::Rect roi = rectifiedRoi();
     return cv::Point2d((uv.x - roi.x) / binningX(), (uv.y - roi.y) / binningY());
   }
+  cv::Rect toFullResolution(const cv::Rect & part) const
+  {
+    const int x = static_cast<int>(binningX()), y = static_cast<int>(binningY());
+    cv::Rect roi = rectifiedRoi();
+    return cv::Rect(part.x * x + roi.x, part.y * y + roi.y, part.width * x, part.height * y);
+  }
+  cv::Rect toReducedResolution(const cv::Rect & part) const
+  {
+    const int x = static_cast<int>(binningX()), y = static_cast<int>(binningY());
+    cv::Rect roi = rectifiedRoi();
+    return cv::Rect((part.x - roi.x) / x, (part.y - roi.y) / y, part.width / x, part.height / y);
+  }
   cv::Rect rawRoi() const
   {
     auto & roi = info_.roi;

@@ -34,6 +34,21 @@ public:
     xyz.y = (left_uv_rect.y - left_.cy()) * z / left_.fy();
     xyz.z = z;
   }
+  /// What makes a pixel and its disparity a point in space, up to its scale.
+  cv::Matx44d reprojectionMatrix() const
+  {
+    const double fx = left_.fx(), fy = left_.fy(), tx = -baseline();
+    return {
+      fy * tx, 0, 0, -fy * left_.cx() * tx,
+      0, fx * tx, 0, -fx * left_.cy() * tx,
+      0, 0, 0, fx * fy * tx,
+      0, 0, -fy, fy * (left_.cx() - right_.cx())};
+  }
+  /// The same for each pixel of an image of disparities; with `handle_missing` those without one get the depth MISSING_Z.
+  void projectDisparityImageTo3d(const cv::Mat & disparity, cv::Mat & points, bool handle_missing = false) const
+  {
+    cv::reprojectImageTo3D(disparity, points, cv::Mat(reprojectionMatrix()), handle_missing);
+  }
   double getZ(double disparity) const {return -right_.Tx() / (disparity - (left_.cx() - right_.cx()));}
   double getDisparity(double Z) const {return -right_.Tx() / Z + (left_.cx() - right_.cx());}
   /// How much a depth is off where a disparity is.

@@ -47,4 +47,11 @@ inline void initUndistortRectifyMap(
   map1.assign(maps[0].mat);
   map2.assign(maps[1].mat);
 }
+/// Each pixel's point in space, of its disparity and a pair's 4x4 matrix.
+inline void reprojectImageTo3D(
+  InputArray disparity, OutputArray points, InputArray q, bool handle_missing = false, int ddepth = -1)
+{
+  points.assign(
+    call("reprojectImageTo3D", disparity, q, kw("handleMissingValues", handle_missing), kw("ddepth", ddepth)));
+}
 }  // namespace cv

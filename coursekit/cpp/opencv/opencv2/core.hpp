@@ -137,6 +137,8 @@ inline void meanStdDev(InputArray src, OutputArray mean, OutputArray deviation, 
   deviation.assign(both[1]);
 }
 inline int countNonZero(InputArray src) {return static_cast<int>(call("countNonZero", src).integer);}
+/// The places of all pixels that are not 0.
+inline void findNonZero(InputArray src, OutputArray places) {places.assign(call("findNonZero", src));}
 inline double norm(InputArray src, int kind = NORM_L2) {return call("norm", src, kind).number();}
 inline double norm(InputArray a, InputArray b, int kind = NORM_L2) {return call("norm", a, b, kind).number();}
 inline void minMaxLoc(

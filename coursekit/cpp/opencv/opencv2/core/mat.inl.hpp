@@ -192,4 +192,8 @@ inline std::ostream & operator<<(std::ostream & out, const Mat & mat)
     });
   return out << "]";
 }
+template<class T>
+std::ostream & operator<<(std::ostream & out, const std::vector<Point_<T>> & points) {return out << Mat(points);}
+template<class T>
+std::ostream & operator<<(std::ostream & out, const std::vector<Point3_<T>> & points) {return out << Mat(points);}
 }  // namespace cv

@@ -16,7 +16,7 @@ EXECUTABLES: dict[str, dict[str, str]] = {
     "composition": {
         "client_component": "coursekit.nodes.composition.nodes:client",
         "dlopen_composition": "coursekit.nodes.composition.dlopen:main",
-        "linktime_composition": "coursekit.nodes.composition.nodes:all_in_one",
+        "linktime_composition": "coursekit.nodes.composition.dlopen:linked",
         "listener_component": "coursekit.nodes.composition.nodes:listener",
         "manual_composition": "coursekit.nodes.composition.nodes:all_in_one",
         "server_component": "coursekit.nodes.composition.nodes:server",

@@ -31,7 +31,7 @@ _REPOSITORIES = {
     "simple_launch of oKermorgant": r"simple_launch",
     "examples of ros2": r"examples_rclcpp_(async_client|minimal_(action_\w+|composition)|cbg_executor"
     r"|multithreaded_executor|wait_set)",
-    "demos of ros2": r"pendulum_control",
+    "demos of ros2": r"demo_nodes_cpp_native|pendulum_control|topic_statistics_demo",
     "aws-robomaker-small-house-world of aws-robotics": r"aws_robomaker_small_house_world",
     "aws-robomaker-small-warehouse-world of aws-robotics": r"aws_robomaker_small_warehouse_world",
 }

@@ -91,6 +91,19 @@ def test_all_four_run_in_one_process(session, run):
     assert all_four.wait(5) == 0
 
 
+def test_what_is_linked_is_loaded_under_no_name(session, run):
+    process = run("composition", "linktime_composition")
+    session.clock.sleep(2.5)
+    assert [line.split("]: ")[1] for line in process.output.splitlines()[:5]] == [
+        "Load library ",
+        *(
+            f"Instantiate class rclcpp_components::NodeFactoryTemplate<composition::{name}>"
+            for name in ("Client", "Listener", "Server", "Talker")
+        ),
+    ]
+    assert "[listener]: I heard: [Hello World: 1]" in process.output
+
+
 def test_the_launch_file_of_the_demo_starts_a_talker_and_a_listener(ros2):
     output = ros2("launch", "composition", "composition_demo.launch.py", seconds=3.5)
     assert "[talker]: Publishing: 'Hello World: 1'" in output and "[listener]: I heard: [Hello World: 1]" in output

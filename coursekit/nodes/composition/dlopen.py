@@ -1,4 +1,4 @@
-"""`ros2 run composition dlopen_composition LIBRARY...`: one process with the nodes of the given libraries."""
+"""`ros2 run composition dlopen_composition LIBRARY...`: one process with the nodes of libraries, given or linked."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ import re
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import rclpy
 from rclpy.logging import get_logger
@@ -26,6 +27,7 @@ _CLASSES: dict[str, tuple[str, Callable[[], Node]]] = {
     "client": ("composition::Client", Client),
 }
 """The Python class for each of the demo's libraries, so no library is opened."""
+_LINKED = ("client", "listener", "server", "talker")
 
 
 def component_of(library: str) -> tuple[str, Callable[[], Node]] | None:
@@ -51,9 +53,21 @@ def main(args: list[str] | None = None) -> int:
         component = component_of(library)
         if component is None:
             return terminate(_unknown(library), "class_loader::LibraryLoadException")
-        log.info(f"Instantiate class rclcpp_components::NodeFactoryTemplate<{component[0]}>")
-        made.append(component[1]())
+        made.append(_instance(log, *component))
     return spin_to_the_end(*made)
+
+
+def linked(args: list[str] | None = None) -> int:
+    """Run the nodes of the libraries that linktime_composition is linked with: those are under an empty name."""
+    rclpy.init(args=args)
+    log = get_logger("linktime_composition")
+    log.info("Load library ")
+    return spin_to_the_end(*(_instance(log, *_CLASSES[name]) for name in _LINKED))
+
+
+def _instance(log: Any, name: str, make: Callable[[], Node]) -> Node:
+    log.info(f"Instantiate class rclcpp_components::NodeFactoryTemplate<{name}>")
+    return make()
 
 
 def _unknown(library: str) -> str:

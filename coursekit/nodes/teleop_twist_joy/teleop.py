@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from geometry_msgs.msg import Twist, TwistStamped
+from rclpy.logging import get_logger
 from rclpy.node import Node
 from sensor_msgs.msg import Joy
 
@@ -44,7 +45,7 @@ class TeleopTwistJoy(Node):
 
     def _tell(self) -> None:
         """Log the buttons, and the number and scale of each axis."""
-        log, given = self.get_logger(), self._given
+        log, given = get_logger("TeleopTwistJoy"), self._given
         if given["require_enable_button"]:
             log.info(f"Teleop enable button {given['enable_button']}.")
         turbo = given["enable_turbo_button"]

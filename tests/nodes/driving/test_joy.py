@@ -128,7 +128,8 @@ def test_a_held_button_drives_another_faster_and_letting_go_stops_once(friend, r
     process = run("teleop_twist_joy", "teleop_node", "--ros-args", *(word for one in options for word in ("-p", one)))
     heard = friend.hear(Twist, "cmd_vel")
     friend.spin(0.2)
-    assert "[TeleopTwistJoy]: Teleop enable button 4." in process.output and "Linear axis x on 1 at scale 0.500000." in process.output
+    assert "[TeleopTwistJoy]: Teleop enable button 4." in process.output
+    assert "Linear axis x on 1 at scale 0.500000." in process.output
     for buttons in ((), (4,), (5,), (), ()):
         friend.say("joy", joy(*buttons, axes=(0.5, 1.0)))
         friend.spin(0.05)

@@ -28,6 +28,7 @@ EXPORTED = {
     "cv_bridge": "sensor_msgs",
     "image_transport": "message_filters pluginlib rclcpp sensor_msgs",
     "image_geometry": "sensor_msgs",
+    "image_tools": "rclcpp sensor_msgs std_msgs",
     "camera_calibration_parsers": "rclcpp sensor_msgs",
     "camera_info_manager": "camera_calibration_parsers rclcpp rclcpp_lifecycle sensor_msgs",
     "interactive_markers": "rclcpp tf2 tf2_geometry_msgs tf2_ros visualization_msgs",

@@ -12,7 +12,11 @@ _NOT_YET = re.compile(
     r"|camera_info_manager|rosbag2_transport|message_filters|rclcpp_components"
     r"|opencv2|Eigen|rcl|rcl_\w+|rcpputils|rclcpp/(wait_set\w*|guard_condition"
     r"|parameter_client|parameter_event_\w+|serialization|loaned_message|node_interfaces|executors|strategies|experimental|topic_\w+"
-    r"|contexts|graph_listener|message_info|parameter_events_filter|subscription_\w+|waitable|type_support_decl))(/|\.hpp|\.h)"
+    r"|contexts|graph_listener|message_info|parameter_events_filter|subscription_\w+|waitable|type_support_decl|detail)"
+    r"|rcutils/(configuration_flags|qsort|shared_library|stdatomic_helper|strcasecmp|strerror|testing"
+    r"|types/(array_list|hash_map|string_map))|rosidl_typesupport_introspection_\w+"
+    r"|rmw/(allocators|event_callback_type|features|get_\w+|impl|init|init_options|message_sequence|names_and_types"
+    r"|network_flow_endpoint|subscription_content_filter_options|validate_\w+))(/|\.hpp|\.h)"
 )
 """Headers of Humble that coursekit does not have."""
 NO_EIGEN = "there is no Eigen for C++ here: `pip install cmeel-eigen` brings it"
@@ -28,6 +32,8 @@ def reason(text: str, depends: Collection[str], stood_for: bool) -> str:
 
     >>> reason("a.cpp:1:10: fatal error: tf2_bullet/tf2_bullet.hpp: No such file or directory", [], False)
     'tf2_bullet/tf2_bullet.hpp is not among what C++ has here'
+    >>> reason("a.cpp:1:10: fatal error: rmw/features.h: No such file or directory", [], False)
+    'rmw/features.h is not among what C++ has here'
     >>> reason("a.cpp:1:10: fatal error: rclcpp/rclcp.hpp: No such file or directory", ["rclcpp"], False)
     ''
     >>> reason("kdl_parser: orocos_kdl is not here: sudo apt install\\n  liborocos-kdl-dev\\nCall Stack", [], False)

@@ -121,6 +121,18 @@ def test_a_film_is_written_lit_pixels_are_found_and_a_pair_of_cameras_sees_depth
     assert (tmp_path / "film.avi").stat().st_size > 1000  # in the program's folder, not in the session's
 
 
+def test_a_matrix_is_published_as_it_is_and_heard_as_an_image_or_a_matrix(said):
+    assert said("matrices") == [
+        "empty: 10 0x0",
+        "shown: 012 yuv422 unsupported encoding type",
+        "Unsupported encoding type",
+        "unique_sensor_msgs_image cannot be nullptr",
+        "copied: 011",
+        "within: the same 9 lens",
+        "between: another 9 lens, and an image mono8 2x3 9",
+    ]
+
+
 TRANSPORT = """
 #include "image_transport/image_transport.hpp"
 #include "image_transport/publisher_plugin.hpp"

@@ -1,0 +1,8 @@
+// The name under which the demos of images have cv_bridge's container.
+#pragma once
+#include "cv_bridge/cv_mat_sensor_msgs_image_type_adapter.hpp"
+
+namespace image_tools
+{
+using cv_bridge::ROSCvMatContainer;
+}  // namespace image_tools

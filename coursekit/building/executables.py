@@ -376,12 +376,12 @@ EXECUTABLES: dict[str, dict[str, str]] = {
         "transform": "coursekit.nodes.topic_tools.computed:transform",
     },
     "turtle_tf2_cpp": {
-        "dynamic_frame_tf2_broadcaster": "coursekit.nodes.turtle_tf2.broadcasters:dynamic",
-        "fixed_frame_tf2_broadcaster": "coursekit.nodes.turtle_tf2.broadcasters:fixed",
-        "static_turtle_tf2_broadcaster": "coursekit.nodes.turtle_tf2.broadcasters:static",
-        "turtle_tf2_broadcaster": "coursekit.nodes.turtle_tf2.broadcasters:turtle",
-        "turtle_tf2_listener": "coursekit.nodes.turtle_tf2.listener:main",
-        "turtle_tf2_message_filter": "coursekit.nodes.turtle_tf2.drawer:main",
+        "dynamic_frame_tf2_broadcaster": "coursekit.nodes.turtle_tf2.cpp:dynamic",
+        "fixed_frame_tf2_broadcaster": "coursekit.nodes.turtle_tf2.cpp:fixed",
+        "static_turtle_tf2_broadcaster": "coursekit.nodes.turtle_tf2.cpp:static",
+        "turtle_tf2_broadcaster": "coursekit.nodes.turtle_tf2.cpp:turtle",
+        "turtle_tf2_listener": "coursekit.nodes.turtle_tf2.cpp:listener",
+        "turtle_tf2_message_filter": "coursekit.nodes.turtle_tf2.cpp:drawer",
     },
     "turtle_tf2_py": {
         "dynamic_frame_tf2_broadcaster": "coursekit.nodes.turtle_tf2.broadcasters:dynamic",

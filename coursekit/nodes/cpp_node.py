@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, TypeVar
 
 from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
 from rclpy.node import Node
@@ -32,6 +32,19 @@ class CppNode(Node):
         if descriptor is not None and not result.successful:
             result.reason = _reason(parameter, descriptor, check_read_only)
         return result
+
+
+Kind = TypeVar("Kind", bound=Node)
+
+
+def as_cpp(kind: type[Kind]) -> type[Kind]:
+    """Return the class of a Python demo's node with what rclcpp gives to each node.
+
+    >>> class Talker(Node): ...
+    >>> as_cpp(Talker).__name__, issubclass(as_cpp(Talker), CppNode)
+    ('Talker', True)
+    """
+    return type(kind.__name__, (kind, CppNode), {})
 
 
 def _reason(parameter: Parameter, descriptor: ParameterDescriptor, check_read_only: bool) -> str:

@@ -22,3 +22,15 @@ def test_turtles_follow_frames_under_the_cpp_name(session, ros2, file):
     output = ros2("launch", "turtle_tf2_cpp", f"{file}.launch.py", seconds=4.0)
     assert "[turtle_tf2_broadcaster-2]: process started" in output
     assert "Successfully spawned" in output and "died" not in output
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (("snail", "1"), "Invalid number of parameters\nusage: ros2 run turtle_tf2_cpp static_turtle_tf2_"),
+        (("world", *"000000"), "Your static turtle name cannot be 'world'"),
+    ],
+)
+def test_a_static_frame_that_cannot_be_is_refused_in_the_log(run, words, told):
+    process = run("turtle_tf2_cpp", "static_turtle_tf2_broadcaster", *words)
+    assert process.wait(5) == 1 and f"[logger]: {told}" in process.output

@@ -6,6 +6,7 @@ from cv_bridge import CvBridge
 from sensor_msgs.msg import Image
 
 from coursekit.nodes.image_tools.burger import Burgers
+from coursekit.view.highgui import desk
 
 
 def test_burgers_move_and_stay_in_the_picture():
@@ -16,6 +17,14 @@ def test_burgers_move_and_stay_in_the_picture():
     pictures = [(burgers.draw() != (230, 190, 130)).any(axis=2) for _ in range(200)]
     assert not numpy.array_equal(pictures[0], sky)
     assert all(picture.sum() >= 24 * 24 for picture in pictures)  # one at least is whole
+
+
+def test_the_camera_program_shows_what_it_publishes_where_it_is_asked_to(session, run):
+    cam = run("image_tools", "cam2image", "--ros-args", "-p", "burger_mode:=true", "-p", "show_camera:=true")
+    session.clock.sleep(0.5)
+    assert desk().windows["cam2image"].image.shape == (240, 320, 3)
+    cam.interrupt()
+    assert cam.wait(5) == 0 and "cam2image" not in desk().windows
 
 
 def test_the_burger_is_published_and_seen(session, run, ros2):

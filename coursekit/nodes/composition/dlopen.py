@@ -14,15 +14,16 @@ from rclpy.node import Node
 from rclpy.utilities import remove_ros_args
 
 from coursekit.nodes.composition.nodes import Client, Server
+from coursekit.nodes.cpp_node import as_cpp
 from coursekit.nodes.demo_nodes.listener import Listener
 from coursekit.nodes.demo_nodes.talker import Talker
 from coursekit.nodes.running import spin_to_the_end, terminate
 
 _LIBRARY = re.compile(r"(?:lib)?(\w+)_component\.(?:so|dylib|dll)")
 _CLASSES: dict[str, tuple[str, Callable[[], Node]]] = {
-    "talker": ("composition::Talker", lambda: Talker(1, "'")),
-    "listener": ("composition::Listener", Listener),
-    "node_like_listener": ("composition::NodeLikeListener", Listener),
+    "talker": ("composition::Talker", lambda: as_cpp(Talker)(1, "'")),
+    "listener": ("composition::Listener", as_cpp(Listener)),
+    "node_like_listener": ("composition::NodeLikeListener", as_cpp(Listener)),
     "server": ("composition::Server", Server),
     "client": ("composition::Client", Client),
 }

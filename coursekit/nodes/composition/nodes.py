@@ -2,14 +2,14 @@
 
 import rclpy
 from example_interfaces.srv import AddTwoInts
-from rclpy.node import Node
 
+from coursekit.nodes.cpp_node import CppNode, as_cpp
 from coursekit.nodes.demo_nodes.listener import Listener
 from coursekit.nodes.demo_nodes.talker import Talker
 from coursekit.nodes.running import run, spin_to_the_end
 
 
-class Server(Node):
+class Server(CppNode):
     """Adds two numbers."""
 
     def __init__(self) -> None:
@@ -22,7 +22,7 @@ class Server(Node):
         return response
 
 
-class Client(Node):
+class Client(CppNode):
     """Requests 2 + 3 every two seconds."""
 
     def __init__(self) -> None:
@@ -40,12 +40,12 @@ class Client(Node):
 
 def talker(args: list[str] | None = None) -> int:
     """The talker, which counts from 1."""
-    return run(lambda: Talker(1, "'"), args)
+    return run(lambda: as_cpp(Talker)(1, "'"), args)
 
 
 def listener(args: list[str] | None = None) -> int:
     """The listener."""
-    return run(Listener, args)
+    return run(as_cpp(Listener), args)
 
 
 def server(args: list[str] | None = None) -> int:
@@ -61,4 +61,4 @@ def client(args: list[str] | None = None) -> int:
 def all_in_one(args: list[str] | None = None) -> int:
     """All four in one process, until Ctrl-C."""
     rclpy.init(args=args)
-    return spin_to_the_end(Talker(1, "'"), Listener(), Server(), Client())
+    return spin_to_the_end(as_cpp(Talker)(1, "'"), as_cpp(Listener)(), Server(), Client())

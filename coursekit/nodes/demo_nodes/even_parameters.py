@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from rcl_interfaces.msg import SetParametersResult
-from rclpy.node import Node
 from rclpy.parameter import Parameter
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import run
 
 _TOLD = (
@@ -16,7 +16,7 @@ _TOLD = (
 )
 
 
-class EvenParameters(Node):
+class EvenParameters(CppNode):
     """Accepts undeclared parameters, and rejects values that are not even."""
 
     def __init__(self) -> None:

@@ -6,8 +6,8 @@ from typing import Any
 import rclpy
 from action_tutorials_interfaces.action import Fibonacci
 from rclpy.action import ActionClient, CancelResponse, GoalResponse
-from rclpy.node import Node
 
+from coursekit.nodes.cpp_node import CppNode, as_cpp
 from coursekit.nodes.examples.action_server import MinimalActionServer, serve
 from coursekit.nodes.running import run
 
@@ -42,7 +42,7 @@ class FibonacciServer(MinimalActionServer):
         return Fibonacci.Result(sequence=numbers)
 
 
-class FibonacciClient(Node):
+class FibonacciClient(CppNode):
     """Requests ten steps and ends with the result."""
 
     def __init__(self) -> None:
@@ -80,7 +80,7 @@ class FibonacciClient(Node):
 
 def server(args: list[str] | None = None) -> int:
     """Serve until Ctrl-C."""
-    return serve(FibonacciServer, args)
+    return serve(as_cpp(FibonacciServer), args)
 
 
 def client(args: list[str] | None = None) -> int:

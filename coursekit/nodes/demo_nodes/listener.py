@@ -4,6 +4,7 @@ from rclpy.node import Node
 from rclpy.qos import QoSProfile, qos_profile_sensor_data
 from std_msgs.msg import String
 
+from coursekit.nodes.cpp_node import as_cpp
 from coursekit.nodes.demo_nodes.spinning import spin_demo
 from coursekit.nodes.running import run
 
@@ -26,9 +27,9 @@ def main(args: list[str] | None = None) -> None:
 
 def main_cpp(args: list[str] | None = None) -> int:
     """Run it as demo_nodes_cpp's listener."""
-    return run(Listener, args)
+    return run(as_cpp(Listener), args)
 
 
 def best_effort(args: list[str] | None = None) -> int:
     """Run demo_nodes_cpp's listener with the QoS of sensors."""
-    return run(lambda: Listener(qos_profile_sensor_data), args)
+    return run(lambda: as_cpp(Listener)(qos_profile_sensor_data), args)

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import rclpy
-from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.parameter_client import AsyncParameterClient
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import to_the_end
 
 _TYPES = {
@@ -39,7 +39,7 @@ class Asking:
     """Declares parameters on a node, and calls the node's own parameter services."""
 
     def __init__(self, name: str, wanted: dict[str, Any]) -> None:
-        self.node = Node(name)
+        self.node = CppNode(name)
         self.wanted = [Parameter(one, value=value) for one, value in wanted.items()]
         for parameter in self.wanted:
             self.node.declare_parameter(parameter.name, parameter.type_)

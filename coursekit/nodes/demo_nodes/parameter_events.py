@@ -6,11 +6,11 @@ from typing import Any
 
 import rclpy
 from rcl_interfaces.msg import ParameterEvent
-from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.parameter_client import AsyncParameterClient
 from rclpy.qos import qos_profile_parameter_events
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import run, to_the_end
 
 EVENTS = 10  # four declared, four set, two set again
@@ -19,7 +19,7 @@ FIRST = [Parameter(name, value=value) for name, value in (("foo", 2), ("bar", "h
 SECOND = [Parameter("foo", value=3), Parameter("bar", value="world")]
 
 
-class EventsNode(Node):
+class EventsNode(CppNode):
     """Declares parameters, and logs each of their events."""
 
     def __init__(self) -> None:

@@ -6,10 +6,10 @@ import re
 from typing import Any
 
 import rclpy
-from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.parameter_event_handler import ParameterEventHandler
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.demo_nodes.own_parameters import in_cpp
 from coursekit.nodes.running import spin_to_the_end
 
@@ -32,7 +32,7 @@ To activate the callbacks, from a separate shell/console window, execute either 
 """
 
 
-class Watcher(Node):
+class Watcher(CppNode):
     """Has an own parameter, and watches it and another node's."""
 
     def __init__(self) -> None:
@@ -61,7 +61,7 @@ def main(args: list[str] | None = None) -> int:
     """Watch until Ctrl-C."""
     rclpy.init(args=args)
     space, _, name = REMOTE.rpartition("/")
-    remote = Node(name, namespace=space)
+    remote = CppNode(name, namespace=space)
     remote.declare_parameter(THEIRS, "default_string_value")
     print(_TOLD)
     return spin_to_the_end(Watcher(), remote)

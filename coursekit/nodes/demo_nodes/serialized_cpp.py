@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from rclpy.node import Node
 from rclpy.serialization import deserialize_message, serialize_message
 from std_msgs.msg import String
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import run
 
 
-class SerializedTalker(Node):
+class SerializedTalker(CppNode):
     """Publishes a counted greeting that it serializes itself."""
 
     def __init__(self) -> None:
@@ -26,7 +26,7 @@ class SerializedTalker(Node):
         self._publisher.publish(data)
 
 
-class SerializedListener(Node):
+class SerializedListener(CppNode):
     """Prints the bytes and their message."""
 
     def __init__(self) -> None:

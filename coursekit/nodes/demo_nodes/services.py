@@ -5,6 +5,7 @@ from example_interfaces.srv import AddTwoInts
 from rclpy.node import Node
 from rclpy.task import Future
 
+from coursekit.nodes.cpp_node import CppNode, as_cpp
 from coursekit.nodes.demo_nodes.spinning import spin_demo
 from coursekit.nodes.running import run
 
@@ -29,7 +30,7 @@ def server(args: list[str] | None = None) -> None:
 
 def server_cpp(args: list[str] | None = None) -> int:
     """Serve as demo_nodes_cpp's server does."""
-    return run(AddTwoIntsServer, args)
+    return run(as_cpp(AddTwoIntsServer), args)
 
 
 def client(args: list[str] | None = None) -> None:
@@ -66,7 +67,7 @@ def client_async(args: list[str] | None = None) -> None:
     rclpy.shutdown()
 
 
-class AskingNode(Node):
+class AskingNode(CppNode):
     """Sends one request as soon as there is a server, and ends with the response."""
 
     def __init__(self) -> None:

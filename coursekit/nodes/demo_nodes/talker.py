@@ -3,6 +3,7 @@
 from rclpy.node import Node
 from std_msgs.msg import String
 
+from coursekit.nodes.cpp_node import as_cpp
 from coursekit.nodes.demo_nodes.spinning import spin_demo
 from coursekit.nodes.running import run
 
@@ -31,4 +32,4 @@ def main(args: list[str] | None = None) -> None:
 
 def main_cpp(args: list[str] | None = None) -> int:
     """Run it as demo_nodes_cpp's talker, which counts from 1."""
-    return run(lambda: Talker(1, "'"), args)
+    return run(lambda: as_cpp(Talker)(1, "'"), args)

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from rclpy.logging import get_logger
-from rclpy.node import Node
 from std_msgs.msg import Float64, String
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import run
 
 NOT_LOANED = "Currently used middleware can't loan messages. Local allocator will be used."
 
 
-class LoanedTalker(Node):
+class LoanedTalker(CppNode):
     """Publishes a count on chatter_pod and the next one as a greeting on chatter, each second."""
 
     def __init__(self) -> None:

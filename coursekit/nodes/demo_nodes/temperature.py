@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from rclpy.node import Node
 from std_msgs.msg import Float32
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import run
 
 COLDEST, HOTTEST, STEP = -100.0, 150.0, 10.0  # degrees
 TOO_COLD, TOO_HOT = -30.0, 100.0
 
 
-class Thermometer(Node):
+class Thermometer(CppNode):
     """Publishes a rising temperature, and starts again at the end."""
 
     def __init__(self) -> None:
@@ -27,7 +27,7 @@ class Thermometer(Node):
         self._publisher.publish(msg)
 
 
-class TimerHandle(Node):
+class TimerHandle(CppNode):
     """Receives extreme temperatures. rclpy has no content filters, so others are dropped here, not by the middleware."""
 
     def __init__(self) -> None:

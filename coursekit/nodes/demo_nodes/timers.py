@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from rclpy.node import Node
-
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import run
 
 
-class OneOffTimer(Node):
+class OneOffTimer(CppNode):
     """Every third callback of its periodic timer starts a timer that fires once, a second later."""
 
     def __init__(self, name: str = "one_off_timer") -> None:

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from nav_msgs.msg import OccupancyGrid
-from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import run
 
 SIDE, RESOLUTION = 100, 0.1  # cells, metres
 UNKNOWN, FREE, OCCUPIED = -1, 0, 100
 
 
-class DummyMapServer(Node):
+class DummyMapServer(CppNode):
     """Publishes /map each second: unknown except for one occupied cell between two free ones."""
 
     def __init__(self) -> None:

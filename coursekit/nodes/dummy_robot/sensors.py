@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import math
 
-from rclpy.node import Node
 from sensor_msgs.msg import JointState, LaserScan
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import run
 
 STEP = 0.1  # radians of the oscillation per message
@@ -14,7 +14,7 @@ SCAN_TIME = 0.04  # seconds per rotation of the mirror, of which a beam takes a 
 BEAMS = 1081  # 270 degrees, four beams a degree, both ends
 
 
-class DummyLaser(Node):
+class DummyLaser(CppNode):
     """Publishes /scan thirty times a second: a circle that shrinks and grows."""
 
     def __init__(self) -> None:
@@ -40,7 +40,7 @@ class DummyLaser(Node):
         self._publisher.publish(self._msg)
 
 
-class DummyJointStates(Node):
+class DummyJointStates(CppNode):
     """Publishes /joint_states fifty times a second: both joints oscillate together."""
 
     def __init__(self) -> None:

@@ -7,6 +7,7 @@ from example_interfaces.srv import AddTwoInts
 from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.node import Node
 
+from coursekit.nodes.cpp_node import as_cpp
 from coursekit.nodes.running import run, to_the_end
 
 
@@ -31,7 +32,7 @@ def service(args: list[str] | None = None) -> int:
 
 def service_cpp(args: list[str] | None = None) -> int:
     """Serve as the C++ example does."""
-    return run(lambda: MinimalService("request: {a} + {b}"), args)
+    return run(lambda: as_cpp(MinimalService)("request: {a} + {b}"), args)
 
 
 def _ask(name: str, request: AddTwoInts.Request, waiting: str, told: str) -> int:

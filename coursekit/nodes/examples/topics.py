@@ -4,6 +4,7 @@ from rclpy.duration import Duration
 from rclpy.node import Node
 from std_msgs.msg import String
 
+from coursekit.nodes.cpp_node import CppNode, as_cpp
 from coursekit.nodes.running import run
 
 
@@ -59,12 +60,12 @@ def publisher(args: list[str] | None = None) -> int:
 
 def publisher_cpp(args: list[str] | None = None) -> int:
     """Publish as the C++ examples do."""
-    return run(lambda: MinimalPublisher("Hello, world! ", "'"), args)
+    return run(lambda: as_cpp(MinimalPublisher)("Hello, world! ", "'"), args)
 
 
 def publisher_acknowledged_cpp(args: list[str] | None = None) -> int:
     """Publish until Ctrl-C, and wait for the acknowledgements."""
-    return run(AcknowledgedPublisher, args)
+    return run(as_cpp(AcknowledgedPublisher), args)
 
 
 def subscriber(args: list[str] | None = None) -> int:
@@ -74,10 +75,10 @@ def subscriber(args: list[str] | None = None) -> int:
 
 def subscriber_cpp(args: list[str] | None = None) -> int:
     """Listen as the C++ examples do."""
-    return run(lambda: MinimalSubscriber("'"), args)
+    return run(lambda: as_cpp(MinimalSubscriber)("'"), args)
 
 
-class MinimalTimer(Node):
+class MinimalTimer(CppNode):
     """Logs a greeting twice a second."""
 
     def __init__(self) -> None:

@@ -6,10 +6,10 @@ from typing import Any
 
 import cv2
 from cv_bridge import CvBridge
-from rclpy.node import Node
 from sensor_msgs.msg import Image
 from std_msgs.msg import Bool
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import run
 
 from .burger import Burgers
@@ -27,7 +27,7 @@ _PARAMETERS = {
 }
 
 
-class Cam2Image(Node):
+class Cam2Image(CppNode):
     """Publishes on /image; true on /flip_image mirrors the images. RuntimeError without a camera."""
 
     def __init__(self) -> None:
@@ -36,7 +36,7 @@ class Cam2Image(Node):
         self._flip = False
         qos = declared_qos(self)
         frequency = float(self.declare_parameter("frequency", 30.0).value)
-        self.declare_parameter("show_camera", False)  # no effect: use showimage or a viewer for a window
+        self._shows = bool(self.declare_parameter("show_camera", False).value)
         self._frame_id = str(self.declare_parameter("frame_id", "camera_frame").value)
         self._next_image = self._source()
         self._publisher = self.create_publisher(Image, "image", qos)
@@ -57,6 +57,12 @@ class Cam2Image(Node):
             raise RuntimeError("Could not open video stream")
         return lambda: camera.read()[1]
 
+    def destroy_node(self) -> None:
+        """Close the window and destroy the node."""
+        super().destroy_node()
+        if self._shows and cv2.getWindowProperty("cam2image", cv2.WND_PROP_VISIBLE) > 0:
+            cv2.destroyWindow("cam2image")
+
     def _turn(self, msg: Bool) -> None:
         self._flip = msg.data
         self.get_logger().info(f"Set flip mode to: {'on' if msg.data else 'off'}")
@@ -65,7 +71,11 @@ class Cam2Image(Node):
         image = self._next_image()
         if image is None:
             return
-        msg = CvBridge().cv2_to_imgmsg(cv2.flip(image, 1) if self._flip else image, "bgr8")
+        if self._flip:
+            image = cv2.flip(image, 1)
+        if self._shows:
+            cv2.imshow("cam2image", image)
+        msg = CvBridge().cv2_to_imgmsg(image, "bgr8")
         msg.header.frame_id = self._frame_id
         msg.header.stamp = self.get_clock().now().to_msg()
         self._count += 1

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import cv2
-from rclpy.node import Node
 from sensor_msgs.msg import Image
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.images.transport import to_bgr
 from coursekit.nodes.running import run
 
@@ -15,7 +15,7 @@ from .usage import told
 _PARAMETERS = {"show_image": "whether a window shows them (true)", "window_name": "its title (the topic's name)"}
 
 
-class ShowImage(Node):
+class ShowImage(CppNode):
     """Logs the images' frames; shows the images unless `show_image` is false."""
 
     def __init__(self) -> None:

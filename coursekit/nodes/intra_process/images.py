@@ -7,10 +7,10 @@ from typing import Any
 import cv2
 import rclpy
 from cv_bridge import CvBridge
-from rclpy.node import Node
 from rclpy.qos import qos_profile_sensor_data
 from sensor_msgs.msg import Image
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.intra_process.handover import Handover
 from coursekit.nodes.running import run, spin_to_the_end, terminate
 from coursekit.processes.process import current_process
@@ -38,7 +38,7 @@ def _stamp(msg: Image) -> tuple[int, int]:
     return msg.header.stamp.sec, msg.header.stamp.nanosec
 
 
-class CameraNode(Node):
+class CameraNode(CppNode):
     """Publishes images of the first camera. RuntimeError without one."""
 
     def __init__(self, handover: Handover | None = None) -> None:
@@ -65,7 +65,7 @@ class CameraNode(Node):
         self._handover.publish(self._publisher, msg)
 
 
-class WatermarkNode(Node):
+class WatermarkNode(CppNode):
     """Republishes images from `image` on `watermarked_image`, with a greeting."""
 
     def __init__(self, handover: Handover | None = None) -> None:
@@ -82,7 +82,7 @@ class WatermarkNode(Node):
         self._handover.publish(self._publisher, msg)
 
 
-class ImageViewNode(Node):
+class ImageViewNode(CppNode):
     """Shows `watermarked_image` in a window named after the node."""
 
     def __init__(self, name: str = "image_view_node", handover: Handover | None = None) -> None:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import time
 
 import rclpy
-from rclpy.node import Node
 from std_msgs.msg import Int32
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.intra_process.handover import Handover
 from coursekit.nodes.running import spin_to_the_end
 
@@ -23,7 +23,7 @@ def _value(msg: Int32) -> int:
     return msg.data  # type: ignore[no-any-return]
 
 
-class Producer(Node):
+class Producer(CppNode):
     """Publishes a counter every second."""
 
     def __init__(self, name: str, output: str, handover: Handover) -> None:
@@ -40,7 +40,7 @@ class Producer(Node):
         self._handover.publish(self._publisher, msg)
 
 
-class Consumer(Node):
+class Consumer(CppNode):
     """Logs what it receives."""
 
     def __init__(self, name: str, source: str, handover: Handover) -> None:
@@ -52,7 +52,7 @@ class Consumer(Node):
         print(told(" Received message with value:", self._handover.take(self._subscription.topic_name, copy)))
 
 
-class IncrementerPipe(Node):
+class IncrementerPipe(CppNode):
     """Receives a number, waits a second, and publishes the next one."""
 
     def __init__(self, name: str, source: str, output: str, handover: Handover) -> None:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from rclpy.node import Node
 from rclpy.qos import QoSProfile
 from sensor_msgs.msg import Joy, JoyFeedback
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.joy.device import Device, devices, name_of
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.running import run
@@ -23,7 +23,7 @@ _DEFAULTS: dict[str, Any] = {
 }  # fmt: skip
 
 
-class GamepadNode(Node):
+class GamepadNode(CppNode):
     """Publishes a gamepad on changes, and `autorepeat_rate` times a second; `given` has its parameters."""
 
     def __init__(self, name: str, defaults: dict[str, Any]) -> None:

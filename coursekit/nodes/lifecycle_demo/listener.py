@@ -1,13 +1,13 @@
 """Listens to the lifecycle talker and its state changes."""
 
 from lifecycle_msgs.msg import TransitionEvent
-from rclpy.node import Node
 from std_msgs.msg import String
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import run
 
 
-class LifecycleListener(Node):
+class LifecycleListener(CppNode):
     """Logs messages on /lifecycle_chatter and the talker's transitions."""
 
     def __init__(self) -> None:

@@ -6,8 +6,8 @@ from typing import Any
 import rclpy
 from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState, GetState
-from rclpy.node import Node
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import to_the_end
 
 MANAGED = "lc_talker"
@@ -23,7 +23,7 @@ TRANSITIONS = (
 )
 
 
-class LifecycleServiceClient(Node):
+class LifecycleServiceClient(CppNode):
     """Requests the talker's state and transitions."""
 
     def __init__(self) -> None:

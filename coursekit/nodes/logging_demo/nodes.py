@@ -5,13 +5,13 @@ from __future__ import annotations
 import rclpy
 from logging_demo.srv import ConfigLogger
 from rclpy.logging import LoggingSeverity, get_logging_severity_from_string, set_logger_level
-from rclpy.node import Node
 from std_msgs.msg import String
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import run, spin_to_the_end
 
 
-class LoggerConfig(Node):
+class LoggerConfig(CppNode):
     """Serves config_logger, which sets the level of a logger in this process."""
 
     def __init__(self) -> None:
@@ -29,7 +29,7 @@ class LoggerConfig(Node):
         return response
 
 
-class LoggerUsage(Node):
+class LoggerUsage(CppNode):
     """Counts and logs: once, always, and, from the eleventh time on, what only DEBUG shows."""
 
     def __init__(self) -> None:

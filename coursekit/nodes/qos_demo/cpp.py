@@ -12,6 +12,7 @@ from rclpy.logging import get_logger
 from rclpy.qos import QoSDurabilityPolicy, QoSProfile, QoSReliabilityPolicy
 from rclpy.qos_event import PublisherEventCallbacks, SubscriptionEventCallbacks
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import terminate
 
 from .common import Listener, Talker, spin
@@ -24,7 +25,7 @@ class NotANumber(ValueError):
     """A word that std::stoul refuses."""
 
 
-class CppTalker(Talker):
+class CppTalker(Talker, CppNode):
     """The talker of the C++ demos."""
 
     NAME, TOLD = "talker", "Publishing: '{}'"
@@ -44,7 +45,7 @@ class CppTalker(Talker):
             self._timer.cancel()
 
 
-class CppListener(Listener):
+class CppListener(Listener, CppNode):
     """The listener of the C++ demos."""
 
     NAME, TOLD = "listener", "Listener heard: [{}]"

@@ -13,13 +13,14 @@ from rclpy.time import Time
 from rclpy.utilities import remove_ros_args
 from sensor_msgs.msg import Image
 
+from coursekit.nodes.cpp_node import CppNode, as_cpp
 from coursekit.nodes.running import run
 
 TOPIC = "message_lost_chatter"
 KIBIBYTES = 8192
 
 
-class MessageLostTalker(Node):
+class MessageLostTalker(CppNode):
     """Publishes an image of `size` bytes every three seconds."""
 
     def __init__(self, size: int) -> None:
@@ -75,4 +76,4 @@ def listener_cpp(args: list[str] | None = None) -> int:
     """Run the listener of the C++ demo."""
     qos = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
     told = "I heard an image. Message single trip latency: [{seconds:f}]"
-    return run(lambda: MessageLostListener("MessageLostListener", qos, told), args)
+    return run(lambda: as_cpp(MessageLostListener)("MessageLostListener", qos, told), args)

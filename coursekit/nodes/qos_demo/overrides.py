@@ -11,6 +11,7 @@ from rclpy.time import Time
 from sensor_msgs.msg import Image
 from std_msgs.msg import String
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import run
 
 TOPIC = "qos_overrides_chatter"
@@ -61,7 +62,7 @@ class TextListener(Node):
         self.get_logger().info(f"I heard: [{msg.data}]")
 
 
-class ImageTalker(Node):
+class ImageTalker(CppNode):
     """Publishes an image every three seconds, each a mebibyte larger than the last, as the C++ demo does."""
 
     def __init__(self) -> None:
@@ -79,7 +80,7 @@ class ImageTalker(Node):
         self._publisher.publish(msg)
 
 
-class ImageListener(Node):
+class ImageListener(CppNode):
     """Logs the latency of each image, as the C++ demo does."""
 
     def __init__(self) -> None:

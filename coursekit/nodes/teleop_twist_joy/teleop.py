@@ -6,9 +6,9 @@ from typing import Any
 
 from geometry_msgs.msg import Twist, TwistStamped
 from rclpy.logging import get_logger
-from rclpy.node import Node
 from sensor_msgs.msg import Joy
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.running import run
 
@@ -26,7 +26,7 @@ def _defaults() -> dict[str, Any]:
     return made
 
 
-class TeleopTwistJoy(Node):
+class TeleopTwistJoy(CppNode):
     """Joy in, Twist (TwistStamped if `publish_stamped_twist` is set) out; one stop when the button is released."""
 
     def __init__(self) -> None:

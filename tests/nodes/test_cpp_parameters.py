@@ -2,6 +2,7 @@
 
 import pytest
 
+ROBOT = ("--ros-args", "-p", "robot_description:=<robot name='r'><link name='l'/></robot>")
 BURGER = ("--ros-args", "-p", "burger_mode:=true")
 PROGRAMS = [
     *(("demo_nodes_cpp", name) for name in ("talker", "listener", "listener_best_effort", "add_two_ints_server")),
@@ -28,6 +29,7 @@ PROGRAMS = [
     *(("dummy_sensors", f"dummy_{name}") for name in ("laser", "joint_states")),
     *(("turtle_tf2_cpp", f"turtle_tf2_{name}") for name in ("broadcaster", "listener", "message_filter")),
     ("turtle_tf2_cpp", "static_turtle_tf2_broadcaster", "snail", "0", "0", "1", "0", "0", "0"),
+    ("robot_state_publisher", "robot_state_publisher", *ROBOT),
     ("teleop_twist_joy", "teleop_node"),
     ("joy", "joy_node"),
 ]

@@ -7,7 +7,6 @@ from collections.abc import Iterable, Sequence
 
 import rclpy
 from rcl_interfaces.msg import SetParametersResult
-from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
 from rclpy.utilities import remove_ros_args
@@ -16,6 +15,7 @@ from std_msgs.msg import String
 from tf2_msgs.msg import TFMessage
 from tf2_py._convert import nanoseconds
 
+from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.gazebo.sdf_description import described
 from coursekit.nodes.robots.joint_frames import JointFrames
 from coursekit.nodes.running import spin_to_the_end, terminate
@@ -32,7 +32,7 @@ _TYPES = {
 }
 
 
-class RobotStatePublisher(Node):
+class RobotStatePublisher(CppNode):
     """Publishes the frames of a robot's links.
 
     Raises UrdfError for an invalid description, RuntimeError for other invalid parameters, OSError for a missing file.

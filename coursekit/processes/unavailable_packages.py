@@ -36,8 +36,12 @@ _REPOSITORIES = {
     "aws-robomaker-small-warehouse-world of aws-robotics": r"aws_robomaker_small_warehouse_world",
 }
 """GitHub repositories with packages that are often used and build here."""
-_ON_PIP = {"py_trees": "py_trees", "urdf_parser_py": "urdf-parser-py", "rospkg": "rospkg"}
-"""Python packages that a robot has from ROS or from its system, and their names for pip."""
+_ON_PIP = {
+    "py_trees": "py_trees", "urdf_parser_py": "urdf-parser-py", "rospkg": "rospkg", "serial": "pyserial",
+    "skimage": "scikit-image", "sklearn": "scikit-learn", "paho": "paho-mqtt", "pynput": "pynput", "pygame": "pygame",
+    "flask": "flask", "pyproj": "pyproj", "utm": "utm",
+}  # fmt: skip
+"""Python packages that a robot has from ROS or from its system, and their names for pip, which may be others."""
 _QT = "needs Qt for windows of its own"
 _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"\w+_description", "describes a robot", "its source builds here: put it into the src folder of your workspace, then "
@@ -62,6 +66,13 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
      "opens windows or ports of its own",
      "look at topics with `ros2 topic echo TOPIC` and `ros2 topic hz TOPIC`, or viewer() in a notebook"),
     (r"python_qt_binding|qt_gui\w*|qt_dotgraph", _QT, "a panel of ipywidgets in a notebook shows and asks as well"),
+    (r"nmea_\w+_driver|ublox\w*|sick_scan\w*|sound_play|audio_(capture|play)", _DRIVER, _SENSORS),
+    (r"RPi|Jetson|smbus2?|spidev|pigpio|gpiozero|lgpio", "talks to the pins of a board", _SENSORS),
+    (r"PyKDL|tf2_kdl|kdl_parser_py", _CPP,
+     "tf_transformations turns and multiplies rotations, and a tf2_ros Buffer transforms poses"),
+    (r"image_publisher", "reads pictures and films for topics", "`ros2 run image_tools cam2image` publishes a camera's"),
+    (r"ira_laser_tools|\w*laser_(scan_)?merger|multirobot_map_merge", _CPP, "leave it out, or write the node in Python"),
+    (r"web_video_server", "opens a port of its own", "windows() in a notebook, or `ros2 run image_view image_view`"),
     (r"rf2o_laser_odometry", _CPP, "odometry comes from the simulator's drive, or from robot_localization's ekf_node"),
     (r"image_pipeline|stereo_image_proc|apriltag_ros|aruco\w*|octomap\w*|pcl_\w+|ros1_bridge|nav2_mppi_controller", _CPP,
      "leave it out, or write the node in Python"),

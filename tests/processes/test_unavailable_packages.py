@@ -16,7 +16,12 @@ from coursekit.urdf import UrdfError, load
 
 
 @pytest.mark.parametrize(
-    "package", ["cartographer_ros", "spacenav", "moveit_configs_utils", "ros_gz_sim_demos", "aruco_ros", "moveit_msgs"]
+    "package",
+    [
+        *("cartographer_ros", "spacenav", "moveit_configs_utils", "ros_gz_sim_demos", "aruco_ros", "moveit_msgs"),
+        *("nmea_navsat_driver", "ublox_gps", "web_video_server", "ira_laser_tools", "multirobot_map_merge"),
+        *("image_publisher", "PyKDL", "tf2_kdl", "RPi", "smbus", "sound_play"),
+    ],
 )
 def test_a_known_package_has_a_reason_and_a_way_out(package):
     assert remark(package).startswith(f"{package} is not part of coursekit: it ") and "; " in remark(package)
@@ -30,6 +35,9 @@ def test_a_known_package_has_a_reason_and_a_way_out(package):
         ("joy_teleop", "clone teleop_tools of ros-teleop"),
         ("smach_ros", "clone executive_smach of ros"),
         ("urdf_parser_py", "`pip install urdf-parser-py`"),
+        ("serial", "`pip install pyserial`"),
+        ("skimage", "`pip install scikit-image`"),
+        ("paho", "`pip install paho-mqtt`"),
     ],
 )
 def test_a_python_package_is_told_with_where_it_comes_from(package, command):

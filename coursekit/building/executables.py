@@ -163,7 +163,10 @@ EXECUTABLES: dict[str, dict[str, str]] = {
         "spawn_entity.py": "coursekit.nodes.gazebo.spawn_entity:main",
     },
     "image_proc": {
+        "crop_decimate_node": "coursekit.nodes.image_pipeline.crop:main",
+        "debayer_node": "coursekit.nodes.image_pipeline.debayer:main",
         "rectify_node": "coursekit.nodes.image_pipeline.rectify:main",
+        "resize_node": "coursekit.nodes.image_pipeline.resize:main",
     },
     "image_tools": {
         "cam2image": "coursekit.nodes.image_tools.cam2image:main",

@@ -141,3 +141,65 @@ def test_a_camera_without_calibration_is_told(run, friend):
     node = run("image_proc", "rectify_node")
     send(friend, ("image", image(np.ones((HEIGHT, WIDTH), np.uint8), "mono8")), ("camera_info", info(focus=0.0)))
     assert "Rectified topic '/image_rect' requested but camera publishing '/camera_info' is uncalibrated" in node.output
+
+
+def heard_of(friend, *topics):
+    heard = {topic: [] for topic, _ in topics}
+    for topic, kind in topics:
+        friend.node.create_subscription(kind, topic, heard[topic].append, 10)
+    return heard
+
+
+RAMP = np.arange(WIDTH * HEIGHT, dtype=np.uint8).reshape(HEIGHT, WIDTH)
+
+
+@pytest.mark.parametrize(
+    ("words", "size", "scale"),
+    [
+        (["scale_width:=0.5", "scale_height:=0.5"], (4, 3), (0.5, 0.5)),
+        (["use_scale:=false", "width:=16", "height:=6", "interpolation:=0"], (16, 6), (2.0, 1.0)),
+    ],
+)
+def test_a_resized_image_has_its_cameras_numbers_resized(run, friend, words, size, scale):
+    run("image_proc", "resize_node", "--ros-args", *(part for word in words for part in ("-p", word)))
+    heard = heard_of(friend, ("/resize/image_raw", Image), ("/resize/camera_info", CameraInfo))
+    send(friend, ("image/image_raw", image(RAMP, "mono8")), ("image/camera_info", info()))
+    made, told = heard["/resize/image_raw"][-1], heard["/resize/camera_info"][-1]
+    assert (made.width, made.height, made.encoding) == (*size, "mono8") and (told.width, told.height) == size
+    assert told.header == made.header and told.header.frame_id == "optical"
+    assert [told.k[0], told.k[2], told.k[4], told.k[5]] == [
+        FOCUS * scale[0], CENTER[0] * scale[0], FOCUS * scale[1], CENTER[1] * scale[1],
+    ]  # fmt: skip
+    assert (told.p[0], told.p[6]) == (FOCUS * scale[0], CENTER[1] * scale[1])
+
+
+def test_a_cropped_image_says_where_it_was_cut_out(run, friend):
+    words = ["offset_x:=2", "offset_y:=1", "width:=4", "height:=100", "decimation_x:=2", "decimation_y:=1"]
+    run("image_proc", "crop_decimate_node", "--ros-args", *(part for word in words for part in ("-p", word)))
+    heard = heard_of(friend, ("/out/image_raw", Image), ("/out/camera_info", CameraInfo))
+    send(friend, ("in/image_raw", image(RAMP, "mono8")), ("in/camera_info", info()))
+    made, told = heard["/out/image_raw"][-1], heard["/out/camera_info"][-1]
+    assert np.frombuffer(made.data, np.uint8).reshape(made.height, made.width).tolist() == RAMP[1:, 2:6:2].tolist()
+    assert (told.binning_x, told.binning_y) == (2, 1) and told.k.tolist() == info().k.tolist()
+    cut = told.roi
+    assert (cut.x_offset, cut.y_offset, cut.width, cut.height, cut.do_rectify) == (2, 1, 4, HEIGHT - 1, True)
+
+
+def test_colours_are_made_of_a_sensors_mosaic(run, friend):
+    run("image_proc", "debayer_node")
+    heard = heard_of(friend, ("/image_color", Image), ("/image_mono", Image))
+    mosaic = np.zeros((HEIGHT, WIDTH), np.uint8)
+    mosaic[0::2, 0::2] = 200  # red alone
+    send(friend, ("image_raw", image(mosaic, "bayer_rggb8")))
+    colour, grey = heard["/image_color"][-1], heard["/image_mono"][-1]
+    assert (colour.encoding, grey.encoding) == ("bgr8", "mono8")
+    assert np.frombuffer(colour.data, np.uint8).reshape(HEIGHT, WIDTH, 3)[3, 3].tolist() == [0, 0, 200]
+    assert 50 < np.frombuffer(grey.data, np.uint8).reshape(HEIGHT, WIDTH)[3, 3] < 70
+
+
+def test_a_grey_image_has_no_colours_and_that_is_told(run, friend):
+    process = run("image_proc", "debayer_node")
+    heard = heard_of(friend, ("/image_color", Image))
+    send(friend, ("image_raw", image(RAMP, "mono8")))
+    assert heard["/image_color"][-1].encoding == "mono8"
+    assert "requested, but raw image data from topic '/image_raw' is grayscale" in process.output

@@ -2,11 +2,13 @@
 #pragma once
 #include <functional>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "coursekit/frame.hpp"
 #include "rclcpp/duration.hpp"
+#include "rmw/qos_string_conversions.h"
 #include "rmw/types.h"
 
 namespace rclcpp
@@ -170,6 +172,16 @@ enum class QosPolicyKind
   Reliability = RMW_QOS_POLICY_RELIABILITY,
   Invalid = RMW_QOS_POLICY_INVALID,
 };
+/// A kind's word in names of parameters; throws std::invalid_argument for Invalid.
+inline const char * qos_policy_kind_to_cstr(const QosPolicyKind & kind)
+{
+  const char * word = rmw_qos_policy_kind_to_str(static_cast<rmw_qos_policy_kind_t>(kind));
+  if (!word) {
+    throw std::invalid_argument("unknown QoS policy kind");
+  }
+  return word;
+}
+inline std::ostream & operator<<(std::ostream & out, const QosPolicyKind & kind) {return out << qos_policy_kind_to_cstr(kind);}
 struct QosCallbackResult
 {
   bool successful = true;

@@ -36,6 +36,10 @@ int main(int argc, char ** argv)
   check("from rmw's profile", from_profile == rclcpp::SensorDataQoS());
   equal("a policy's name", rclcpp::qos_policy_name_from_kind(RMW_QOS_POLICY_DURABILITY), "DURABILITY_QOS_POLICY");
   equal("a policy's word", std::string(rmw_qos_policy_kind_to_str(RMW_QOS_POLICY_LIFESPAN)), "lifespan");
+  std::ostringstream kinds;
+  kinds << rclcpp::QosPolicyKind::Depth << " " << rclcpp::QosPolicyKind::AvoidRosNamespaceConventions;
+  equal("kinds in a stream", kinds.str(), "depth avoid_ros_namespace_conventions");
+  throws<std::invalid_argument>("no kind's word", [] {rclcpp::qos_policy_kind_to_cstr(rclcpp::QosPolicyKind::Invalid);});
   equal("a history's word", std::string(rmw_qos_history_policy_to_str(RMW_QOS_POLICY_HISTORY_KEEP_ALL)), "keep_all");
   equal("a reliability's word", std::string(rmw_qos_reliability_policy_to_str(RMW_QOS_POLICY_RELIABILITY_RELIABLE)), "reliable");
   equal("a word's durability", rmw_qos_durability_policy_from_str("transient_local"), RMW_QOS_POLICY_DURABILITY_TRANSIENT_LOCAL);

@@ -21,6 +21,7 @@ from coursekit.cpp.standard_library import write_visible
 from coursekit.cpp.toolchain import Toolchain, cache_folder, find_toolchain, version_of
 from coursekit.files import in_order, read_bytes
 from coursekit.interfaces.find import UNDERLAY, known_interfaces
+from coursekit.systems.locks import alone
 
 ROOM = Path(__file__).parent
 PACKAGES = (
@@ -99,20 +100,21 @@ def _files(folder: Path) -> list[Path]:
 
 
 def make_runtime(folder: Path, tools: Toolchain) -> None:
-    """Build the runtime in a folder that appears only when complete; subprocess.CalledProcessError if a tool fails."""
+    """Build the runtime in a folder that appears only when complete; subprocess.CalledProcessError if a tool fails.
+
+    Whoever asks meanwhile waits for it: each notebook server that starts would build one, and take all processors.
+    """
     folder.parent.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(dir=folder.parent, prefix=".making-") as name:
+    with alone(folder.parent / "making.lock"), tempfile.TemporaryDirectory(dir=folder.parent, prefix=".making-") as name:
+        if folder.is_dir():
+            return
         made = Path(name) / "runtime"
         write_headers(made / "include", known_interfaces())
         _write_configs(made)
         write_forwarded(made / "include")
         (made / "age.cpp").write_text(age_source(), encoding="utf-8")
         _build_library(made, Path(name) / "build", tools)
-        try:
-            made.rename(folder)
-        except OSError:  # another build was faster
-            if not folder.is_dir():
-                raise
+        made.rename(folder)
 
 
 def _write_configs(folder: Path) -> None:

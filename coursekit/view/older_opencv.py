@@ -81,7 +81,7 @@ def add_aruco(_found: Any) -> Callable[[], None]:
 def _absent(name: str) -> Any:
     text = f"module 'cv2' has no attribute '{name}'"
     if name in _CONTRIB:
-        text += ". It is one of OpenCV's contrib modules: pip install 'opencv-contrib-python-headless<5'"
+        text += '. It is one of OpenCV\'s contrib modules: pip install "opencv-contrib-python-headless<5"'
     raise AttributeError(text, name=name, obj=cv2)
 
 

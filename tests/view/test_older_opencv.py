@@ -79,7 +79,7 @@ def test_results_have_the_shapes_that_programs_for_humble_unpack():
 
 @pytest.mark.skipif(hasattr(cv2, "face"), reason="this OpenCV has it")
 def test_what_only_contrib_modules_have_is_told_with_what_to_type():
-    with pytest.raises(AttributeError, match=r"'face'.*pip install 'opencv-contrib-python-headless<5'"):
+    with pytest.raises(AttributeError, match=r"'face'.*pip install \"opencv-contrib-python-headless<5\""):
         cv2.face.LBPHFaceRecognizer_create()
     with pytest.raises(AttributeError, match=r"module 'cv2' has no attribute 'nothing'$"):
         _ = cv2.nothing

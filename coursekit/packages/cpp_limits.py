@@ -13,8 +13,8 @@ _NOT_YET = re.compile(
     r"|opencv2|Eigen|rcl|rcl_\w+|rcpputils|rclcpp/(wait_set\w*|guard_condition"
     r"|parameter_client|parameter_event_\w+|serialization|loaned_message|node_interfaces|executors|strategies|experimental|topic_\w+"
     r"|contexts|graph_listener|message_info|parameter_events_filter|subscription_\w+|waitable|type_support_decl|detail)"
-    r"|rcutils/(configuration_flags|qsort|shared_library|stdatomic_helper|strcasecmp|strerror|testing"
-    r"|types/(array_list|hash_map|string_map))|rosidl_typesupport_introspection_\w+"
+    r"|rcutils/(configuration_flags|qsort|stdatomic_helper|testing"
+    r"|types/(array_list|hash_map|string_map))|rosidl_typesupport_introspection_c"
     r"|rmw/(allocators|event_callback_type|features|get_\w+|impl|init|init_options|message_sequence|names_and_types"
     r"|network_flow_endpoint|subscription_content_filter_options|validate_\w+))(/|\.hpp|\.h)"
 )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextvars
 from collections.abc import Callable
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -15,6 +16,16 @@ owner: contextvars.ContextVar[Process | None] = contextvars.ContextVar("courseki
 def current_process() -> Process | None:
     """Return the process of the calling code; None in the interpreter's own code."""
     return owner.get()
+
+
+def program_folder() -> Path:
+    """Return the folder where relative paths of the calling program begin.
+
+    >>> program_folder().as_posix()
+    '.'
+    """
+    process = current_process()
+    return Path() if process is None else Path(process.cwd)
 
 
 def outside(function: Callable[..., Any], *args: Any) -> Any:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import argparse
 import sys
 import time
-from pathlib import Path
 from typing import Any
 
 import rclpy
@@ -15,7 +14,7 @@ from tf2_msgs.srv import FrameGraph
 from tf2_ros import Buffer, TransformListener
 from tf2_ros.transform_listener import DEFAULT_STATIC_TF_TOPIC, DEFAULT_TF_TOPIC
 
-from coursekit.processes.process import current_process
+from coursekit.processes.current_process import program_folder
 from coursekit.processes.session import current
 
 from .frame_tree import FrameTree
@@ -99,7 +98,6 @@ def _write(node: Any, buffer: Buffer, answer: Any, name: str) -> None:
     now = node.get_clock().now()
     node.get_logger().info(f"Exporting graph in {name}.pdf file...")
     dot = generate_dot(yaml.safe_load(answer.frame_yaml) or {}, now.seconds_nanoseconds())
-    process = current_process()
-    folder = Path(process.cwd) if process is not None else Path()
+    folder = program_folder()
     (folder / f"{name}.gv").write_text(dot, encoding="utf-8")
     (folder / f"{name}.pdf").write_bytes(FrameTree(buffer._frames, now.nanoseconds, details=True).pdf())

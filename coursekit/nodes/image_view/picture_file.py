@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import Any
 
 import cv2
 from rclpy.node import Node
 
-from coursekit.processes.process import current_process
+from coursekit.processes.current_process import program_folder
 
 
 def name_of(pattern: str, count: int) -> str:
@@ -25,16 +24,10 @@ def name_of(pattern: str, count: int) -> str:
     return pattern
 
 
-def place_of(name: str) -> Path:
-    """Return a file's path, in the folder of the program."""
-    process = current_process()
-    return Path(name) if process is None else Path(process.cwd) / name
-
-
 def save(node: Node, name: str, image: Any) -> bool:
     """Write a picture and log it. Returns whether that succeeded."""
     try:
-        saved = cv2.imwrite(str(place_of(name)), image)
+        saved = cv2.imwrite(str(program_folder() / name), image)
     except cv2.error:  # an ending that is none
         saved = False
     if saved:

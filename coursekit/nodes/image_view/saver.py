@@ -13,8 +13,9 @@ from std_srvs.srv import Empty, Trigger
 
 from coursekit.files import write_whole
 from coursekit.nodes.running import run
+from coursekit.processes.current_process import program_folder
 
-from .picture_file import name_of, place_of, save
+from .picture_file import name_of, save
 
 _DEFAULTS = {
     "filename_format": "left%04i.%s", "encoding": "bgr8", "save_all_image": True, "stamped_filename": False,
@@ -76,7 +77,7 @@ class ImageSaverNode(Node):
             name = f"{self.get_clock().now().nanoseconds}{name}"
         self._asked = False
         if save(self, name, picture) and info is not None:
-            write_whole(place_of(name).with_suffix(".ini"), calibration(info))
+            write_whole((program_folder() / name).with_suffix(".ini"), calibration(info))
         self._count += 1
 
     def _wanted(self, image: Image) -> bool:

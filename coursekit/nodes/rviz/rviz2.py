@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import argparse
 import sys
-from pathlib import Path
 
 import rclpy
 from rclpy.exceptions import NameValidationException
@@ -17,7 +16,7 @@ from rclpy.validate_topic_name import validate_topic_name
 from coursekit.files import is_file
 from coursekit.interfaces import load
 from coursekit.nodes.running import spin_to_the_end
-from coursekit.processes.process import current_process
+from coursekit.processes.current_process import program_folder
 from coursekit.processes.session import current
 
 from .config import Config, DisplayConfig, make_config
@@ -111,10 +110,9 @@ def _config(argv: list[str]) -> Config:
     args = parser.parse_args(argv)
     config = make_config(displays=["Grid", "RobotModel", "TF"])
     if args.display_config:
-        process = current_process()
-        folder = Path(process.cwd) if process is not None else Path()
-        if is_file(folder / args.display_config):
-            config = read(folder / args.display_config, rooted=False)
+        file = program_folder() / args.display_config
+        if is_file(file):
+            config = read(file, rooted=False)
         else:
             LOG.warning(f"{args.display_config}: there is no such file; the default view is shown")
     config.fixed_frame = args.fixed_frame or config.fixed_frame

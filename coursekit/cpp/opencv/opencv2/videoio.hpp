@@ -9,7 +9,7 @@
 namespace cv
 {
 /// Writes a film, picture by picture; all pictures have the size that it was opened with.
-class VideoWriter
+class VideoWriter : public remote::Device
 {
 public:
   VideoWriter() = default;
@@ -21,7 +21,7 @@ public:
   {
     open(path, backend, fourcc, fps, size, colour);
   }
-  virtual ~VideoWriter() {VideoWriter::release();}
+  ~VideoWriter() override {VideoWriter::release();}
   /// A codec's number of its four letters.
   static int fourcc(char a, char b, char c, char d)
   {
@@ -38,7 +38,6 @@ public:
     object_ = std::make_shared<remote::Object>("VideoWriter", whole, backend, fourcc, fps, size, colour);
     return isOpened();
   }
-  virtual bool isOpened() const {return object_ && object_->call("isOpened").integer;}
   /// End the film: only then its file is whole.
   virtual void release()
   {
@@ -58,11 +57,5 @@ public:
     write(image);
     return *this;
   }
-  virtual bool set(int property, double value) {return object_ && object_->call("set", property, value).integer;}
-  virtual double get(int property) const {return object_ ? object_->call("get", property).number() : 0;}
-  std::string getBackendName() const {return object_ ? object_->call("getBackendName").text : "";}
-
-private:
-  std::shared_ptr<remote::Object> object_;
 };
 }  // namespace cv

@@ -9,7 +9,24 @@
 
 namespace cv
 {
-class VideoCapture
+namespace remote
+{
+/// A camera or a film, read or written: an object of cv2's, once it is opened.
+class Device
+{
+public:
+  virtual ~Device() = default;
+  virtual bool isOpened() const {return object_ && object_->call("isOpened").integer;}
+  virtual bool set(int property, double value) {return object_ && object_->call("set", property, value).integer;}
+  virtual double get(int property) const {return object_ ? object_->call("get", property).number() : 0;}
+  std::string getBackendName() const {return object_ ? object_->call("getBackendName").text : "";}
+
+protected:
+  std::shared_ptr<Object> object_;
+};
+}  // namespace remote
+
+class VideoCapture : public remote::Device
 {
 public:
   VideoCapture() = default;
@@ -17,7 +34,6 @@ public:
   explicit VideoCapture(const std::string & path, int backend = CAP_ANY) {open(path, backend);}
   VideoCapture(int index, int backend, const std::vector<int> & params) {open(index, backend, params);}
   VideoCapture(const std::string & path, int backend, const std::vector<int> & params) {open(path, backend, params);}
-  virtual ~VideoCapture() = default;
   virtual bool open(int index, int = CAP_ANY) {return begin(index);}
   virtual bool open(const std::string & path, int = CAP_ANY)
   {
@@ -29,7 +45,6 @@ public:
   {
     return open(path, backend) && set_all(params);
   }
-  virtual bool isOpened() const {return object_ && object_->call("isOpened").integer;}
   virtual void release() {object_.reset();}
   virtual bool grab() {return object_ && object_->call("grab").integer;}
   virtual bool retrieve(OutputArray image, int flag = 0) {return taken(object_, "retrieve", image, remote::kw("flag", flag));}
@@ -39,9 +54,6 @@ public:
     read(image);
     return *this;
   }
-  virtual bool set(int property, double value) {return object_ && object_->call("set", property, value).integer;}
-  virtual double get(int property) const {return object_ ? object_->call("get", property).number() : 0;}
-  std::string getBackendName() const {return object_ ? object_->call("getBackendName").text : "";}
 
 private:
   bool set_all(const std::vector<int> & params)
@@ -71,6 +83,5 @@ private:
     image.assign(there ? both[1].mat : Mat());
     return there;
   }
-  std::shared_ptr<remote::Object> object_;
 };
 }  // namespace cv

@@ -35,7 +35,7 @@ public:
   {
     using Clock = std::chrono::steady_clock;
     auto end = Clock::now() + std::chrono::milliseconds(delay);
-    while (!sliders.empty() || !mice.empty()) {
+    while (listens()) {
       auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
       int pressed = number(call(wait, delay > 0 ? std::clamp<int>(static_cast<int>(left), 1, SLICE_MS) : SLICE_MS));
       deliver();
@@ -47,6 +47,9 @@ public:
   }
   void deliver()
   {
+    if (!listens()) {
+      return;
+    }
     Value heard = asked("cv_heard", Packer{});
     for (auto & event : heard.items) {
       if (event.items.size() == 3) {
@@ -59,6 +62,7 @@ public:
 
 private:
   static constexpr int SLICE_MS = 20;
+  bool listens() const {return !sliders.empty() || !mice.empty();}
   static int number(const Value & value) {return static_cast<int>(value.integer);}
   void slide(const Value & event)
   {

@@ -15,9 +15,8 @@ from tests.packages.test_cpp_workspace import colcon, scripted, sourced
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 SOURCES = Path(__file__).parent.parent / "fixtures" / "cpp_camera_ws" / "src"
-
-
-HAS_OPENCV = any(Path("/usr").glob("lib/**/OpenCVConfig.cmake"))
+HAS_OPENCV = any(Path("/usr/lib").glob("*/cmake/opencv4/OpenCVConfig.cmake"))
+"""Whether Debian's libopencv-dev is here."""
 
 
 @pytest.fixture(scope="module", params=["face", "system"])

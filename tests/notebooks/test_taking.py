@@ -16,12 +16,15 @@ from nbclient.exceptions import CellExecutionError
 
 from coursekit.grade.copy import student_notebook
 from coursekit.grade.exercise import all_exercises
-from tests.needs import can_compile
+from tests.needs import can_compile, in_wine
 
 from .answers import MODULES, answers_of, grade_id, is_check, is_graded, is_solution, must_fail, must_pass, verdict_of
 from .running import chapters, clock_of, course_environment, exercises_of, read
 
-pytestmark = [pytest.mark.timeout(1200), pytest.mark.slow]
+SECONDS = 3600 if in_wine() else 1200
+"""For a chapter: in Wine Numba compiles for minutes, in every kernel anew."""
+
+pytestmark = [pytest.mark.timeout(SECONDS), pytest.mark.slow]
 
 LEFT_BEHIND = """
 from coursekit.processes.session import current as _current
@@ -41,7 +44,7 @@ def kernel_of(notebook, folder):
     (folder / "ros2_ws" / "src").mkdir(parents=True)
     with course_environment(folder, clock_of(notebook)):
         resources = {"metadata": {"path": str(folder)}}
-        client = NotebookClient(notebook, timeout=300, kernel_name="python3", resources=resources)
+        client = NotebookClient(notebook, timeout=SECONDS / 4, kernel_name="python3", resources=resources)
         with client.setup_kernel():
 
             def execute(cell, index):

@@ -34,7 +34,7 @@ def in_order(paths: Iterable[AnyPath]) -> list[AnyPath]:
     >>> [one.name for one in in_order(names)], [one.name for one in sorted(names)]
     (['ListControllerTypes.srv', 'ListControllers.srv'], ['ListControllers.srv', 'ListControllerTypes.srv'])
     """
-    return sorted(paths, key=lambda one: one.as_posix())
+    return sorted(paths, key=lambda path: path.as_posix())
 
 
 def installed(path: str | os.PathLike[str]) -> str:

@@ -33,4 +33,4 @@ def hint(name: str, known: Iterable[str], count: int = 1, quotes: str = "", cuto
     ('; did you mean talker?', '')
     """
     near = similar(name, known, count, cutoff)
-    return f"; did you mean {' or '.join(f'{quotes}{one}{quotes}' for one in near)}?" if near else ""
+    return f"; did you mean {' or '.join(f'{quotes}{name}{quotes}' for name in near)}?" if near else ""

@@ -28,7 +28,7 @@ def write_results(
         *([f'  skipped="{len(cases)}"'] if skipped else []),
         f'  time="{seconds:.3f}"\n>',
         *(_case(name, whole, why, skipped) for name, why in cases),
-        "  <system-out>Checked files:" + escape("".join(f"\n* {one}" for one in checked)) + "</system-out>",
+        "  <system-out>Checked files:" + escape("".join(f"\n* {path}" for path in checked)) + "</system-out>",
         "</testsuite>\n",
     ]
     path.parent.mkdir(parents=True, exist_ok=True)

@@ -60,7 +60,7 @@ class Fields:
     def texts(self, key: str) -> list[str]:
         """Return a list of strings."""
         value = self._get(key)
-        if not isinstance(value, list) or not all(isinstance(one, str) for one in value):
+        if not isinstance(value, list) or not all(isinstance(item, str) for item in value):
             raise self._wrong(key, value, "a list of texts")
         return value
 

@@ -118,10 +118,10 @@ class McapReader:
 
     def _records(self, start_ns: int) -> Iterator[Record]:
         if not self._summary.chunk_indexes:
-            found = [one for one in self._scan() if isinstance(one, Record) and one.log_time >= start_ns]
-            yield from sorted(found, key=lambda one: one.log_time)
+            found = [record for record in self._scan() if isinstance(record, Record) and record.log_time >= start_ns]
+            yield from sorted(found, key=lambda record: record.log_time)
             return
-        waiting = sorted(self._summary.chunk_indexes, key=lambda one: (one.message_start_time, one.chunk_start_offset))
+        waiting = sorted(self._summary.chunk_indexes, key=lambda chunk: (chunk.message_start_time, chunk.chunk_start_offset))
         ready: list[tuple[int, int, int, Record]] = []
         for index in waiting:  # a chunk is read once all older messages have been yielded
             while ready and ready[0][0] < index.message_start_time:

@@ -84,8 +84,8 @@ class BagFacts:
         >>> facts.starting_time_ns, facts.duration_ns, facts.message_count
         (10, 40, 6)
         """
-        filled = [one for one in self.files if one.message_count]
-        self.message_count = sum(one.message_count for one in filled)
-        self.starting_time_ns = min((one.starting_time_ns for one in filled), default=NEVER)
-        end = max((one.starting_time_ns + one.duration_ns for one in filled), default=NEVER)
+        filled = [file for file in self.files if file.message_count]
+        self.message_count = sum(file.message_count for file in filled)
+        self.starting_time_ns = min((file.starting_time_ns for file in filled), default=NEVER)
+        end = max((file.starting_time_ns + file.duration_ns for file in filled), default=NEVER)
         self.duration_ns = end - self.starting_time_ns

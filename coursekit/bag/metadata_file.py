@@ -89,11 +89,11 @@ def parse(text: str, where: str) -> BagFacts:
         duration_ns=root.inside("duration").integer("nanoseconds"),
         starting_time_ns=root.inside("starting_time").integer("nanoseconds_since_epoch"),
         message_count=root.integer("message_count"),
-        topics_with_message_count=[_topic(one) for one in root.each("topics_with_message_count")],
+        topics_with_message_count=[_topic(topic) for topic in root.each("topics_with_message_count")],
         compression_format=root.text("compression_format", ""),
         compression_mode=root.text("compression_mode", "").upper(),
-        relative_file_paths=[_inside(one, version, where) for one in root.texts("relative_file_paths")],
-        files=[_file(one) for one in root.each("files", optional=True)],
+        relative_file_paths=[_inside(path, version, where) for path in root.texts("relative_file_paths")],
+        files=[_file(file) for file in root.each("files", optional=True)],
         custom_data=root.mapping_of_texts("custom_data"),
         ros_distro=root.text("ros_distro", ""),
     )
@@ -147,11 +147,11 @@ def as_dict(facts: BagFacts) -> dict[str, Any]:
         "duration": {"nanoseconds": facts.duration_ns},
         "starting_time": {"nanoseconds_since_epoch": facts.starting_time_ns},
         "message_count": facts.message_count,
-        "topics_with_message_count": [_topic_dict(one) for one in facts.topics_with_message_count],
+        "topics_with_message_count": [_topic_dict(topic) for topic in facts.topics_with_message_count],
         "compression_format": facts.compression_format,
         "compression_mode": facts.compression_mode,
         "relative_file_paths": facts.relative_file_paths,
-        "files": [_file_dict(one) for one in facts.files],
+        "files": [_file_dict(file) for file in facts.files],
     }
 
 
@@ -177,7 +177,7 @@ def write(folder: Path, facts: BagFacts) -> None:
 
 def size_of(bag: Path) -> int:
     """Return the size of a bag's folder in bytes, including metadata, as Humble counts it; or the size of a single file."""
-    return sum(one.stat().st_size for one in (bag.iterdir() if bag.is_dir() else (bag,)) if one.is_file())
+    return sum(file.stat().st_size for file in (bag.iterdir() if bag.is_dir() else (bag,)) if file.is_file())
 
 
 __all__ = ["FILE_NAME", "NEVER", "as_dict", "dump", "load_settings", "load_yaml", "parse", "read", "size_of", "write"]

@@ -87,7 +87,7 @@ class BagReader:
 
     def topics(self) -> list[TopicMetadata]:
         """The recorded topics."""
-        listed = [one.topic_metadata for one in self.facts.topics_with_message_count]
+        listed = [topic.topic_metadata for topic in self.facts.topics_with_message_count]
         if listed:
             return listed
         found = {topic.name: topic for name in self.facts.relative_file_paths for topic in self._file(name).topics()}

@@ -33,7 +33,7 @@ def reindex(folder: Path, storage_id: str = "") -> BagFacts:
 
 def _files(folder: Path, storage_id: str) -> list[str]:
     wanted = (SUFFIXES[storage_id],) if storage_id else tuple(SUFFIXES.values())
-    found = [one.name for one in folder.iterdir() if one.name.removesuffix(compression.SUFFIX).endswith(wanted)]
+    found = [path.name for path in folder.iterdir() if path.name.removesuffix(compression.SUFFIX).endswith(wanted)]
     if not found:
         raise BagError("No storage files found for reindexing. Abort")
     return sorted(found, key=_order)
@@ -49,9 +49,9 @@ def _add(facts: BagFacts, topics: dict[str, TopicInformation], more: BagFacts) -
     facts.compression_mode, facts.compression_format = more.compression_mode, more.compression_format
     facts.files += more.files
     facts.relative_file_paths += more.relative_file_paths
-    for one in more.topics_with_message_count:
-        known = topics.setdefault(one.topic_metadata.name, TopicInformation(one.topic_metadata, 0))
-        known.message_count += one.message_count
+    for topic in more.topics_with_message_count:
+        known = topics.setdefault(topic.topic_metadata.name, TopicInformation(topic.topic_metadata, 0))
+        known.message_count += topic.message_count
 
 
 def _is_packed(reader: BagReader) -> bool:

@@ -41,7 +41,7 @@ def rewrite(inputs: Sequence[BagReader], outputs: Sequence[Output]) -> None:
     writers = [BagWriter(output.settings) for output in outputs]
     targets: dict[str, list[BagWriter]] = {}
     try:
-        for topic in {one.name: one for reader in inputs for one in reader.topics()}.values():
+        for topic in {recorded.name: recorded for reader in inputs for recorded in reader.topics()}.values():
             targets[topic.name] = [
                 writer for writer, output in zip(writers, outputs, strict=True) if output.wants(topic)
             ]

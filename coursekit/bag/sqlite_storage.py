@@ -97,9 +97,9 @@ def _pragmas(config: str) -> list[str]:
     loaded = metadata_file.load_settings(Path(config)) or {}
     write = loaded.get("write") if isinstance(loaded, dict) else None
     wanted = (write or {}).get("pragmas") or [] if isinstance(write or {}, dict) else []
-    for one in wanted:
-        if not isinstance(one, str) or not _PRAGMA.fullmatch(one):
-            raise BagError(f"{config}: {one!r} is no setting of sqlite3; write for example 'synchronous=NORMAL'")
+    for name in wanted:
+        if not isinstance(name, str) or not _PRAGMA.fullmatch(name):
+            raise BagError(f"{config}: {name!r} is no setting of sqlite3; write for example 'synchronous=NORMAL'")
     return list(wanted)
 
 
@@ -139,7 +139,7 @@ class SqliteReader:
     def topics(self) -> list[TopicMetadata]:
         """Return the topics, in the order of their creation."""
         wanted = ["name", "type", "serialization_format", "offered_qos_profiles", "type_description_hash"]
-        chosen = ", ".join(f"coalesce({one}, '')" if one in self._columns else "''" for one in wanted)
+        chosen = ", ".join(f"coalesce({name}, '')" if name in self._columns else "''" for name in wanted)
         rows = self._rows(f"SELECT {chosen} FROM topics ORDER BY id")
         return [TopicMetadata(**dict[str, Any](zip(wanted, map(str, row), strict=True))) for row in rows]
 

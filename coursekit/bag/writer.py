@@ -86,8 +86,8 @@ class BagWriter:
             self._path, self._storage_id, self.settings.preset, self.settings.config
         )
         self.settings.on_open(str(self._path))
-        for one in self._topics.values():
-            self._file.create_topic(one.topic_metadata)
+        for topic in self._topics.values():
+            self._file.create_topic(topic.topic_metadata)
         self._facts.files.append(FileFacts(name))
         self._facts.relative_file_paths.append(name)
 

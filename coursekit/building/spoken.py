@@ -78,7 +78,7 @@ def _of_judge(tree: ast.AST) -> Iterator[str]:
     """Yield the sentences in a judge's source: its texts with a space, and the words inserted into some of them."""
     silent = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}  # docstrings
     texts = [node for node in ast.walk(tree) if isinstance(node, (ast.Constant, ast.JoinedStr))]
-    for node in sorted(texts, key=lambda one: (one.lineno, one.col_offset, isinstance(one, ast.Constant))):
+    for node in sorted(texts, key=lambda node: (node.lineno, node.col_offset, isinstance(node, ast.Constant))):
         if isinstance(node, ast.JoinedStr):
             silent |= {id(inner) for inner in ast.walk(node) if inner is not node}
             yield from _alternatives(node)

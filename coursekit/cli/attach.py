@@ -75,8 +75,8 @@ def answer(argv: Sequence[str]) -> list[str]:
         return []
     with client:
         _send(client, _wish(argv=list(argv)))
-        said = itertools.takewhile(lambda one: "exit" not in one, map(json.loads, lines(client)))
-        return "".join(one.get("stdout", "") for one in said).split()
+        said = itertools.takewhile(lambda answer: "exit" not in answer, map(json.loads, lines(client)))
+        return "".join(answer.get("stdout", "") for answer in said).split()
 
 
 def who_answers() -> tuple[str, int]:

@@ -102,7 +102,7 @@ def qos_overrides(path: str | None) -> dict[str, Any]:
         return {}
     try:
         loaded = load_settings(Path(path)) or {}
-        if not isinstance(loaded, dict) or not all(isinstance(one, dict) for one in loaded.values()):
+        if not isinstance(loaded, dict) or not all(isinstance(profile, dict) for profile in loaded.values()):
             raise ValueError(f"{path} should have topics with their policies, for example: /chatter: {{depth: 5}}")
         return {str(topic): profile_of(values) for topic, values in loaded.items()}
     except (InvalidQoSProfileException, ValueError, AssertionError, BagError) as error:

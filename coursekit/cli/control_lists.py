@@ -11,12 +11,12 @@ from coursekit.nodes.control.asking import Asker
 
 def list_controllers(asker: Asker, args: Any) -> None:
     """Print the loaded controllers, and the interfaces they claim."""
-    for one in asker.controllers():
-        print(f"{one.name:20s}[{one.type:20s}] {one.state:10s}")
+    for controller in asker.controllers():
+        print(f"{controller.name:20s}[{controller.type:20s}] {controller.state:10s}")
         for title, flag, names in (
-            ("claimed interfaces", args.claimed_interfaces, one.claimed_interfaces),
-            ("required command interfaces", args.required_command_interfaces, one.required_command_interfaces),
-            ("required state interfaces", args.required_state_interfaces, one.required_state_interfaces),
+            ("claimed interfaces", args.claimed_interfaces, controller.claimed_interfaces),
+            ("required command interfaces", args.required_command_interfaces, controller.required_command_interfaces),
+            ("required state interfaces", args.required_state_interfaces, controller.required_state_interfaces),
         ):
             if flag or args.verbose:
                 print(f"\t{title}:")
@@ -35,12 +35,12 @@ def list_interfaces(asker: Asker, _args: Any) -> None:
     """Print the command and state interfaces."""
     answer = asker.ask(ListHardwareInterfaces, "list_hardware_interfaces")
     print("command interfaces")
-    for one in sorted(answer.command_interfaces, key=lambda one: str(one.name)):
-        claimed = "claimed" if one.is_claimed else "unclaimed"
-        print(f"\t{one.name} [{'available' if one.is_available else 'unavailable'}] [{claimed}]")
+    for interface in sorted(answer.command_interfaces, key=lambda interface: str(interface.name)):
+        claimed = "claimed" if interface.is_claimed else "unclaimed"
+        print(f"\t{interface.name} [{'available' if interface.is_available else 'unavailable'}] [{claimed}]")
     print("state interfaces")
-    for one in sorted(answer.state_interfaces, key=lambda one: str(one.name)):
-        print(f"\t{one.name}")
+    for interface in sorted(answer.state_interfaces, key=lambda interface: str(interface.name)):
+        print(f"\t{interface.name}")
 
 
 def list_components(asker: Asker, args: Any) -> None:

@@ -15,10 +15,10 @@ MORE = "How to collect, mark and give back: `coursekit teachers` (docs/teachers.
 
 def chapters_of(known: Sequence[Path], words: Sequence[str]) -> list[Path]:
     """Return the chapters whose names begin with one of the words; every word must match one."""
-    unknown = [word for word in words if not any(one.name.startswith(word) for one in known)]
+    unknown = [word for word in words if not any(chapter.name.startswith(word) for chapter in known)]
     if unknown:
         raise SystemExit(f"No chapter begins with {', '.join(unknown)}. There are: {', '.join(p.stem for p in known)}")
-    return [one for one in known if not words or any(one.name.startswith(word) for word in words)]
+    return [chapter for chapter in known if not words or any(chapter.name.startswith(word) for word in words)]
 
 
 def notebooks_of(args: argparse.Namespace) -> Path:

@@ -91,7 +91,7 @@ def connect(domain_id: int) -> socket.socket:
 
 def sessions(domain_id: int) -> list[Path]:
     """Return the addresses of the domain's sessions, the newest first; some may be stale."""
-    found = [one for one in folder().glob(f"session-{domain_id}-*") if one.name.rpartition("-")[2].isdecimal()]
+    found = [socket for socket in folder().glob(f"session-{domain_id}-*") if socket.name.rpartition("-")[2].isdecimal()]
     return sorted(found, key=lambda path: path.lstat().st_mtime_ns, reverse=True)
 
 

@@ -148,7 +148,7 @@ def _class(args: argparse.Namespace, workers: Workers | None) -> Class:
     roster = Roster.read(names) if names is not None else None
     known = args.variants is not None or (names is not None and secret_file(names).is_file())
     found = sorted(notebooks.glob("*.ipynb"))
-    chapters = [one.name for one in chapters_of(found, args.chapters)] if args.chapters else []
+    chapters = [file.name for file in chapters_of(found, args.chapters)] if args.chapters else []
     return Class(
         args.folder.resolve(),
         args.out.resolve(),
@@ -195,7 +195,7 @@ def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
         asked = counted(len(outcome.collection.unanswered), "question is", "questions are")
         print(f"{asked} open: fill in the column 'answer' of {where}, and run this again.")
         print("A student with an open question has no mark until then.")
-    tiers = ", ".join(sorted({one.marked().tier for one in outcome.records} - {""})) or "none"
+    tiers = ", ".join(sorted({record.marked().tier for record in outcome.records} - {""})) or "none"
     print(f"{outcome.line()}; {average(outcome.records)}; run in the sandbox {tiers}: {args.out}")
     if args.platform:
         for file in hand_back(args.platform, outcome.records, group.roster, group.out, group.form):
@@ -228,7 +228,7 @@ def run_verify(args: argparse.Namespace) -> int:
         for fault in faults:
             print(f"✘ {shown(fault, 400)}")
         if marked is not None:
-            print(f"{marked.total():g} of {sum(one.of for one in marked.verdicts):g} points in a clean run")
+            print(f"{marked.total():g} of {sum(verdict.of for verdict in marked.verdicts):g} points in a clean run")
         print("✔ Nothing was changed." if not faults else counted(len(faults), "fault"))
         count += len(faults)
     for said in same_in({file.name: file for file in args.file}) if len(args.file) > 1 else ():

@@ -39,10 +39,10 @@ def compatibility() -> checks.Check:
     with ask.command_node() as node:
         for topic, types in ask.topics():
             told = [value for name, value in _pairs(node, topic, types) if name == "compatibility status"]
-            faults += [f"on topic '{topic}': {one.removeprefix('ERROR: ')}" for one in told if one.startswith("ERROR")]
+            faults += [f"on topic '{topic}': {line.removeprefix('ERROR: ')}" for line in told if line.startswith("ERROR")]
     if not faults:
         return checks.Check("middleware", "publishers and subscriptions fit")
-    fault = "\n".join(f"QoS compatibility error found {one}" for one in faults)
+    fault = "\n".join(f"QoS compatibility error found {report}" for report in faults)
     return checks.Check("middleware", "some do not fit", fault, "Give both sides a QoS that fits; see: ros2 topic info -v")
 
 

@@ -137,4 +137,4 @@ def _used_s(process: psutil.Process) -> float:
 def _memory_mb(pid: int) -> float:
     """Return the memory that ending the process and its children would free: shared memory is not counted."""
     top = psutil.Process(pid)
-    return sum(float(one.memory_full_info().uss) for one in (top, *top.children(recursive=True))) / MB
+    return sum(float(child.memory_full_info().uss) for child in (top, *top.children(recursive=True))) / MB

@@ -77,8 +77,8 @@ class Neighbourhood:
 
     def abandon(self) -> None:
         """In a forked child, silently drop the sockets and nodes, which belong to the parent."""
-        for one in (self._server, *(link.peer for link in self._links)):
-            one.close()
+        for peer in (self._server, *(link.peer for link in self._links)):
+            peer.close()
         self._graph.abandon()
 
     def leave(self) -> None:
@@ -96,15 +96,15 @@ def neighbours(domain_id: int, kinds: tuple[str, ...] = ("program", "test")) -> 
 
 
 def _leave_all() -> None:
-    for one in list(_domains.values()):
-        one.leave()
+    for domain in list(_domains.values()):
+        domain.leave()
     _domains.clear()
 
 
 def _abandon_all() -> None:
     """In a forked child, drop all connections: it is a program of its own, and connects when it joins a domain."""
-    for one in _domains.values():
-        one.abandon()
+    for domain in _domains.values():
+        domain.abandon()
     _domains.clear()
 
 

@@ -38,7 +38,7 @@ def serve_network(args: argparse.Namespace) -> int:
 
     try:
         users = check_users(args.users) if args.users is not None else 0
-        addresses = [read_address(one) for one in args.listen]
+        addresses = [read_address(text) for text in args.listen]
         router = open_router(addresses, args.users, args.certificate, args.key)
     except NoNetwork as error:
         raise SystemExit(str(error)) from None

@@ -70,7 +70,7 @@ def _hand_out(exchange: Path, out: Path) -> str:
     """Put the release into the exchange. Returns a sentence with its location."""
     from coursekit.grade.exchange import hand_out
 
-    files = [one for one in out.rglob("*") if one.is_file() and one.suffix in (".ipynb", ".py")]
+    files = [path for path in out.rglob("*") if path.is_file() and path.suffix in (".ipynb", ".py")]
     try:
         place = hand_out(exchange, out.name, files, out)
     except OSError as error:

@@ -106,8 +106,8 @@ def _needed(args: argparse.Namespace) -> dict[str, list[str]]:
 def _keys(package: Package) -> set[str]:
     package.evaluate_conditions({**os.environ, "ROS_VERSION": "2", "ROS_DISTRO": "humble"})
     kinds = ("build", "buildtool", "build_export", "buildtool_export", "exec", "test")
-    every = [one for kind in kinds for one in getattr(package, f"{kind}_depends")]
-    return {one.name for one in every if one.evaluated_condition}
+    every = [dependency for kind in kinds for dependency in getattr(package, f"{kind}_depends")]
+    return {dependency.name for dependency in every if dependency.evaluated_condition}
 
 
 def _tell(missing: dict[str, list[str]]) -> int:

@@ -10,10 +10,10 @@ def welcome(addresses: list[str], users: int) -> list[str]:
     from coursekit.net.address import is_loopback
 
     asks = " --user NAME" if users else ""
-    lines = [f"The router listens. Notebooks join it with: %network {_reachable(one)}{asks}" for one in addresses]
+    lines = [f"The router listens. Notebooks join it with: %network {_reachable(address)}{asks}" for address in addresses]
     if not users and not all(map(is_loopback, addresses)):
         lines.append("Anybody in the network can join, and drive the robots that do. To ask for a password: --users FILE")
-    if users and not all(one.startswith("tls/") or is_loopback(one) for one in addresses):
+    if users and not all(address.startswith("tls/") or is_loopback(address) for address in addresses):
         lines.append("Passwords and messages can be read on the way. To encrypt them: tls/ADDRESS, --certificate and --key")
     return [*lines, "Ctrl-C ends it."]
 

@@ -21,7 +21,7 @@ _LOOK_SECONDS = 0.01
 def let_settle() -> None:
     """Wait until just-started programs have a node that is spun, or have ended. Wall clock only."""
     session = current()
-    while not session.clock.virtual and any(_is_starting(session, one) for one in list(session.processes)):
+    while not session.clock.virtual and any(_is_starting(session, process) for process in list(session.processes)):
         session.clock.sleep(_LOOK_SECONDS)
 
 

@@ -102,7 +102,7 @@ def write_map(path: str | Path, drawn: OccupancyGrid) -> tuple[Path, Path]:
     """Write SLAM's map in nav2's format, PATH.yaml and PATH.pgm. Returns both paths. ValueError when it is empty."""
     from coursekit.nav.map_file import GridMap, save_map
 
-    x, y = (float(one) for one in drawn.origin)
+    x, y = (float(number) for number in drawn.origin)
     return save_map(Path(path).with_suffix(".yaml"), GridMap(drawn.trinary(), drawn.resolution, (x, y, 0.0)))
 
 

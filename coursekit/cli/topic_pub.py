@@ -124,7 +124,12 @@ def _wait_for_listeners(publisher: Any, args: Any, times: int) -> bool:
 
 def _say_who_listens(topic: str) -> None:
     """Report that no node subscribes to a topic, and suggest the one that was probably meant."""
-    listening = {one.name for node in ask.graph().nodes for one in node.subscriptions if not is_hidden(one.name)}
+    listening = {
+        subscription.name
+        for node in ask.graph().nodes
+        for subscription in node.subscriptions
+        if not is_hidden(subscription.name)
+    }
     meant = did_you_mean(topic, sorted(listening - {topic}))
     if topic not in listening and meant:
         ask.say_error(f"Still waiting: no node subscribes to {topic}. {meant} {ask.ENDS_WAITING}")

@@ -47,7 +47,7 @@ def fitting(publishers: list[Any]) -> tuple[QoSProfile, list[str]]:
         ("reliability", ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT),
         ("durability", DurabilityPolicy.TRANSIENT_LOCAL, DurabilityPolicy.VOLATILE),
     ):
-        strict_ones = sum(getattr(one.qos_profile, policy) == strict for one in publishers)
+        strict_ones = sum(getattr(publisher.qos_profile, policy) == strict for publisher in publishers)
         setattr(profile, policy, strict if publishers and strict_ones == len(publishers) else loose)
         if 0 < strict_ones < len(publishers):
             kind = f"QoS{type(strict).__name__}"

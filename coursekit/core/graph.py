@@ -151,7 +151,7 @@ class Graph:
             _leave(self.subscriptions, subscription.node.subscriptions, subscription)
             for publisher in self.publishers.get(subscription.name, ()):
                 if subscription in publisher.targets:
-                    publisher.targets = tuple(one for one in publisher.targets if one is not subscription)
+                    publisher.targets = tuple(target for target in publisher.targets if target is not subscription)
                     publisher.status(MATCHED).add(-1)
             if subscription.name not in self.subscriptions:
                 self.gone.pop(subscription.name, None)
@@ -185,7 +185,7 @@ class Graph:
 
     def servers_of(self, client: Client) -> list[Server]:
         """The servers that answer `client`."""
-        return [one for one in self.servers.get(client.name, ()) if one.type_name == client.type_name]
+        return [server for server in self.servers.get(client.name, ()) if server.type_name == client.type_name]
 
     def clear(self) -> None:
         """Remove everything."""

@@ -46,35 +46,35 @@ class Anonymity:
     def of(self, records: Sequence[Record]) -> list[Record]:
         """Return the records with codes in place of names, sorted by code; the mapping is written to a file beside them."""
         others = self._everybody(records)
-        hidden = [self._hidden(one, others) for one in records]
+        hidden = [self._hidden(record, others) for record in records]
         made = io.StringIO()
         table = csv.writer(made, delimiter=self._form.separator)
         table.writerow(["code", "name", "id", "email"])
-        for one in records:
-            person = one.handed.person
-            table.writerow([self.code(person), cell(one.label), cell(person.id), cell(person.email)])
+        for record in records:
+            person = record.handed.person
+            table.writerow([self.code(person), cell(record.label), cell(person.id), cell(person.email)])
         write_whole(self.names, made.getvalue().encode("utf-8-sig"), 0o600, parents=True)
-        return sorted(hidden, key=lambda one: one.label)
+        return sorted(hidden, key=lambda record: record.label)
 
     def _everybody(self, records: Sequence[Record]) -> dict[str, str]:
         """Return the replacements for others' names, and for the names of their files."""
-        entries = [entry.name for one in records for entry in one.handed.entries]
-        entries += [name for one in records for name in _ASKED.findall(" ".join(one.handed.open))]
-        labels = {one.label: self.code(one.handed.person) for one in records}
+        entries = [entry.name for record in records for entry in record.handed.entries]
+        entries += [name for record in records for name in _ASKED.findall(" ".join(record.handed.open))]
+        labels = {record.label: self.code(record.handed.person) for record in records}
         return dict.fromkeys(filter(None, entries), "a hand-in") | labels
 
     def _hidden(self, record: Record, others: Mapping[str, str] | None = None) -> Record:
         code, handed = self.code(record.handed.person), record.handed
         said = _Hiding(record, code)
         entries = [
-            Entry(code, [_piece(said, code, one) for one in entry.pieces], [said(one) for one in entry.faults])
+            Entry(code, [_piece(said, code, piece) for piece in entry.pieces], [said(fault) for fault in entry.faults])
             for entry in handed.entries
         ]
-        chosen = {name: _piece(said, code, one) for name, one in handed.chosen.items()}
+        chosen = {name: _piece(said, code, piece) for name, piece in handed.chosen.items()}
         kinds = ("notes", "concerns", "open")
-        texts = {kind: [said(_without(one, others or {})) for one in getattr(handed, kind)] for kind in kinds}
+        texts = {kind: [said(_without(piece, others or {})) for piece in getattr(handed, kind)] for kind in kinds}
         made = replace(handed, person=Person(code), label=code, entries=entries, chosen=chosen, **texts)
-        return replace(record, handed=made, marks={name: _marked(said, code, one) for name, one in record.marks.items()})
+        return replace(record, handed=made, marks={name: _marked(said, code, mark) for name, mark in record.marks.items()})
 
 
 def _without(text: str, names: Mapping[str, str]) -> str:
@@ -90,10 +90,10 @@ class _Hiding:
     def __init__(self, record: Record, code: str) -> None:
         person, handed = record.handed.person, record.handed
         entries = [entry.name for entry in handed.entries]
-        stems = [re.sub(r"\.(ipynb|zip)$", "", one, flags=re.I) for one in entries if not one[:1].isdigit()]
+        stems = [re.sub(r"\.(ipynb|zip)$", "", name, flags=re.I) for name in entries if not name[:1].isdigit()]
         words = [*person.names(), *person.keys(), person.family, person.given, handed.label, *stems]
-        known = sorted({one for one in words if len(one) > 2}, key=len, reverse=True)
-        self._names = re.compile("|".join(re.escape(one) for one in known) or "(?!)", re.I)
+        known = sorted({word for word in words if len(word) > 2}, key=len, reverse=True)
+        self._names = re.compile("|".join(re.escape(name) for name in known) or "(?!)", re.I)
         self._code = code
 
     def __call__(self, text: str) -> str:

@@ -152,7 +152,7 @@ def parts_of(name: str) -> tuple[str, ...]:
     names = name.replace("\\", "/").split("/")
     if len(names[0]) == 2 and names[0][1] == ":":
         names = names[1:]
-    return tuple(one for one in names if one not in ("", ".", "..")) or ("nameless",)
+    return tuple(part for part in names if part not in ("", ".", "..")) or ("nameless",)
 
 
 def _when(info: zipfile.ZipInfo) -> float:

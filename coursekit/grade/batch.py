@@ -97,14 +97,14 @@ class Class:
             collection = self._collect(Path(scratch))
             chapters, others = self._wanted(collection)
             wanted = {name: _unmarked(exercises_in(self.sources[name])) for name in chapters}
-            records = [self._record(one, wanted) for one in collection.handed]
+            records = [self._record(handed, wanted) for handed in collection.handed]
             if again is not None:
                 self.results.forget(_asked(records, again), chapters)
             outcome = Outcome(records, collection)
             outcome.told += [*self.policy.told, *collection.told, *by_hand.told]
             outcome.told += [*_told_others(others), *_told_bonus(records)]
             try:
-                for name in chapters if any(one.chapters() for one in records) else ():
+                for name in chapters if any(record.chapters() for record in records) else ():
                     marker = _announced(self._marker, name, say)
                     said = expect_sound(self._reference(name, Path(scratch)), self.results, marker)
                     outcome.told += [said] if said else []
@@ -113,7 +113,7 @@ class Class:
                 outcome.interrupted = True
             self.write(outcome)
             outcome.told += [*_told_faults(records), *self.results.told]
-            outcome.told += self.results.told_changes([one.key for one in records])
+            outcome.told += self.results.told_changes([record.key for record in records])
             yield outcome
 
     def _reference(self, chapter: str, scratch: Path) -> Reference:
@@ -144,7 +144,7 @@ class Class:
 
     def _record(self, handed: Handed, wanted: Mapping[str, Sequence[Verdict]]) -> Record:
         made = Record(handed, wanted, tier=self._tier)
-        for chapter in [one for one in handed.chosen if one not in wanted]:
+        for chapter in [name for name in handed.chosen if name not in wanted]:
             handed.concerns.append(f"{chapter} was handed in too; it is not marked here")
         made.late = lateness_of(handed, list(wanted), self.policy)
         before, now = made.key, self._codes.key(made)
@@ -160,15 +160,15 @@ class Class:
         waiting: dict[Future[Marked], tuple[Record, str, dict[str, Any]]] = {}
         pool = ThreadPoolExecutor(max_workers=max(1, jobs))
         try:
-            for one in records:
-                for chapter in one.chapters():
-                    task = self._task(one, chapter)
+            for record in records:
+                for chapter in record.chapters():
+                    task = self._task(record, chapter)
                     depends = key_of(task[0].digest(), task[1][chapter], task[2], self._tier, self.dice)
-                    kept = self.results.read(one.key, chapter, depends)
+                    kept = self.results.read(record.key, chapter, depends)
                     if kept is not None:
-                        one.marks[chapter] = replace(kept, student=one.label)
+                        record.marks[chapter] = replace(kept, student=record.label)
                     else:
-                        waiting[pool.submit(self._marker, *task, self.limits, self.dice)] = (one, chapter, depends)
+                        waiting[pool.submit(self._marker, *task, self.limits, self.dice)] = (record, chapter, depends)
             for number, future in enumerate(as_completed(waiting), 1):
                 self._take(future, *waiting[future])
                 self.table.write(self.shown(records))
@@ -200,14 +200,14 @@ class Class:
     def write(self, outcome: Outcome) -> None:
         """Write all results."""
         records = outcome.records
-        note_copies({one.label: (one.handed.concerns, one.handed.bundles()) for one in records})
-        for one in records:
-            for chapter, late in one.late.items():
-                self.results.note(one.key, chapter, {"percent_off": late.percent_off})
+        note_copies({record.label: (record.handed.concerns, record.handed.bundles()) for record in records})
+        for record in records:
+            for chapter, late in record.late.items():
+                self.results.note(record.key, chapter, {"percent_off": late.percent_off})
         shown = self.shown(records)
         self.table.write(shown)
         self.kept.mkdir(parents=True, exist_ok=True)
-        marks = [one.marked() for one in shown if one.counts()]
+        marks = [record.marked() for record in shown if record.counts()]
         write_reports(self.kept, shown)
         write_similar(self.kept / "similar.csv", marks, self.form)
         write_statistics(self.kept, shown, outcome.statuses())
@@ -220,7 +220,10 @@ class Class:
 
 
 def _unmarked(exercises: Mapping[str, Exercise]) -> list[Verdict]:
-    return [Verdict(one.name, one.title, 0, one.points, "your work", "nothing was handed in") for one in exercises.values()]
+    return [
+        Verdict(exercise.name, exercise.title, 0, exercise.points, "your work", "nothing was handed in")
+        for exercise in exercises.values()
+    ]
 
 
 def _told_others(others: Mapping[str, Sequence[str]]) -> list[str]:
@@ -235,20 +238,20 @@ def _told_others(others: Mapping[str, Sequence[str]]) -> list[str]:
 def _told_bonus(records: Sequence[Record]) -> list[str]:
     """Report points by hand above an exercise's maximum: a bonus, or a typo."""
     return [
-        f"{one.label}: {verdict.name} is {verdict.points:g} by hand, and has {verdict.of:g} points. A bonus?"
-        for one in records
-        for verdict in one.marked().verdicts
-        if verdict.name in one.by_hand and verdict.points > verdict.of
+        f"{record.label}: {verdict.name} is {verdict.points:g} by hand, and has {verdict.of:g} points. A bonus?"
+        for record in records
+        for verdict in record.marked().verdicts
+        if verdict.name in record.by_hand and verdict.points > verdict.of
     ]
 
 
 def _told_faults(records: Sequence[Record]) -> list[str]:
     """Report checks that failed by themselves, and the students left without a mark."""
     found: dict[tuple[str, str], list[str]] = {}
-    for one in records:
-        for verdict in one.marked().verdicts:
+    for record in records:
+        for verdict in record.marked().verdicts:
             if verdict.fault:
-                found.setdefault((verdict.name, verdict.fault), []).append(one.label)
+                found.setdefault((verdict.name, verdict.fault), []).append(record.label)
     return [
         f"The check of {name} has a fault: {fault}. No mark yet: {', '.join(people[:5])}"
         f"{' and others' if len(people) > 5 else ''}. Mend it and run this again, or give the points by hand."
@@ -259,12 +262,12 @@ def _told_faults(records: Sequence[Record]) -> list[str]:
 def _asked(records: Sequence[Record], again: Sequence[str]) -> list[str]:
     """Return the keys of the students to mark again."""
     if not again:
-        return [one.key for one in records]
+        return [record.key for record in records]
     found = []
     for name in again:
         fitting = [r.key for r in records if name in (r.key, r.label, r.handed.person.id, r.handed.person.email)]
         if not fitting:
-            known = ", ".join(one.label for one in records[:10])
+            known = ", ".join(record.label for record in records[:10])
             raise ValueError(f"--again: no student '{name}'. There are: {known}{', ...' if len(records) > 10 else ''}")
         found += fitting
     return found

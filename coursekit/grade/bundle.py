@@ -59,7 +59,7 @@ def read_bundle(data: bytes) -> tuple[dict[str, Any], dict[str, bytes]]:
         raise ValueError(f"it is larger than {LARGEST >> 20} MB")
     try:
         with Archive(io.BytesIO(data), Bounds(file=LARGEST, total=LARGEST)) as opened:
-            files = {one.info.filename: opened.read(one) for one in opened.members()}
+            files = {member.info.filename: opened.read(member) for member in opened.members()}
         for name, most in ((MANIFEST, 4 << 20), (EVENTS, 16 << 20)):
             _expect_plain(name, files.get(name, b""), most)
         manifest = json.loads(files.pop(MANIFEST))
@@ -72,14 +72,14 @@ def read_bundle(data: bytes) -> tuple[dict[str, Any], dict[str, bytes]]:
 
 def _expect_plain(name: str, text: bytes, most: int) -> None:
     """Before JSON is parsed, check its length and its number of elements, each of which costs memory."""
-    if len(text) > most or sum(text.count(one) for one in (b"[", b"{", b",")) > _MOST_PARTS:
+    if len(text) > most or sum(text.count(mark) for mark in (b"[", b"{", b",")) > _MOST_PARTS:
         raise ValueError(f"{name} is longer than hand_in() makes it")
 
 
 def bundle_faults(data: bytes) -> list[str]:
     """Return all signs that a bundle was changed after it was made."""
     try:
-        return [shown(one) for one in _faults(data)]
+        return [shown(fault) for fault in _faults(data)]
     except ValueError as error:
         return [str(error)]
     except (TypeError, LookupError, AttributeError, RecursionError):
@@ -110,7 +110,7 @@ def _lines(files: Mapping[str, bytes]) -> list[str]:
 def _untold(files: Mapping[str, bytes]) -> list[str]:
     """Return the pictures and notebooks that differ from their entries in the log."""
     lines = [json.loads(line) for line in _lines(files)]
-    made = {str(one.get("picture") or one.get("notebook")): one["sha256"] for one in lines if "sha256" in one}
+    made = {str(entry.get("picture") or entry.get("notebook")): entry["sha256"] for entry in lines if "sha256" in entry}
     found = {name: (digest_of(data), made.get(PurePosixPath(name).name)) for name, data in files.items() if name != EVENTS}
     return [
         f"{name}: it was changed after its entry in {EVENTS}" if told else f"{name}: {EVENTS} does not tell of it"
@@ -127,8 +127,8 @@ def other_hands(data: bytes, name: str) -> list[str]:
     if not any(plain(word) in plain(name) for word in student.split()):
         found.append(f"it was made by '{student[:60]}' and handed in as '{name}'")
     word = student_word(student)
-    strange = [one for one in files if one.startswith("evidence/") and not one.startswith(f"evidence/{word}_")]
-    return found + [f"{one}: the name is not that of '{student[:60]}'" for one in strange]
+    strange = [file for file in files if file.startswith("evidence/") and not file.startswith(f"evidence/{word}_")]
+    return found + [f"{name}: the name is not that of '{student[:60]}'" for name in strange]
 
 
 def other_results(manifest: Mapping[str, Any], earned: Mapping[str, float]) -> list[str]:
@@ -162,7 +162,7 @@ def recorded(manifest: Mapping[str, Any]) -> dict[str, Any]:
     """
     said = manifest.get("verdicts")
     listed = said if isinstance(said, list) else []
-    return {str(one.get("name")): one.get("points") for one in listed if isinstance(one, dict)}
+    return {str(verdict.get("name")): verdict.get("points") for verdict in listed if isinstance(verdict, dict)}
 
 
 def traces(data: bytes) -> dict[str, str]:

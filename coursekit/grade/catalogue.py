@@ -19,7 +19,7 @@ UNTRANSLATED = "X-Untranslated"
 def translated(notebook: dict[str, Any], catalogue: Path) -> dict[str, Any]:
     """Return the notebook with its text cells in the catalogue's language. ValueError for an invalid catalogue."""
     read = _read(catalogue)
-    words = {one.msgid: one.msgstr for one in read.translated_entries()}
+    words = {entry.msgid: entry.msgstr for entry in read.translated_entries()}
     warning = read.metadata.get(UNTRANSLATED, "")
     made: dict[str, Any] = json.loads(json.dumps(notebook))
     for cell in text_cells(made):
@@ -31,7 +31,7 @@ def translated(notebook: dict[str, Any], catalogue: Path) -> dict[str, Any]:
 
 def text_cells(notebook: dict[str, Any]) -> list[dict[str, Any]]:
     """Return the cells to translate: texts that are not empty."""
-    return [one for one in notebook["cells"] if one["cell_type"] == "markdown" and "".join(one["source"]).strip()]
+    return [cell for cell in notebook["cells"] if cell["cell_type"] == "markdown" and "".join(cell["source"]).strip()]
 
 
 def brought_up_to_date(notebook: dict[str, Any], catalogue: Path) -> polib.POFile:
@@ -40,7 +40,7 @@ def brought_up_to_date(notebook: dict[str, Any], catalogue: Path) -> polib.POFil
     A changed cell is found by its name. Entries without a cell are dropped.
     """
     old = _read(catalogue) if catalogue.exists() else polib.POFile(wrapwidth=0)
-    by_text, by_name = {one.msgid: one for one in old}, {one.comment: one for one in old}
+    by_text, by_name = {entry.msgid: entry for entry in old}, {entry.comment: entry for entry in old}
     new = polib.POFile(wrapwidth=0)
     new.metadata = old.metadata or {"Content-Type": "text/plain; charset=utf-8", "Content-Transfer-Encoding": "8bit"}
     seen: set[str] = set()

@@ -36,7 +36,7 @@ def choose(
     """Return the file that counts, of those that one person handed in for one chapter."""
     left = _fitting(sorted(pieces, key=_order))
     if count == IN_TIME and deadline is not None:
-        left = [one for one in left if one.when <= deadline] or left
+        left = [piece for piece in left if piece.when <= deadline] or left
     left = _different(left)
     question = _question(pieces[0].chapter, left, who)
     said = question.chosen(answers)
@@ -46,7 +46,7 @@ def choose(
     newest = _newest(left)
     if len(newest) == 1:
         best = newest[0]
-        fuller = [one for one in left if one.entry == best.entry and _more(one, best)]
+        fuller = [piece for piece in left if piece.entry == best.entry and _more(piece, best)]
         if not fuller:
             return Choice(best, _why(best, pieces, ""))
     return Choice(None, question=question)
@@ -57,20 +57,20 @@ def _order(piece: Piece) -> tuple[float, float, str]:
 
 
 def _fitting(pieces: Sequence[Piece]) -> list[Piece]:
-    left = [one for one in pieces if not one.fault] or list(pieces)
-    left = [one for one in left if not one.checkpoint] or left
-    level = max(one.known.level for one in left)
-    return [one for one in left if one.known.level == level]
+    left = [piece for piece in pieces if not piece.fault] or list(pieces)
+    left = [piece for piece in left if not piece.checkpoint] or left
+    level = max(piece.known.level for piece in left)
+    return [piece for piece in left if piece.known.level == level]
 
 
 def _different(pieces: Sequence[Piece]) -> list[Piece]:
     """Return the oldest of files with the same work, preferring one named after the chapter."""
     found: dict[str, Piece] = {}
-    for one in pieces:
-        work = one.known.work if not one.fault else one.digest or one.where
-        kept = found.setdefault(work, one)
-        if _named(one) and not _named(kept) and one.when - kept.when <= SAME_S:
-            found[work] = one
+    for piece in pieces:
+        work = piece.known.work if not piece.fault else piece.digest or piece.where
+        kept = found.setdefault(work, piece)
+        if _named(piece) and not _named(kept) and piece.when - kept.when <= SAME_S:
+            found[work] = piece
     return list(found.values())
 
 
@@ -80,11 +80,11 @@ def _named(piece: Piece) -> bool:
 
 def _newest(pieces: Sequence[Piece]) -> list[Piece]:
     """Return the newest file, or several if they are equally new and none contains the work of all others."""
-    newest = max(one.when for one in pieces)
-    left = [one for one in pieces if newest - one.when <= SAME_S]
-    latest = max(one.inner for one in left)
-    left = [one for one in left if latest - one.inner <= SAME_S]
-    return [one for one in left if all(_more(one, other) for other in left if other is not one)] or left
+    newest = max(piece.when for piece in pieces)
+    left = [piece for piece in pieces if newest - piece.when <= SAME_S]
+    latest = max(piece.inner for piece in left)
+    left = [piece for piece in left if latest - piece.inner <= SAME_S]
+    return [piece for piece in left if all(_more(piece, other) for other in left if other is not piece)] or left
 
 
 def _more(one: Piece, other: Piece) -> bool:
@@ -94,27 +94,31 @@ def _more(one: Piece, other: Piece) -> bool:
 def _question(chapter: str, left: Sequence[Piece], who: str) -> Question:
     places = _places(left)
     facts = zip(places, left, strict=True)
-    about = "; ".join(f"{place}: {told_time(one.when)}, exercises begun: {len(one.known.begun)}" for place, one in facts)
-    number = numbered("which", who, chapter, *sorted(one.digest for one in left))
+    about = "; ".join(
+        f"{place}: {told_time(piece.when)}, exercises begun: {len(piece.known.begun)}" for place, piece in facts
+    )
+    number = numbered("which", who, chapter, *sorted(piece.digest for piece in left))
     text = f"Which of these is {who}'s {PurePosixPath(chapter).stem}? Write its path or its place."
     return Question(number, text, about, tuple(places))
 
 
 def _places(pieces: Sequence[Piece]) -> list[str]:
     """Return the location of each file; with its hand-in where two would have the same name."""
-    wheres = [one.where for one in pieces]
-    told = [one.where if wheres.count(one.where) == 1 else f"{shown(one.entry)}/{one.where}" for one in pieces]
-    return [one if told.count(one) == 1 else f"{one} (number {told[: at + 1].count(one)})" for at, one in enumerate(told)]
+    wheres = [piece.where for piece in pieces]
+    told = [piece.where if wheres.count(piece.where) == 1 else f"{shown(piece.entry)}/{piece.where}" for piece in pieces]
+    return [
+        text if told.count(text) == 1 else f"{text} (number {told[: at + 1].count(text)})" for at, text in enumerate(told)
+    ]
 
 
 def _why(best: Piece, pieces: Sequence[Piece], how: str) -> str:
-    others = sorted((one for one in pieces if one is not best), key=_order)
+    others = sorted((piece for piece in pieces if piece is not best), key=_order)
     if not others and best.checkpoint:
         return f"{best.where} counts: only this checkpoint was handed in"
     if not others:
         return ""
     own, *places = _places([best, *others])
-    said = ", ".join(f"{place} ({_against(one, best)})" for place, one in list(zip(places, others, strict=True))[:6])
+    said = ", ".join(f"{place} ({_against(piece, best)})" for place, piece in list(zip(places, others, strict=True))[:6])
     return f"{own} counts{', ' + how if how else ''}; not {said}"
 
 

@@ -78,10 +78,10 @@ class Collector:
         for handed in self._people.values():
             self._choose(handed)
             self._look_for_other_s_copies(handed)
-        self._made.handed = sorted(self._people.values(), key=lambda one: (plain(one.label), one.key))
+        self._made.handed = sorted(self._people.values(), key=lambda person: (plain(person.label), person.key))
         self._look_alike()
         self._look_for_marks()
-        self._made.unanswered += [one for _, one in self._made.whose]
+        self._made.unanswered += [owner for _, owner in self._made.whose]
         return self._made
 
     def _gathered(self, name: str, files: Iterable[Raw]) -> Entry:
@@ -118,7 +118,7 @@ class Collector:
 
     def _whose(self, part: Part) -> Question:
         people = part.found.people or (self._identifier.maybe(part.entry.name) if self._identifier else ())
-        choices = tuple(self._roster.label(one) for one in people) if self._roster else ()
+        choices = tuple(self._roster.label(person) for person in people) if self._roster else ()
         about = f"{part.where} ({part.found.how}; {counted(len(part.entry.pieces), 'notebook')})"
         text = "Whose is this? Write the name, id or e-mail; or: nobody."
         return Question(numbered("whose", *part.about), text, about, choices)
@@ -133,8 +133,8 @@ class Collector:
         why = f"the answer '{shown(said, 60)}' is not one person of the list" if said else part.found.how
         question = replace(question, about=f"{question.about}; {why}") if said else question
         self._made.whose.append((part.where, question))
-        for one in part.found.people:
-            self._of(one).open.append(f"whose '{part.where}' is: {why}")
+        for someone in part.found.people:
+            self._of(someone).open.append(f"whose '{part.where}' is: {why}")
         return Identified()
 
     def _by_itself(self, entry: Entry) -> Part:
@@ -180,9 +180,9 @@ class Collector:
         listed = platform_time(handed.person.when)
         by_chapter: dict[str, list[Piece]] = {}
         for entry in handed.entries:
-            entry.pieces = [_listed(one, listed) for one in entry.pieces]
-            for one in entry.pieces:
-                by_chapter.setdefault(one.chapter, []).append(one)
+            entry.pieces = [_listed(piece, listed) for piece in entry.pieces]
+            for piece in entry.pieces:
+                by_chapter.setdefault(piece.chapter, []).append(piece)
             handed.notes += entry.faults
             handed.concerns += entry.concerns
         self._take_apart(handed, by_chapter)
@@ -190,9 +190,9 @@ class Collector:
         if handed.entries and not by_chapter and not handed.notes:
             only = f", only {', '.join(others[:5])}" if others else ""
             handed.notes.append(f"no notebook was handed in{only}")
-        nameless = [self._chapter_of(one, handed, bool(by_chapter)) for one in by_chapter.pop("", ())]
-        for one in (one for one in nameless if one.chapter):
-            by_chapter.setdefault(one.chapter, []).append(one)
+        nameless = [self._chapter_of(piece, handed, bool(by_chapter)) for piece in by_chapter.pop("", ())]
+        for piece in (piece for piece in nameless if piece.chapter):
+            by_chapter.setdefault(piece.chapter, []).append(piece)
         for chapter, pieces in sorted(by_chapter.items()):
             choice = choose(pieces, handed.label, self._policy.count, deadline, self._answers)
             if choice.question is not None:
@@ -252,16 +252,18 @@ class Collector:
         if len(self._made.handed) == 1:
             self._look_for_a_class(self._made.handed[0])
         seen: dict[str, str] = {}
-        for one in self._made.handed:
-            other = seen.setdefault(plain(re.sub(r" ?\(\d+\)$", "", one.label)), one.label)
-            if other != one.label:
-                self._made.told.append(f"'{other}' and '{one.label}' look like one name: give the class with --roster.")
+        for handed in self._made.handed:
+            other = seen.setdefault(plain(re.sub(r" ?\(\d+\)$", "", handed.label)), handed.label)
+            if other != handed.label:
+                self._made.told.append(f"'{other}' and '{handed.label}' look like one name: give the class with --roster.")
 
 
     def _look_for_a_class(self, only: Handed) -> None:
         """Report a student with everybody's work: the folder above that of the class was given."""
-        for name, pieces in itertools.groupby(sorted(only.pieces(), key=lambda one: one.chapter), lambda one: one.chapter):
-            folders = unique(str(Path(one.where).parent) for one in pieces)
+        for name, pieces in itertools.groupby(
+            sorted(only.pieces(), key=lambda piece: piece.chapter), lambda piece: piece.chapter
+        ):
+            folders = unique(str(Path(piece.where).parent) for piece in pieces)
             if name and len(folders) > 1:
                 stem, many = Path(name).stem, len(folders)
                 said = f"'{only.label}' is taken as one student, and {stem} lies in {many} folders of it"

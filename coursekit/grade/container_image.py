@@ -48,7 +48,7 @@ class Image:
     def tag(self) -> str:
         """The name of the image, which changes with its contents."""
         with zipfile.ZipFile(io.BytesIO(self.wheel)) as archive:
-            facts = sorted((one.filename, one.CRC) for one in archive.infolist() if not one.filename.endswith("RECORD"))
+            facts = sorted((info.filename, info.CRC) for info in archive.infolist() if not info.filename.endswith("RECORD"))
         return "coursekit-grade:" + hashlib.sha256(repr((facts, self.lock, RECIPE)).encode()).hexdigest()[:16]
 
     def make(self, program: str) -> None:
@@ -85,8 +85,8 @@ def packed(found: Distribution) -> bytes:
     """Rebuild the wheel of an installed package from its files."""
     file = io.BytesIO()
     with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
-        for one in found.files or []:
-            outside = ".." in one.parts or "__pycache__" in one.parts or one.name in _NOT_OURS
+        for member in found.files or []:
+            outside = ".." in member.parts or "__pycache__" in member.parts or member.name in _NOT_OURS
             if not outside:
-                archive.write(str(found.locate_file(one)), one.as_posix())
+                archive.write(str(found.locate_file(member)), member.as_posix())
     return file.getvalue()

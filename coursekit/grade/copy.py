@@ -126,7 +126,7 @@ class Course:
         if self._language.is_file():
             return self._language.read_text(encoding="utf-8").strip()
         told = (_facts(self.folder / name).get("language") for name in self._from_elsewhere())
-        return next((str(one) for one in told if one), ENGLISH)
+        return next((str(name) for name in told if name), ENGLISH)
 
     def update(self, notebooks: Path, language: str = "") -> list[str]:
         """Add new and changed chapters, in a language or in that of the copy. Returns a sentence for each action.
@@ -172,7 +172,7 @@ class Course:
 
     def _from_elsewhere(self) -> list[str]:
         """Return the notebooks of a folder that was never filled with the course."""
-        return [] if self._manifest.exists() else sorted(one.name for one in self.folder.glob("*.ipynb"))
+        return [] if self._manifest.exists() else sorted(path.name for path in self.folder.glob("*.ipynb"))
 
     def _bring(self, name: str, text: str, given: dict[str, str], *, released: bool = False) -> str:
         target = self.folder / name

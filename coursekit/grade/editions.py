@@ -54,7 +54,7 @@ def chapters(notebooks: Path, language: str = ENGLISH) -> list[Path]:
     found = sorted(notebooks.glob("*.ipynb"))
     if language == ENGLISH:
         return found
-    return [other if (other := notebooks / language / one.name).exists() else one for one in found]
+    return [other if (other := notebooks / language / file.name).exists() else file for file in found]
 
 
 def read(chapter: Path, language: str = ENGLISH) -> dict[str, Any]:

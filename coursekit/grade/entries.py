@@ -19,7 +19,7 @@ def entries_of_folder(folder: Path, leave: Iterable[Path] = ()) -> Iterator[tupl
 
     Hidden entries and those in `leave` are skipped.
     """
-    left = {one.resolve() for one in leave}
+    left = {path.resolve() for path in leave}
     for place in sorted(folder.iterdir()):
         if not place.name.startswith(".") and place.name not in (*SYSTEM, WORKSPACE) and place.absolute() not in left:
             fault = false_owner(place)
@@ -47,16 +47,16 @@ def entries_of_zip(file: Path) -> Iterator[tuple[str, bool, Iterator[Raw]]]:
         BadArchive: when it cannot be opened.
     """
     with Archive(open(file, "rb"), OF_A_CLASS) as opened:
-        members = [one for one in opened.members() if "__MACOSX" not in one.parts]
-        names = {one.parts[0] for one in members}
+        members = [member for member in opened.members() if "__MACOSX" not in member.parts]
+        names = {member.parts[0] for member in members}
         wrapped = len(names) == 1 and shown(next(iter(names))) == shown(file.stem) and all(len(m.parts) > 1 for m in members)
         groups: dict[str, list[Raw]] = {}
         files = set()
         changed = file.stat().st_mtime
-        for one in members:
-            parts = one.parts[1:] if wrapped else one.parts
-            how = ZIPPED if one.when else FILE
-            inner = Raw(parts[1:] or parts, one.when or changed, how, _opener(opened, one), one.size)
+        for member in members:
+            parts = member.parts[1:] if wrapped else member.parts
+            how = ZIPPED if member.when else FILE
+            inner = Raw(parts[1:] or parts, member.when or changed, how, _opener(opened, member), member.size)
             groups.setdefault(parts[0], []).append(inner)
             files |= {parts[0]} if len(parts) == 1 else set()
         for name in sorted(groups):

@@ -90,7 +90,7 @@ def examine(task: Task, limits: sandbox.Limits) -> Examined:
         timer.cancel()
         running.end()
     known = {name: find(name) for name in task.exercises}
-    if any(one.name not in known or not 0 <= one.points <= known[one.name].points for one in found.verdicts):
+    if any(verdict.name not in known or not 0 <= verdict.points <= known[verdict.name].points for verdict in found.verdicts):
         return Examined(failed="it could not be marked: the marks are none that there are")
     return found
 
@@ -185,7 +185,7 @@ def _run_and_judge(
     except Gone as gone:
         judged = {verdict.name for verdict in verdicts}
         left = [unjudged(exercises[name], str(gone)) for name in wanted if name not in judged]
-        verdicts += [replace(one, timed_out=gone.timed_out) for one in left]
+        verdicts += [replace(verdict, timed_out=gone.timed_out) for verdict in left]
     return verdicts
 
 

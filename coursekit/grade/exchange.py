@@ -34,7 +34,7 @@ def hand_out(exchange: Path, name: str, files: Sequence[Path], beside: Path) -> 
         copy = target / file.relative_to(beside)
         copy.parent.mkdir(parents=True, exist_ok=True)
         write_whole(copy, file.read_bytes(), 0o644)
-    for folder in (target, *(one for one in target.rglob("*") if one.is_dir())):
+    for folder in (target, *(path for path in target.rglob("*") if path.is_dir())):
         folder.chmod(_READABLE)
     _made(exchange / INBOUND, _ONLY_TO_PUT)
     return target
@@ -43,7 +43,7 @@ def hand_out(exchange: Path, name: str, files: Sequence[Path], beside: Path) -> 
 def releases(exchange: Path) -> list[Path]:
     """Return the released folders, by name; empty without an exchange."""
     with contextlib.suppress(OSError):
-        return sorted(one for one in (exchange / OUTBOUND).iterdir() if one.is_dir())
+        return sorted(path for path in (exchange / OUTBOUND).iterdir() if path.is_dir())
     return []
 
 

@@ -61,12 +61,12 @@ def all_exercises() -> dict[str, Exercise]:
 def checked_in(*notebooks: Mapping[str, Any]) -> dict[str, Exercise]:
     """Return the exercises that the notebooks check."""
     checked = {name for notebook in notebooks for name in checks_in(notebook)}
-    return {name: one for name, one in all_exercises().items() if name in checked}
+    return {name: known for name, known in all_exercises().items() if name in checked}
 
 
 def exercises_in(*notebooks: Mapping[str, Any]) -> dict[str, Exercise]:
     """Return the checked exercises that have points and form the mark."""
-    return {name: one for name, one in checked_in(*notebooks).items() if one.points}
+    return {name: exercise for name, exercise in checked_in(*notebooks).items() if exercise.points}
 
 
 def find(name: str) -> Exercise:
@@ -75,7 +75,7 @@ def find(name: str) -> Exercise:
     if type(name) is str and name in known:
         return known[name]
     said = str(name)[:40]
-    of_chapter = [one for one in known if one.startswith(said.partition(".")[0] + ".")]
+    of_chapter = [name for name in known if name.startswith(said.partition(".")[0] + ".")]
     close = of_chapter or similar(said, known, 3)
     there = f"There are: {', '.join(close)}." if close else "Names are like ch02.q1 and appb.q1."
     raise UnknownExercise(f"There is no exercise '{said}'. {there}")

@@ -90,8 +90,11 @@ def robot_of(facts: RobotFacts, folder: Path) -> Robot:
         ValueError: when the facts are not a robot.
     """
     files = {name: _written(mesh, folder / f"{number}.stl") for number, (name, mesh) in enumerate(facts.meshes.items())}
-    links = {name: _with_meshes(one, files) for name, one in facts.links.items()}
-    if any(one.parent not in links or one.child not in links for one in facts.joints.values()) or facts.root not in links:
+    links = {name: _with_meshes(link, files) for name, link in facts.links.items()}
+    if (
+        any(joint.parent not in links or joint.child not in links for joint in facts.joints.values())
+        or facts.root not in links
+    ):
         raise ValueError("joints between links that are not there")
     return Robot(facts.name, links, facts.joints, facts.root)
 

@@ -19,19 +19,21 @@ def write_gradebook(
 
     A person without a mark in this run has no total either.
     """
-    by_name = {one.label: one for one in records}
-    earlier = {one.key: _earlier(one, results) for one in records}
-    columns = sorted({name for one in records for name in one.wanted} | {name for kept in earlier.values() for name in kept})
-    hidden = len(records) == len(shown) and [one.key for one in shown] != [one.key for one in records]
+    by_name = {record.label: record for record in records}
+    earlier = {record.key: _earlier(record, results) for record in records}
+    columns = sorted(
+        {name for record in records for name in record.wanted} | {name for kept in earlier.values() for name in kept}
+    )
+    hidden = len(records) == len(shown) and [record.key for record in shown] != [record.key for record in records]
     rows = []
-    for one in shown:
-        points = {} if hidden else earlier[by_name[one.label].key]
-        points |= _of_run(one)
-        person = one.handed.person
+    for record in shown:
+        points = {} if hidden else earlier[by_name[record.label].key]
+        points |= _of_run(record)
+        person = record.handed.person
         rows.append([
-            cell(one.label), cell(person.id) if person.row >= 0 else "", cell(person.email),
+            cell(record.label), cell(person.id) if person.row >= 0 else "", cell(person.email),
             *(form.number(points[name]) if name in points else "" for name in columns),
-            "" if one.total() is None else form.number(round(sum(points.values()), 2)), one.key,
+            "" if record.total() is None else form.number(round(sum(points.values()), 2)), record.key,
         ])  # fmt: skip
     headings = ["student", "id", "email", *(PurePosixPath(name).stem for name in columns), "total", "key"]
     write_table(file, headings, rows, form)

@@ -36,7 +36,7 @@ class Handed:
     def pieces(self) -> list[Piece]:
         """Return every submitted notebook, the oldest first."""
         found = [piece for entry in self.entries for piece in entry.pieces]
-        return sorted(found, key=lambda one: (one.when, one.inner, one.where))
+        return sorted(found, key=lambda piece: (piece.when, piece.inner, piece.where))
 
     def bundles(self) -> list[Path]:
         """Return all submitted files made by `hand_in()`."""
@@ -44,7 +44,7 @@ class Handed:
 
     def attempts(self) -> list[str]:
         """Return every submitted notebook with its time."""
-        return [f"{one.where}, {told_time(one.when)}" for one in self.pieces()]
+        return [f"{piece.where}, {told_time(piece.when)}" for piece in self.pieces()]
 
     def submission(self, chapter: str) -> Submission:
         """Return the submission to mark for a chapter."""
@@ -57,10 +57,10 @@ class Handed:
 def wanted_chapters(handed: Sequence[Handed]) -> tuple[list[str], dict[str, list[str]]]:
     """Return the chapters that most people handed in (else all), and the people with each of the others."""
     chapters: dict[str, list[str]] = {}
-    for one in handed:
-        for chapter in {piece.chapter for piece in one.pieces() if piece.chapter}:
-            chapters.setdefault(chapter, []).append(one.label)
-    some = sum(any(piece.chapter for piece in one.pieces()) for one in handed)
+    for student in handed:
+        for chapter in {piece.chapter for piece in student.pieces() if piece.chapter}:
+            chapters.setdefault(chapter, []).append(student.label)
+    some = sum(any(piece.chapter for piece in student.pieces()) for student in handed)
     most = sorted(name for name, people in chapters.items() if 2 * len(people) > some)
     if not most:
         return sorted(chapters), {}

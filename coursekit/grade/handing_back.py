@@ -67,7 +67,7 @@ def _in_list(platform: str, records: Sequence[Record], roster: Roster, title: st
     assert roster.table is not None
     form, headings = roster.table.form, list(roster.table.headings)
     column, comment = _columns(platform, roster.table, headings, title)
-    by_row = {one.handed.person.row: one for one in records}
+    by_row = {record.handed.person.row: record for record in records}
     of = records[0].of() if records else 0.0
     rows = []
     for at, row in enumerate(roster.table.rows):
@@ -76,9 +76,9 @@ def _in_list(platform: str, records: Sequence[Record], roster: Roster, title: st
             made[column] = _mark(by_row[at], form) or made[column]
             if comment is not None:
                 made[comment] = _said(by_row[at])
-        elif any("points possible" in one.casefold() for one in row[:3]):
+        elif any("points possible" in cell.casefold() for cell in row[:3]):
             made[column] = form.number(of)
-        rows.append([_kept(one) for one in made])
+        rows.append([_kept(path) for path in made])
     return headings, rows
 
 
@@ -109,7 +109,7 @@ def beside_the_platform_s(of: float, maxima: Sequence[str]) -> str:
     >>> beside_the_platform_s(14.0, ["14.00"])
     ''
     """
-    other = next((one for one in maxima if _as_number(one) not in (None, of)), None)
+    other = next((maximum for maximum in maxima if _as_number(maximum) not in (None, of)), None)
     if other is None:
         return ""
     return (
@@ -142,7 +142,9 @@ def _of_own(
                        lambda p: [p.family, p.given or p.name, p.login or p.email.partition("@")[0], p.id]),
     }  # fmt: skip
     headings, of = known[platform]
-    rows = [[*(cell(text) for text in of(one.handed.person)), _mark(one, form), cell(_said(one))] for one in records]
+    rows = [
+        [*(cell(text) for text in of(record.handed.person)), _mark(record, form), cell(_said(record))] for record in records
+    ]
     if platform == "canvas":
         return [*headings, title], [["    Points Possible", "", "", "", "", number(records[0].of() if records else 0)],
                                     *(row[:-1] for row in rows)]  # fmt: skip
@@ -155,13 +157,13 @@ def _family_first(person: Person) -> str:
 
 def _feedback(records: Sequence[Record], roster: Roster | None, file: Path) -> list[Path]:
     """Write the pages of those with a submission or a message, in folders named as Moodle expects."""
-    folders = {folder: one for folder, one in _with_a_page(records, roster) if folder}
+    folders = {folder: record for folder, record in _with_a_page(records, roster) if folder}
     if not folders:
         return []
     fresh = file.with_suffix(".new")
     with zipfile.ZipFile(fresh, "w", zipfile.ZIP_DEFLATED) as packed:
-        for folder, one in folders.items():
-            packed.writestr(f"{shown(folder, 250)}/feedback.html", page(one))
+        for folder, record in folders.items():
+            packed.writestr(f"{shown(folder, 250)}/feedback.html", page(record))
     fresh.replace(file)
     return [file]
 
@@ -169,12 +171,16 @@ def _feedback(records: Sequence[Record], roster: Roster | None, file: Path) -> l
 def _with_a_page(records: Sequence[Record], roster: Roster | None) -> list[tuple[str, Record]]:
     """Return those with a submission or a message, and each one's folder for Moodle; '' if unknown."""
     identifier = Identifier(roster) if roster is not None else None
-    return [(_folder(one, identifier), one) for one in records if one.counts() or one.handed.entries or one.comments()]
+    return [
+        (_folder(record, identifier), record)
+        for record in records
+        if record.counts() or record.handed.entries or record.comments()
+    ]
 
 
 def left_out(records: Sequence[Record], roster: Roster | None) -> str:
     """Return the students without a page in the zip, and what Moodle needs for them; empty if there are none."""
-    names = [one.label for folder, one in _with_a_page(records, roster) if not folder]
+    names = [record.label for folder, record in _with_a_page(records, roster) if not folder]
     if not names:
         return ""
     more = f" and {len(names) - 5} more" if len(names) > 5 else ""

@@ -75,7 +75,7 @@ def make_bundle(
     marked = clean_run(notebook)
     file = out / f"{student_word(student)}_{notebook.stem}.zip"
     write_whole(file, bundle_of(notebook, course, student, marked))
-    if not any(EVIDENCE.fullmatch(one.name) for one in (course / "evidence").glob("*")):
+    if not any(EVIDENCE.fullmatch(path.name) for path in (course / "evidence").glob("*")):
         how = 'evidence("s2_1", graph()), then hand_in() again'
         notes.append(f"There is no evidence in it. If the assignment asks for some: {how}.")
     marked.notes += notes
@@ -113,9 +113,9 @@ def bundle_of(notebook: Path, course: Path, student: str, marked: Marked) -> byt
         "coursekit": _version(),
         "notebook": notebook.name,
         "cells": cell_digests(read_notebook(notebook)),
-        "verdicts": [asdict(one) for one in marked.verdicts],
+        "verdicts": [asdict(verdict) for verdict in marked.verdicts],
         "points": marked.total(),
-        "of": sum(one.of for one in marked.verdicts),
+        "of": sum(verdict.of for verdict in marked.verdicts),
         "tier": marked.tier,
     }
     return pack_bundle(files, facts)
@@ -157,7 +157,7 @@ def verify(
         place = Path(scratch) / name
         place.write_bytes(content)
         marked = clean_run(place, own)
-    return found + other_results(manifest, {one.name: one.points for one in marked.verdicts}), marked
+    return found + other_results(manifest, {verdict.name: verdict.points for verdict in marked.verdicts}), marked
 
 
 def _no_chapter(name: str, chapter: str, known: Recogniser) -> str:

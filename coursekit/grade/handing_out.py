@@ -17,8 +17,8 @@ LIST, FOR_MOODLE = "copies.csv", "moodle.zip"
 def write_list(out: Path, archives: Mapping[Person, Path], form: Form = COMMA) -> Path:
     """Write copies.csv, the owners of the zips, with the columns for a mail merge."""
     rows = [
-        [cell(one.name), cell(one.given or one.name), cell(one.email), cell(one.id), archive.name]
-        for one, archive in archives.items()
+        [cell(person.name), cell(person.given or person.name), cell(person.email), cell(person.id), archive.name]
+        for person, archive in archives.items()
     ]
     write_table(out / LIST, ["name", "given name", "email", "id", "file"], rows, form)
     return out / LIST
@@ -38,7 +38,7 @@ def expect_numbers(roster: Roster) -> None:
     Raises:
         ValueError: when a participant has none.
     """
-    without = [one.name for one in roster.people if not one.number]
+    without = [person.name for person in roster.people if not person.number]
     if without:
         more = f" and {len(without) - 3} more" if len(without) > 3 else ""
         who = f"{', '.join(without[:3])}{more} {'has' if len(without) == 1 else 'have'} none"

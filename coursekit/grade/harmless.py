@@ -20,7 +20,7 @@ def shown(text: str, most: int = LONGEST) -> str:
     >>> shown("Ann\x1b[2J\u202eeeL\n")
     'Ann [2JeeL'
     """
-    kept = "".join(_letter(one) for one in text[: 4 * most])
+    kept = "".join(_letter(letter) for letter in text[: 4 * most])
     kept = " ".join(unicodedata.normalize("NFC", kept).split())
     return kept if len(kept) <= most else kept[: most - 1] + "…"
 

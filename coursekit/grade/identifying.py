@@ -59,7 +59,7 @@ class Identifier:
 
     def identify(self, name: str, copies: Iterable[str] = ()) -> Identified:
         """Identify the student of a folder or file by its name, and by the marks of the copies in it."""
-        marked = {self._copies[one] for one in copies if one in self._copies}
+        marked = {self._copies[copy] for copy in copies if copy in self._copies}
         named = self.by_name(name)
         if len(marked) > 1:
             return Identified(self._sorted(marked), "it holds copies of several students")
@@ -98,9 +98,9 @@ class Identifier:
         >>> [one.name for one in Identifier(Roster(["Ana García", "Luz García", "Ben Ito"])).maybe("garcia.ipynb")]
         ['Ana García', 'Luz García']
         """
-        words = {plain(one) for one in re.split(r"[\W_]+", without_ending(name))} - {""}
-        parts = {one: {plain(part) for text in one.names() for part in text.split()} for one in self.roster.people}
-        return tuple(one for one, own in parts.items() if words & own)
+        words = {plain(word) for word in re.split(r"[\W_]+", without_ending(name))} - {""}
+        parts = {person: {plain(part) for text in person.names() for part in text.split()} for person in self.roster.people}
+        return tuple(person for person, own in parts.items() if words & own)
 
     def _exactly(self, texts: Sequence[str], *, name_only: bool) -> set[Person]:
         if name_only:
@@ -110,7 +110,7 @@ class Identifier:
     def _of_platform(self, given: PlatformName | None) -> set[Person]:
         if given is None:
             return set()
-        numbered = {one for one in self.roster.people if given.number and one.number == given.number}
+        numbered = {person for person in self.roster.people if given.number and person.number == given.number}
         spelled = self._spelled.get(_letters(given.name), set()) if given.name else set()
         named = spelled or (self._plain.get(plain(given.name), set()) if given.name else set())
         if numbered and named and not numbered & named:
@@ -119,13 +119,13 @@ class Identifier:
 
     def _inside(self, text: str) -> set[Person]:
         """Return people whose name or id is in the text as whole words; the longest names take precedence."""
-        words = [plain(one) for one in re.split(r"[\W_]+", text) if plain(one)]
+        words = [plain(word) for word in re.split(r"[\W_]+", text) if plain(word)]
         found: list[tuple[int, int, Person]] = []
         for begin in range(len(words)):
             for end in range(begin + 1, min(len(words), begin + 8) + 1):
                 key = "".join(words[begin:end])
                 if not (key.isdigit() and len(key) < 5):
-                    found += [(begin, end, one) for one in self._plain.get(key, ())]
+                    found += [(begin, end, person) for person in self._plain.get(key, ())]
         longest = [
             person for begin, end, person in found
             if not any(b <= begin and end <= e and (e - b) > (end - begin) for b, e, _ in found)
@@ -135,22 +135,24 @@ class Identifier:
     @cached_property
     def _spelled(self) -> dict[str, set[Person]]:
         """The people by name with accents, and by key."""
-        return _table((_letters(one), person) for person in self.roster.people for one in (*person.names(), *person.keys()))
+        return _table(
+            (_letters(name), person) for person in self.roster.people for name in (*person.names(), *person.keys())
+        )
 
     @cached_property
     def _plain(self) -> dict[str, set[Person]]:
-        return _table((plain(one), person) for person in self.roster.people for one in (*person.names(), *person.keys()))
+        return _table((plain(name), person) for person in self.roster.people for name in (*person.names(), *person.keys()))
 
     @cached_property
     def _shuffled(self) -> dict[str, set[Person]]:
-        return _table((_words(one), person) for person in self.roster.people for one in person.names())
+        return _table((_words(name), person) for person in self.roster.people for name in person.names())
 
     @cached_property
     def _keys(self) -> dict[str, set[Person]]:
-        return _table((plain(one), person) for person in self.roster.people for one in person.keys())  # noqa: SIM118
+        return _table((plain(key), person) for person in self.roster.people for key in person.keys())  # noqa: SIM118
 
     def _sorted(self, people: Iterable[Person]) -> tuple[Person, ...]:
-        return tuple(one for one in self.roster.people if one in set(people))
+        return tuple(person for person in self.roster.people if person in set(people))
 
 
 def _table(pairs: Iterable[tuple[str, Person]]) -> dict[str, set[Person]]:
@@ -167,7 +169,7 @@ def _letters(text: str) -> str:
 
 def _words(name: str) -> str:
     """Return two or more words of a name in alphabetical order; empty for fewer."""
-    found = sorted(plain(one) for one in re.split(r"[\W_]+", name) if plain(one))
+    found = sorted(plain(word) for word in re.split(r"[\W_]+", name) if plain(word))
     return " ".join(found) if len(found) > 1 else ""
 
 

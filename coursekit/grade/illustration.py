@@ -54,7 +54,7 @@ class Illustration:
         if self._make is None:
             return None
         figure = self._make(*self._facts)
-        figure.panels[-1].rings += [(one[0], one[1]) for one in self.at]
+        figure.panels[-1].rings += [(point[0], point[1]) for point in self.at]
         return figure
 
 

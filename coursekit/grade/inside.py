@@ -193,13 +193,13 @@ def _called(function: Any, question: dict[str, Any], names: dict[str, Any]) -> d
     for name, packed in given.items():
         if pack(names.get(name)) != packed:
             refresh(names.get(name), unpack_of_judge(packed))
-    args = [unpack_of_judge(one) for one in question["args"]]
+    args = [unpack_of_judge(arg) for arg in question["args"]]
     value = function(*args)
-    after = [pack(one) for one in args]
-    changed = {place: one for place, one in enumerate(after) if one != question["args"][place]}
+    after = [pack(arg) for arg in args]
+    changed = {place: value for place, value in enumerate(after) if value != question["args"][place]}
     variables = {name: now for name in given if (now := pack(names.get(name))) != given[name]}
     told = {"args": changed, "variables": variables}
-    same = [place for place, one in enumerate(args) if one is value and type(one) not in (bool, int, str)]
+    same = [place for place, arg in enumerate(args) if arg is value and type(arg) not in (bool, int, str)]
     return {"argument": same[0], **told} if same else {"value": pack(value), **told}
 
 

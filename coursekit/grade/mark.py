@@ -50,7 +50,7 @@ class Marked:
     @classmethod
     def of_json(cls, found: dict[str, Any]) -> Marked:
         """Make a mark from the dictionary of `as_json`."""
-        return cls(**{**found, "verdicts": [Verdict(**one) for one in found["verdicts"]]})
+        return cls(**{**found, "verdicts": [Verdict(**verdict) for verdict in found["verdicts"]]})
 
 
 def mark(
@@ -73,7 +73,7 @@ def mark(
         for bundle in bundles:
             made.concerns += _faults(bundle, submission.student)
         files = submission.notebooks(scratch / "unpacked")
-        own = sorted({str(one.parent) for one in own_files(exercises.values())})
+        own = sorted({str(source.parent) for source in own_files(exercises.values())})
         for name, file in _chosen(files, sources, made.notes).items():
             folder, names = str(scratch / name), list(exercises)
             task = Task(sources[name], str(file), folder, names, made.variants, asdict(limits), secret.hex(), own)
@@ -86,7 +86,7 @@ def mark(
         folders.remove(scratch)
     judged = {verdict.name for verdict in made.verdicts}
     missing = "what was handed in could not be read" if made.status == "unreadable" else "nothing was handed in"
-    made.verdicts += [unjudged(one, missing) for name, one in exercises.items() if name not in judged]
+    made.verdicts += [unjudged(exercise, missing) for name, exercise in exercises.items() if name not in judged]
     made.verdicts.sort(key=lambda verdict: verdict.name)
     for bundle in bundles:
         _compare(bundle, made)
@@ -118,7 +118,7 @@ def _compare(bundle: bytes, made: Marked) -> None:
     with contextlib.suppress(ValueError):
         manifest, _ = read_bundle(bundle)
         said = recorded(manifest)
-        earned = {one.name: one.points for one in made.verdicts if one.name in said}
+        earned = {verdict.name: verdict.points for verdict in made.verdicts if verdict.name in said}
         made.concerns += other_results(manifest, earned)
         made.traces |= traces(bundle)
 
@@ -126,7 +126,7 @@ def _compare(bundle: bytes, made: Marked) -> None:
 def _chosen(files: list[Path], sources: Mapping[str, Any], notes: list[str]) -> dict[str, Path]:
     """Assign files to the course's notebooks by name, preferring the newest."""
     found: dict[str, Path] = {}
-    for file in sorted(files, key=lambda one: one.stat().st_mtime):
+    for file in sorted(files, key=lambda file: file.stat().st_mtime):
         names = [name for name in sources if file.name == name or file.stem.startswith(Path(name).stem)]
         if not names and len(sources) == 1:
             names = list(sources)

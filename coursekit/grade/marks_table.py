@@ -40,7 +40,9 @@ class ByHand:
         """
         found = self.points.get(key, {})
         own = total_of(chapters)
-        return {("total" if name == own else name): one for name, one in found.items() if name == own or not _is_total(name)}
+        return {
+            ("total" if name == own else name): mark for name, mark in found.items() if name == own or not _is_total(name)
+        }
 
     def move(self, before: str, now: str) -> None:
         """Move changes from one key to another, for work whose name was hidden before.
@@ -129,10 +131,12 @@ class MarksTable:
 
     def write(self, records: Sequence[Record]) -> None:
         """Write the complete table."""
-        exercises = [one.name for verdicts in (records[0].wanted.values() if records else ()) for one in verdicts]
-        extra = list(dict.fromkeys(name for one in records for name in one.extra if name not in (*_AFTER, *_BEFORE)))
+        exercises = [verdict.name for verdicts in (records[0].wanted.values() if records else ()) for verdict in verdicts]
+        extra = list(dict.fromkeys(name for record in records for name in record.extra if name not in (*_AFTER, *_BEFORE)))
         headings = [*_BEFORE, *exercises, *_AFTER, *extra]
-        rows = [{**_row(one, self._form), **{name: cell(text) for name, text in one.extra.items()}} for one in records]
+        rows = [
+            {**_row(record, self._form), **{name: cell(text) for name, text in record.extra.items()}} for record in records
+        ]
         write_table(self.file, headings, rows, self._form)
         before = _json(self._snapshot)
         chapters = {"chapters": total_of(records[0].wanted) if records else ""}
@@ -181,7 +185,7 @@ def _same(text: str, was: str) -> bool:
 
 def _plain(text: str) -> str:
     """Return the part of a text preserved by every encoding: Windows and macOS save other letters differently."""
-    return "".join(one for one in text.strip("' ") if one.isascii() and one != "?")
+    return "".join(letter for letter in text.strip("' ") if letter.isascii() and letter != "?")
 
 
 def _points(text: str) -> float | None:

@@ -44,13 +44,17 @@ def comment_column(table: Table) -> int | None:
     """Return the column from which Moodle reads comments."""
     known = _known(table)
     found = _named(table, _COMMENTS)
-    return found if found is not None else next((known.index(one) for one in known if one.startswith(_COMMENTS_BEGIN)), None)
+    return (
+        found
+        if found is not None
+        else next((known.index(heading) for heading in known if heading.startswith(_COMMENTS_BEGIN)), None)
+    )
 
 
 def _named(table: Table, words: set[str]) -> int | None:
     known = _known(table)
-    return next((place for place, one in enumerate(known) if one in words), None)
+    return next((place for place, heading in enumerate(known) if heading in words), None)
 
 
 def _known(table: Table) -> list[str]:
-    return [one.strip().casefold() for one in table.headings]
+    return [heading.strip().casefold() for heading in table.headings]

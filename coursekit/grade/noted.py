@@ -46,4 +46,4 @@ class NotedWork:
     def death(self) -> str:
         """Return the exception that ended a program of the last trial; empty when none did."""
         outputs = getattr(self._seen, "outputs", [])
-        return next((told for one in outputs if isinstance(one, str) and (told := exception_in(one))), "")
+        return next((told for output in outputs if isinstance(output, str) and (told := exception_in(output))), "")

@@ -22,7 +22,7 @@ class Outcome:
 
     def statuses(self) -> dict[str, int]:
         """Return the number of students with each status; every student counts once."""
-        return by_status(one.status() for one in self.records)
+        return by_status(record.status() for record in self.records)
 
     def line(self) -> str:
         """Return the state of the class in one line, the same wherever it is printed."""
@@ -34,5 +34,5 @@ class Outcome:
         """Return the exit status, which is not 0 when a teacher must act."""
         if self.interrupted:
             return 130
-        open_ = self.collection.unanswered or any(one.status() == "not marked" for one in self.records)
+        open_ = self.collection.unanswered or any(record.status() == "not marked" for record in self.records)
         return 1 if open_ else 0

@@ -108,7 +108,7 @@ def expect_subscription(seen: Any, topic: str, kind: str, hint: int | None = Non
     if not ends:
         others = ", ".join(name for name, found in seen.subscriptions.items() if found) or "none"
         raise Wrong(f"a subscription to {topic}", f"subscriptions: {others}", "Is the topic's name right?", hint=hint)
-    kinds = [one.get("type") for one in ends]
+    kinds = [end.get("type") for end in ends]
     if kind not in kinds:
         cause = "Two ends with different types are never joined, and ROS does not say so."
         raise Wrong(f"a subscription to {topic} of type {kind}", f"type: {kinds[0]}", cause, hint=hint)

@@ -46,9 +46,9 @@ _MOST = 200
 
 def overview(records: Sequence[Record], outcome: Outcome | None = None) -> str:
     """Return the page."""
-    questions = sorted({verdict.name for one in records for verdicts in one.wanted.values() for verdict in verdicts})
+    questions = sorted({verdict.name for record in records for verdicts in record.wanted.values() for verdict in verdicts})
     outcome = outcome or Outcome(list(records), Collection([], [], []))
-    tiers = sorted({one.marked().tier for one in records} - {""})
+    tiers = sorted({record.marked().tier for record in records} - {""})
     return _PAGE.format(
         style=STYLE,
         chapters=_text(records[0].told_chapters() if records else ""),
@@ -58,7 +58,7 @@ def overview(records: Sequence[Record], outcome: Outcome | None = None) -> str:
         look=_look(records, outcome),
         hardest=_hardest(records),
         questions="".join(f"<th>{html.escape(name).replace('.', '.<wbr>')}</th>" for name in questions),
-        rows="\n".join(_row(one, questions) for one in records),
+        rows="\n".join(_row(record, questions) for record in records),
         alike=_alike(records),
     )
 
@@ -66,15 +66,15 @@ def overview(records: Sequence[Record], outcome: Outcome | None = None) -> str:
 def _look(records: Sequence[Record], outcome: Outcome) -> str:
     """Return the students who need the teacher's attention, with the reason; the most urgent first."""
     rows = []
-    for one in sorted(records, key=lambda each: LOOK.index(each.status()) if each.status() in LOOK else len(LOOK)):
-        concerns = one.marked().concerns
-        if one.status() in LOOK or concerns:
-            late = [f"{verdict.name}: its time was over" for verdict in one.marked().verdicts if verdict.timed_out]
-            faulty = [f"{verdict.name}: its check has a fault" for verdict in one.marked().verdicts if verdict.fault]
-            why = [*one.handed.open, *faulty, *late, *concerns, *one.marked().notes][:12]
+    for record in sorted(records, key=lambda each: LOOK.index(each.status()) if each.status() in LOOK else len(LOOK)):
+        concerns = record.marked().concerns
+        if record.status() in LOOK or concerns:
+            late = [f"{verdict.name}: its time was over" for verdict in record.marked().verdicts if verdict.timed_out]
+            faulty = [f"{verdict.name}: its check has a fault" for verdict in record.marked().verdicts if verdict.fault]
+            why = [*record.handed.open, *faulty, *late, *concerns, *record.marked().notes][:12]
             words = "<br>".join(_text(word) for word in why)
-            status = f"<td class='words status'>{one.status()}</td>"
-            rows.append(f"<tr><td>{_link(one)}</td>{status}<td class='words'>{words}</td></tr>")
+            status = f"<td class='words status'>{record.status()}</td>"
+            rows.append(f"<tr><td>{_link(record)}</td>{status}<td class='words'>{words}</td></tr>")
     for _, question in outcome.collection.whose:
         rows.append(f"<tr><td>?</td><td class='words'>question</td><td class='words'>{_text(question.about)}</td></tr>")
     heading = "<tr><th>student</th><th class='words'>status</th><th class='words'>why</th></tr>"
@@ -86,16 +86,16 @@ def _look(records: Sequence[Record], outcome: Outcome) -> str:
 def _hardest(records: Sequence[Record]) -> str:
     """Return the exercises by lost points, with the most frequent wrong answers."""
     verdicts: dict[str, list[Verdict]] = {}
-    for one in records:
-        for verdict in one.marked().verdicts if one.counts() else ():
+    for record in records:
+        for verdict in record.marked().verdicts if record.counts() else ():
             verdicts.setdefault(verdict.name, []).append(verdict)
     share = shares(records)
     rows = []
     for name in sorted(share, key=lambda each: (share[each], each)):
         wrong = Counter(
-            as_typed(shown(one.gave, 160)) or shown(one.got, 160)
-            for one in verdicts[name]
-            if not one.passed and (one.gave or one.got)
+            as_typed(shown(lost.gave, 160)) or shown(lost.got, 160)
+            for lost in verdicts[name]
+            if not lost.passed and (lost.gave or lost.got)
         )
         said = "<br>".join(f"{times} × {html.escape(text)}" for text, times in wrong.most_common(3))
         title = html.escape(verdicts[name][0].title)
@@ -123,7 +123,7 @@ def as_typed(answer: str) -> str:
     except (ValueError, SyntaxError, MemoryError, RecursionError):
         return answer
     if isinstance(value, list) and value:
-        parts = [one if isinstance(one, str) else repr(one) for one in value]
+        parts = [item if isinstance(item, str) else repr(item) for item in value]
         return " | ".join(parts if whole == answer else [*parts, "…"])
     return value if isinstance(value, str) and value.strip() else answer
 
@@ -132,8 +132,8 @@ def _row(record: Record, questions: Sequence[str]) -> str:
     marked, total = record.marked(), record.total()
     verdicts = {verdict.name: verdict for verdict in marked.verdicts}
     cells = "".join(_cell(verdicts.get(name) if record.marks else None) for name in questions)
-    eye = [f"<span class='eye'>{_text(one)}</span>" for one in [*record.handed.open, *marked.concerns]]
-    words = "<br>".join([*eye, *(_text(one) for one in marked.notes)])
+    eye = [f"<span class='eye'>{_text(concern)}</span>" for concern in [*record.handed.open, *marked.concerns]]
+    words = "<br>".join([*eye, *(_text(note) for note in marked.notes)])
     late = late_by(marked.minutes_late) if marked.minutes_late else ""
     return (
         f"<tr><td>{_link(record)}</td>{cells}<td><b>{'?' if total is None else number(total)}</b></td>"
@@ -158,8 +158,8 @@ def _link(record: Record) -> str:
 
 def _alike(records: Sequence[Record]) -> str:
     """Return pairs with nearly the same work: hints for the teacher, not a verdict."""
-    by_name = {one.label: one for one in records}
-    pairs = similar([one.marked() for one in records if one.marks])
+    by_name = {record.label: record for record in records}
+    pairs = similar([record.marked() for record in records if record.marks])
     rows = "".join(
         f"<tr><td>{_link(by_name[one])}</td><td class='words'>{_link(by_name[other])}</td><td>{100 * like:.0f} %</td></tr>"
         for one, other, like in pairs[:_MOST]

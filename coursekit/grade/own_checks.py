@@ -41,7 +41,7 @@ def read_checks(folder: Path) -> None:
 
 def fault_of(error: BaseException) -> str:
     """Describe an exception of a check, with the line of the check where it stopped."""
-    frames = [one for one in traceback.extract_tb(error.__traceback__) if _is_check(one.filename)]
+    frames = [frame for frame in traceback.extract_tb(error.__traceback__) if _is_check(frame.filename)]
     where = f" ({Path(frames[-1].filename).name}, line {frames[-1].lineno})" if frames else ""
     return f"{type(error).__name__}: {error}"[:300] + where
 
@@ -57,7 +57,7 @@ def _is_check(filename: str) -> bool:
 
 def own_files(exercises: Iterable[Exercise]) -> list[Path]:
     """Return the check files of these exercises; empty for the course's own."""
-    written = {Path(one.judge.__code__.co_filename) for one in exercises if hasattr(one.judge, "__code__")}
+    written = {Path(exercise.judge.__code__.co_filename) for exercise in exercises if hasattr(exercise.judge, "__code__")}
     return sorted(file for file in _read if file in written)
 
 
@@ -76,7 +76,7 @@ def _run(file: Path) -> None:
     try:
         exec(compile(file.read_text(encoding="utf-8"), str(file), "exec"), module.__dict__)
     except Exception as error:
-        own = [one.lineno for one in traceback.extract_tb(error.__traceback__) if one.filename == str(file)]
+        own = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(file)]
         line = own[-1] if own else getattr(error, "lineno", None)
         place = f"{file.name}:{line}" if line else file.name
         raise BadChecks(f"{OWN}/{place} cannot be run: {type(error).__name__}: {error}") from None

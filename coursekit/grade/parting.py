@@ -29,15 +29,17 @@ def parts_of(entry: Entry, identifier: Identifier) -> list[Part]:
     """Return an entry as it was handed in, or divided by the owners of its copies."""
     named = identifier.by_name(entry.name)
     whose = [_whose(piece, named, identifier) for piece in entry.pieces]
-    known = list(dict.fromkeys(one for one in whose if one is not None))
+    known = list(dict.fromkeys(owner for owner in whose if owner is not None))
     everything = _whole(entry, known, identifier)
-    if not known or (len({one.people for one in known}) == 1 and (None not in whose or everything.found is not known[0])):
+    if not known or (
+        len({owner.people for owner in known}) == 1 and (None not in whose or everything.found is not known[0])
+    ):
         return [everything]
     parts = []
     for found in known:
-        pieces = [piece for piece, one in zip(entry.pieces, whose, strict=True) if one == found]
+        pieces = [piece for piece, owner in zip(entry.pieces, whose, strict=True) if owner == found]
         parts.append(_part(entry, pieces, _settled(entry, pieces, found, identifier)))
-    rest = [piece for piece, one in zip(entry.pieces, whose, strict=True) if one is None]
+    rest = [piece for piece, owner in zip(entry.pieces, whose, strict=True) if owner is None]
     if rest or entry.faults:
         left = replace(_part(entry, rest, named).entry, faults=entry.faults, concerns=entry.concerns)
         parts.append(replace(_part(entry, rest, named), entry=left))
@@ -46,7 +48,7 @@ def parts_of(entry: Entry, identifier: Identifier) -> list[Part]:
 
 def whole(entry: Entry, found: Identified) -> Part:
     """Return all of an entry. An answer about it holds only for this work: another week's file may have the same name."""
-    return Part(entry, found, shown(entry.name), (entry.name, *sorted(one.digest for one in entry.pieces)))
+    return Part(entry, found, shown(entry.name), (entry.name, *sorted(piece.digest for piece in entry.pieces)))
 
 
 def _whole(entry: Entry, known: Sequence[Identified], identifier: Identifier) -> Part:
@@ -54,7 +56,7 @@ def _whole(entry: Entry, known: Sequence[Identified], identifier: Identifier) ->
     if not found.people and known:
         found = known[0]
     if not found.people and entry.students:
-        said = [person for one in unique(entry.students) for person in identifier.by_name(one).people]
+        said = [person for student in unique(entry.students) for person in identifier.by_name(student).people]
         found = Identified(tuple(dict.fromkeys(said)), _BY_BUNDLE) if said else found
     return whole(entry, found)
 
@@ -66,7 +68,7 @@ def _whose(piece: Piece, named: Identified, identifier: Identifier) -> Identifie
         return Identified((owner,), "the mark of the copy")
     if len(named.people) == 1:
         return None
-    told = [(_BY_BUNDLE, piece.student)] if piece.student else [(_INSIDE, one) for one in piece.where.split("/")]
+    told = [(_BY_BUNDLE, piece.student)] if piece.student else [(_INSIDE, word) for word in piece.where.split("/")]
     for how, name in told:
         found = identifier.by_name(name).people
         if len(found) == 1 and (not named.people or found[0] in named.people):

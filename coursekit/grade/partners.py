@@ -28,10 +28,14 @@ def expect_partners(folder: Path) -> list[str]:
     for name, notebook in notebooks.items():
         _expect_exercises(name, notebook)
         _expect_names(name, notebook)
-    checked = {one for notebook in notebooks.values() for one in checks_in(notebook)}
+    checked = {name for notebook in notebooks.values() for name in checks_in(notebook)}
     own = set((folder / OWN).resolve().glob("*.py"))
-    left = [one for one in all_exercises().values() if one.name not in checked and own & set(own_files([one]))]
-    return [f'{OWN}: no notebook has check("{one.name}"), so nobody is asked for it.' for one in left]
+    left = [
+        exercise
+        for exercise in all_exercises().values()
+        if exercise.name not in checked and own & set(own_files([exercise]))
+    ]
+    return [f'{OWN}: no notebook has check("{exercise.name}"), so nobody is asked for it.' for exercise in left]
 
 
 def _expect_exercises(name: str, notebook: Mapping[str, Any]) -> None:

@@ -117,7 +117,7 @@ class Gatherer:
                 made.faults.append(f"{where}: {shown(str(error)) or 'cannot be read'}")
         told = platform_name(name)
         if told is not None:
-            made.pieces = [_of_platform(one, told.when, told.late) for one in made.pieces]
+            made.pieces = [_of_platform(piece, told.when, told.late) for piece in made.pieces]
         return made
 
     def _file(self, made: Entry, raw: Raw, where: str, nested: int, bundle: _Bundle | None = None) -> None:
@@ -162,7 +162,7 @@ class Gatherer:
             return
         with Archive(raw.open()) as opened:
             members = list(opened.members())
-            manifest = next((one for one in members if one.parts == (MANIFEST,)), None)
+            manifest = next((info for info in members if info.parts == (MANIFEST,)), None)
             bundle = self._bundle(made, raw, opened.read(manifest, 4 << 20)) if manifest else None
             for member in members:
                 inner = _of_member(opened, member, raw)
@@ -214,7 +214,7 @@ def sealed_time(manifest: dict[str, Any]) -> float:
 def _is_left_out(parts: tuple[str, ...]) -> bool:
     """Whether a file was certainly not meant as a submission."""
     workspace = WORKSPACE in parts and not parts[-1].casefold().endswith(".ipynb")
-    return workspace or parts[-1].startswith("._") or any(one in SYSTEM for one in parts)
+    return workspace or parts[-1].startswith("._") or any(part in SYSTEM for part in parts)
 
 
 def _beginning(raw: Raw) -> bytes:

@@ -87,9 +87,9 @@ def close(got: Sequence[Any], need: Sequence[float], tolerance: float) -> bool:
     >>> close((0.0, 1.0), (0, 1), 0.1), close((0.0, math.nan), (0, 1), 0.1), close((0.0,), (0, 1), 2)
     (True, False, False)
     """
-    if len(got) != len(need) or not all(is_number(one) for one in got):
+    if len(got) != len(need) or not all(is_number(value) for value in got):
         return False
-    return math.dist([float(one) for one in got], need) <= tolerance
+    return math.dist([float(value) for value in got], need) <= tolerance
 
 
 def number(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> float:
@@ -152,7 +152,7 @@ def numbers(value: Any, count: int, expected: str, cause: str = "") -> tuple[flo
     if len(parts) != count:
         why = f"{count} values are asked for, these are {len(parts)}."
         raise Wrong(expected, gave=shown(value), cause=cause or why, hint=NO_HINT)
-    return tuple(number(one, expected, cause) for one in parts)
+    return tuple(number(part, expected, cause) for part in parts)
 
 
 def items(value: Any, expected: str, cause: str = "") -> list[Any]:
@@ -190,7 +190,7 @@ def texts(value: Any, expected: str, cause: str = "") -> list[str]:
     """Return the texts in a list or a tuple; Wrong when it contains anything else."""
     if type(value) not in (list, tuple):
         raise Wrong(expected, gave=shown(value), cause=cause, hint=NO_HINT)
-    return [text(one, expected, cause) for one in value]
+    return [text(item, expected, cause) for item in value]
 
 
 def field(message: Any, path: str, kind: type[T], where: str = "a message") -> T:
@@ -218,7 +218,7 @@ def fields(message: Any, paths: Sequence[str], where: str = "a message") -> tupl
     >>> fields({"pose": {"x": 1, "y": 2.5}}, ("pose.x", "pose.y"))
     (1.0, 2.5)
     """
-    return tuple(field(message, one, float, where) for one in paths)
+    return tuple(field(message, path, float, where) for path in paths)
 
 
 def called(function: Callable[..., Any], *given: Any, told: str) -> Any:
@@ -276,6 +276,6 @@ def of_student(error: BaseException) -> bool:
 
 def _frames(error: BaseException) -> list[traceback.FrameSummary]:
     """Return the student's lines in an exception's traceback."""
-    found = [one for one in traceback.extract_tb(error.__traceback__) if not one.filename.startswith((_OURS, _MADE))]
-    found = [one for one in found if "site-packages" not in one.filename and not is_own(one.filename)]
-    return [one for one in found if not one.filename.startswith(sys.base_prefix)]
+    found = [frame for frame in traceback.extract_tb(error.__traceback__) if not frame.filename.startswith((_OURS, _MADE))]
+    found = [frame for frame in found if "site-packages" not in frame.filename and not is_own(frame.filename)]
+    return [frame for frame in found if not frame.filename.startswith(sys.base_prefix)]

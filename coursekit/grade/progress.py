@@ -101,7 +101,7 @@ class Progress:
                 f"<tr><td style='text-align:left'>{escape(chapter)}</td><td>{gettext(f'{points:g} of {of:g}')}</td>"
                 f"<td style='text-align:left'>{marks}</td></tr>"
             )
-        heads = "".join(f"<th>{one}</th>" for one in (gettext("chapter"), gettext("points"), gettext("exercises")))
+        heads = "".join(f"<th>{heading}</th>" for heading in (gettext("chapter"), gettext("points"), gettext("exercises")))
         return f"<table><tr>{heads}</tr>{''.join(rows)}</table>"
 
 

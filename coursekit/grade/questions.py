@@ -30,7 +30,11 @@ class Question:
         said = answers.get(self.number, "").strip().strip("'")
         if said.isdigit() and said not in self.choices and 0 < int(said) <= len(self.choices):
             return self.choices[int(said) - 1]
-        same = [one for one in self.choices if cell(one).casefold() == said.casefold() or one.casefold() == said.casefold()]
+        same = [
+            choice
+            for choice in self.choices
+            if cell(choice).casefold() == said.casefold() or choice.casefold() == said.casefold()
+        ]
         return same[0] if same else said
 
 
@@ -60,13 +64,13 @@ def write_questions(
 ) -> None:
     """Write all questions, answered or not, with earlier answers. A table without rows is removed."""
     rows = {
-        one.number: [one.number, cell(one.text), cell(one.about), cell(" | ".join(one.choices)),
-                     cell(answers.get(one.number, ""))]
-        for one in asked
+        question.number: [question.number, cell(question.text), cell(question.about), cell(" | ".join(question.choices)),
+                     cell(answers.get(question.number, ""))]
+        for question in asked
     }  # fmt: skip
     for row in read_table(file).dicts() if file.is_file() else []:
         if row.get("number") and row.get("answer"):
-            rows.setdefault(row["number"], [cell(row.get(one, "")) for one in HEADINGS])
+            rows.setdefault(row["number"], [cell(row.get(heading, "")) for heading in HEADINGS])
     if rows:
         write_table(file, HEADINGS, rows.values(), form)
     else:

@@ -152,6 +152,6 @@ def _near(path: Path) -> str:
     folder = path.parent
     if not folder.is_dir():
         return f"The folder {folder.name}/ does not exist either."
-    names = sorted(one.name for one in folder.iterdir())
+    names = sorted(entry.name for entry in folder.iterdir())
     close = similar(path.name, names, 3)
-    return f"{folder.name}/ has: {', '.join([*close, *(one for one in names if one not in close)][:8]) or 'nothing'}"
+    return f"{folder.name}/ has: {', '.join([*close, *(name for name in names if name not in close)][:8]) or 'nothing'}"

@@ -181,7 +181,7 @@ def _marks(notebook: Mapping[str, Any]) -> set[str]:
     found = {grade_id(cell) for cell in notebook["cells"]} - {""}
     for cell in notebook["cells"]:
         if isinstance(cell, dict) and cell.get("cell_type") == "code":
-            found |= {f"check {one['name']}" for one in CHECK.finditer(text_of(cell))}
+            found |= {f"check {match['name']}" for match in CHECK.finditer(text_of(cell))}
     return found
 
 
@@ -194,7 +194,7 @@ class Recogniser:
     def recognise(self, notebook: Mapping[str, Any]) -> Known:
         """Recognise the chapter of a notebook by its content."""
         marks = _marks(notebook)
-        counts = {name: len(marks & one.marks) for name, one in self.chapters.items()}
+        counts = {name: len(marks & chapter.marks) for name, chapter in self.chapters.items()}
         best = max(counts.values(), default=0)
         fitting = [name for name, count in counts.items() if count == best]
         whole = [name for name in fitting if self.chapters[name].marks <= marks]
@@ -208,14 +208,14 @@ class Recogniser:
             return self.chapters[named].known(notebook)
         several = [known for name in fitting if best and (known := self.chapters[name].known(notebook)).begun]
         if several:
-            return max(several, key=lambda one: len(one.begun))
+            return max(several, key=lambda known: len(known.begun))
         return Known("", touched=True, copy=mark if isinstance(mark, str) else "", work=_digest(notebook))
 
     def others(self, notebook: Mapping[str, Any], chapter: str) -> tuple[Known, ...]:
         """Recognise the other chapters whose exercises were also done in it."""
         marks = _marks(notebook)
-        named = (one for name, one in self.chapters.items() if name != chapter and marks & one.marks)
-        return tuple(known for one in named if (known := one.known(notebook)).begun)
+        named = (candidate for name, candidate in self.chapters.items() if name != chapter and marks & candidate.marks)
+        return tuple(known for candidate in named if (known := candidate.known(notebook)).begun)
 
     def by_name(self, file: str) -> str:
         """Return the chapter whose name is part of a file's name: `ann_02_topics (1).ipynb` is `02_topics.ipynb`."""

@@ -69,18 +69,18 @@ class Record:
     def marked(self) -> Marked:
         """Return the marks of all chapters as one, including points by hand."""
         marks = [self.marks[name] for name in self.wanted if name in self.marks]
-        made = Marked(self.label, "".join(one.digest for one in marks), tier=next((one.tier for one in marks), ""))
-        made.status = _together([one.status for one in marks])
+        made = Marked(self.label, "".join(mark.digest for mark in marks), tier=next((mark.tier for mark in marks), ""))
+        made.status = _together([mark.status for mark in marks])
         for chapter, verdicts in self.wanted.items():
             found = self.marks[chapter].verdicts if chapter in self.marks else verdicts
-            made.verdicts += [self._by_hand(one) for one in found]
-        for one in marks:
-            made.answers += one.answers
-            made.variants |= one.variants
-            made.traces |= one.traces
-        made.notes = unique([*self.handed.notes, *(note for one in marks for note in one.notes)])
-        made.concerns = unique([*self.handed.concerns, *(said for one in marks for said in one.concerns)])
-        made.minutes_late = max((one.minutes for one in self.late.values()), default=0.0)
+            made.verdicts += [self._by_hand(verdict) for verdict in found]
+        for mark in marks:
+            made.answers += mark.answers
+            made.variants |= mark.variants
+            made.traces |= mark.traces
+        made.notes = unique([*self.handed.notes, *(note for mark in marks for note in mark.notes)])
+        made.concerns = unique([*self.handed.concerns, *(said for mark in marks for said in mark.concerns)])
+        made.minutes_late = max((lateness.minutes for lateness in self.late.values()), default=0.0)
         return made
 
     def _by_hand(self, verdict: Verdict) -> Verdict:
@@ -94,7 +94,7 @@ class Record:
     def chapter_total(self, chapter: str) -> float:
         """Return the points of a chapter after deductions."""
         found = self.marks[chapter].verdicts if chapter in self.marks else self.wanted.get(chapter, ())
-        points = sum(self._by_hand(one).points for one in found)
+        points = sum(self._by_hand(verdict).points for verdict in found)
         return round(points * (1 - self.late.get(chapter, Late()).percent_off / 100), 2)
 
     def total_by_hand(self) -> bool:
@@ -107,7 +107,7 @@ class Record:
             return self.by_hand["total"]
         if self.status() in ("question", "not marked"):
             return None
-        return round(sum(self.chapter_total(one) for one in self.wanted), 2)
+        return round(sum(self.chapter_total(chapter) for chapter in self.wanted), 2)
 
     def comments(self) -> dict[str, str]:
         """Return the teacher's comments for the person, by column, without the teacher's private columns."""
@@ -132,7 +132,7 @@ class Record:
 
     def of(self) -> float:
         """Return the maximum number of points."""
-        return sum(verdict.of for one in self.wanted.values() for verdict in one)
+        return sum(verdict.of for verdicts in self.wanted.values() for verdict in verdicts)
 
     def status(self) -> str:
         """Return the status."""
@@ -140,12 +140,12 @@ class Record:
         marked = self.marked() if complete else None
         if self.handed.entries and not self.chapters():
             marked = Marked(self.label, "", status="unreadable" if self._faulty() else "empty")
-        late = any(one.minutes for one in self.late.values())
+        late = any(lateness.minutes for lateness in self.late.values())
         opened, tier = bool(self.handed.open), self.tier
         return status_of(marked, opened=opened, handed_in=bool(self.handed.entries), late=late, tier=tier)
 
     def _faulty(self) -> bool:
-        return any(entry.faults or any(one.fault for one in entry.pieces) for entry in self.handed.entries)
+        return any(entry.faults or any(piece.fault for piece in entry.pieces) for entry in self.handed.entries)
 
     def code(self) -> dict[str, str]:
         """Return the person's answers, by exercise."""
@@ -153,15 +153,15 @@ class Record:
 
     def time_from(self) -> str:
         """Return the source of the times from which lateness was computed."""
-        return "; ".join(unique(one.when_from for one in self.late.values() if one.when_from))
+        return "; ".join(unique(lateness.when_from for lateness in self.late.values() if lateness.when_from))
 
 
 def _together(statuses: Sequence[str]) -> str:
     """Return the most urgent status; empty only if all are."""
-    for one in ("error", "unreadable"):
-        if one in statuses:
-            return one
-    return "empty" if statuses and all(one == "empty" for one in statuses) else "graded"
+    for status in ("error", "unreadable"):
+        if status in statuses:
+            return status
+    return "empty" if statuses and all(status == "empty" for status in statuses) else "graded"
 
 
 def lateness_of(handed: Handed, chapters: Sequence[str], policy: Policy) -> dict[str, Late]:

@@ -38,7 +38,7 @@ class Recorder:
     def _is_wanted(self, topic: str, publishers: list[Publisher]) -> bool:
         if topic in self._wanted:
             return True
-        own = any(one.node is not self._node for one in publishers)
+        own = any(publisher.node is not self._node for publisher in publishers)
         return "*" in self._wanted and topic not in EVERY_NODE_S and own
 
     def _record(self, topic: str, publisher: Publisher) -> None:

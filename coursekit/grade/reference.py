@@ -62,13 +62,13 @@ def expect_sound(reference: Reference, results: Results, mark: Callable[..., Mar
     marked = results.read(KEY, chapter, depends)
     if marked is None:
         marked = mark(submission, {chapter: source}, exercises, reference.limits, reference.dice)
-    lost = [one for one in marked.verdicts if not one.passed]
+    lost = [verdict for verdict in marked.verdicts if not verdict.passed]
     if lost or marked.status != "graded":
         first = lost[0].text() if lost else "; ".join(marked.notes) or marked.status
-        faulty = [one for one in lost if one.fault]
+        faulty = [verdict for verdict in lost if verdict.fault]
         if faulty:
             raise GraderBroken(f"the check of {faulty[0].name} has a fault: {faulty[0].fault}.", "Mend the check first.")
-        points = f"{marked.total():g} of {sum(one.of for one in marked.verdicts):g} points"
+        points = f"{marked.total():g} of {sum(verdict.of for verdict in marked.verdicts):g} points"
         raise GraderBroken(f"the reference solution of {chapter} gets {points}.\n{first}")
     results.write(KEY, chapter, depends, marked)
     return ""

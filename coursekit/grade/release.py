@@ -35,7 +35,7 @@ def released(notebook: dict[str, Any]) -> dict[str, Any]:
 
 def with_points(notebook: dict[str, Any]) -> dict[str, Any]:
     """Return the notebook with the judges' points in its metadata, so that both always agree."""
-    points = {name: one.points for name, one in checked_in(notebook).items()}
+    points = {name: exercise.points for name, exercise in checked_in(notebook).items()}
     for name, place in checks_in(notebook).items():
         grading = notebook["cells"][place].get("metadata", {}).get("nbgrader", {})
         if grading.get("grade") and name in points:
@@ -60,17 +60,17 @@ def release(
     students to install `wheel`. Chapters with a catalogue are in that `language`.
     """
     sources = {file.name: _in_language(read(file, language), language) for file in sorted(notebooks)}
-    pictures = {one.name: one for file in notebooks for one in pictures_of(sources[file.name], file.parent)}
+    pictures = {picture.name: picture for file in notebooks for picture in pictures_of(sources[file.name], file.parent)}
     beside = [*pictures.values(), *own_files(checked_in(*sources.values()).values())]
     written = []
     if variants:
-        archives = {one: _copy_of(one, variants, sources, out, personal, beside) for one in variants.roster.people}
+        archives = {person: _copy_of(person, variants, sources, out, personal, beside) for person in variants.roster.people}
         written = [*archives.values(), write_list(out, archives, variants.roster.form)]
         written += [write_for_moodle(out, archives)] if moodle else []
     else:
         files = _written(sources, out, out.name, beside)
-        written = [*(one for one in files if one.parent.name != IMAGES), _zipped(files, out)]
-    asked = {name: [one.points for one in exercises_in(source).values()] for name, source in sources.items()}
+        written = [*(path for path in files if path.parent.name != IMAGES), _zipped(files, out)]
+    asked = {name: [exercise.points for exercise in exercises_in(source).values()] for name, source in sources.items()}
     file = out / "page.html"
     write_whole(file, page(out.name, "" if variants else f"{out.name}.zip", wheel, asked, language))
     return [*written, file]

@@ -57,7 +57,7 @@ def page(title: str, archive: str, wheel: str, points: Mapping[str, Sequence[flo
 
 
 def _table(points: Mapping[str, Sequence[float]], heads: Sequence[str], last: str) -> str:
-    every = [one for given in points.values() for one in given]
+    every = [value for given in points.values() for value in given]
     rows = [_row("th", *heads), *(_row("td", html.escape(Path(name).stem), *_sums(given)) for name, given in points.items())]
     return "\n".join([f"<table>{rows[0]}", *rows[1:], _row("th", last, *_sums(every)) + "</table>"])
 
@@ -68,7 +68,7 @@ def _sums(points: Sequence[float]) -> tuple[str, str]:
 
 
 def _row(tag: str, *cells: str) -> str:
-    return f"<tr>{''.join(f'<{tag}>{one}</{tag}>' for one in cells)}</tr>"
+    return f"<tr>{''.join(f'<{tag}>{cell}</{tag}>' for cell in cells)}</tr>"
 
 
 __all__ = ["page"]

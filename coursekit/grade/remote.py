@@ -164,8 +164,8 @@ class RemoteWork(Work):
         question = {
             "ask": "call",
             "name": name,
-            "args": [pack(one) for one in args],
-            "variables": {known: pack(one) for known, one in given.items()},
+            "args": [pack(arg) for arg in args],
+            "variables": {known: pack(value) for known, value in given.items()},
             "seconds": self._limits.call,
         }
         said = self._line.ask(question, SLOWNESS * self._limits.call + 5)
@@ -217,8 +217,8 @@ class RemoteWork(Work):
             started.append(sandbox.start(command, folder, env, self._limits, writable=False, pipes=pipes))
             command = [*PROGRAMS, name_for_child(there[0]), name_for_child(back[1])]
             started.append(sandbox.start(command, folder, env, self._limits, pipes=(there[0], back[1])))
-            for one in (*there, *back):
-                os.close(one)
+            for end in (*there, *back):
+                os.close(end)
             there = back = (-1, -1)
             out = started[0].answer(question(plan), self._limits.output)
             for running in reversed(started):
@@ -228,9 +228,9 @@ class RemoteWork(Work):
         finally:
             for running in started:
                 running.end()
-            for one in (*there, *back):
-                if one >= 0:
-                    os.close(one)
+            for end in (*there, *back):
+                if end >= 0:
+                    os.close(end)
 
 
 def _unpacked(answer: dict[str, Any]) -> Any:

@@ -60,7 +60,7 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
         if grading.get("solution"):
             answer = _answer(name, text, by_id, unknown, made.notes)
             added = own.pop(name, [])
-            made.steps += [Step(one, solution=True) for one in added]
+            made.steps += [Step(source, solution=True) for source in added]
             made.steps.append(Step(answer, solution=True, given=without_solution(text)))
             exercise = ".".join(name.split("-")[:2])
             as_given = answer.strip() == without_solution(text).strip() and "YOUR CODE HERE" in answer
@@ -69,7 +69,7 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
             continue
         found = CHECK.search(text)
         made.steps.append(Step("" if found else text, found["name"] if found else ""))
-    made.steps = [Step(one, solution=True) for left in own.values() for one in left] + made.steps
+    made.steps = [Step(source, solution=True) for left in own.values() for source in left] + made.steps
     made.notes = unique(made.notes)
     return made
 

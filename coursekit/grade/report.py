@@ -51,11 +51,11 @@ def page(record: Record, fields: Callable[[str], str] | None = None) -> str:
 
 def _page(record: Record, fields: Callable[[str], str] | None) -> str:
     marked, code = record.marked(), record.code()
-    improve = [_beside(one, record, code) for one in marked.verdicts if not one.passed]
-    right = [_beside(one, record, code) for one in marked.verdicts if one.passed]
+    improve = [_beside(verdict, record, code) for verdict in marked.verdicts if not verdict.passed]
+    right = [_beside(verdict, record, code) for verdict in marked.verdicts if verdict.passed]
     parts = [_head(gettext("To improve")) if improve else "", *improve, _head(gettext("Right")) if right else "", *right]
     if fields is not None:
-        parts = [_beside(one, record, code, fields(one.name)) for one in marked.verdicts]
+        parts = [_beside(verdict, record, code, fields(verdict.name)) for verdict in marked.verdicts]
     notes = "".join(f"<li>{_text(_note(note))}</li>" for note in [*record.handed.open, *marked.notes])
     whole = record.extra.get(COMMENT, "")
     return _PAGE.format(
@@ -162,10 +162,10 @@ def gradescope(marked: Marked) -> dict[str, Any]:
 
 def write_reports(folder: Path, records: Sequence[Record]) -> None:
     """Write KEY.html for everybody, and KEY.results.json for those with a mark."""
-    for one in records:
-        write_whole(folder / f"{one.key}.html", page(one).encode("utf-8", "replace"), parents=True)
-        total, scores = one.total(), folder / f"{one.key}.results.json"
+    for record in records:
+        write_whole(folder / f"{record.key}.html", page(record).encode("utf-8", "replace"), parents=True)
+        total, scores = record.total(), folder / f"{record.key}.results.json"
         if total is None:
             scores.unlink(missing_ok=True)
             continue
-        write_whole(scores, json.dumps({**gradescope(one.marked()), "score": total}, indent=1).encode(), parents=True)
+        write_whole(scores, json.dumps({**gradescope(record.marked()), "score": total}, indent=1).encode(), parents=True)

@@ -60,7 +60,7 @@ def key_of(
 ) -> dict[str, Any]:
     """Return all dependencies of a mark."""
     course = hashlib.sha256(json.dumps(source, sort_keys=True).encode()).hexdigest()
-    points = {name: one.points for name, one in exercises.items()}
+    points = {name: exercise.points for name, exercise in exercises.items()}
     return {
         "submission": submission,
         "judges": judges_digest(),
@@ -150,7 +150,7 @@ class Results:
         """Drop some results, so that they are marked again."""
         gone = set(chapters)
         for key in keys:
-            kept = {name: one for name, one in self.chapters(key).items() if name not in gone}
+            kept = {name: chapter for name, chapter in self.chapters(key).items() if name not in gone}
             if (self.folder / key / FILE).exists():
                 self._write(key, kept)
 

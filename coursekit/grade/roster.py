@@ -66,7 +66,7 @@ class Person:
 
     def keys(self) -> list[str]:
         """Return other unique keys of the person: id, e-mail, its part before the @, login."""
-        return [one for one in (self.id, self.email, self.email.partition("@")[0], self.login) if one]
+        return [key for key in (self.id, self.email, self.email.partition("@")[0], self.login) if key]
 
 
 class Roster:
@@ -83,15 +83,16 @@ class Roster:
         layout: Layout | None = None,
         notes: Sequence[str] = (),
     ) -> None:
-        self.people = [Person(one) if isinstance(one, str) else one for one in people]
+        self.people = [Person(person) if isinstance(person, str) else person for person in people]
         self.table, self.layout = table, layout
         """The original list, for handing grades back in it."""
         self.notes = list(notes)
         """Notes on omitted lines."""
         _expect_different(self.people)
-        twice = Counter(plain(one.name) for one in self.people)
+        twice = Counter(plain(person.name) for person in self.people)
         self._labels = {
-            one: f"{one.name} ({one.id or one.email})" if twice[plain(one.name)] > 1 else one.name for one in self.people
+            person: f"{person.name} ({person.id or person.email})" if twice[plain(person.name)] > 1 else person.name
+            for person in self.people
         }
 
     @property
@@ -127,7 +128,7 @@ class Roster:
             raise ValueError(f"There is no file '{file}'. Give one with a student's name on each line, or a table.")
         if file.suffix.casefold() not in (".csv", ".tsv"):
             first = decoded(file.read_bytes()).partition("\n")[0]
-            if not any(one in first for one in ";\t,") or layout_of(re.split("[;,\t]", first)) is None:
+            if not any(separator in first for separator in ";\t,") or layout_of(re.split("[;,\t]", first)) is None:
                 return cls._of_lines(file)
         return cls._of_table(read_table(file), file)
 
@@ -136,19 +137,19 @@ class Roster:
         names = [line.strip() for line in decoded(file.read_bytes()).splitlines() if plain(line)]
         if not names:
             raise ValueError(f"There are no names in {file}. Write one on each line.")
-        return cls([_person(Layout("", {"name": 0}), [one], at) for at, one in enumerate(names)])
+        return cls([_person(Layout("", {"name": 0}), [line], at) for at, line in enumerate(names)])
 
     @classmethod
     def _of_table(cls, table: Table, file: Path) -> Roster:
         layout = _with_numbers(layout_of(table.headings), table)
-        if layout is None and any(one.strip().casefold() in HEADINGS for one in table.headings):
+        if layout is None and any(heading.strip().casefold() in HEADINGS for heading in table.headings):
             raise ValueError(f"No column of {file} is one of names. Call it 'name', or: 'given name' and 'family name'.")
         if layout is None:  # no headings: the first column has the names
             layout = Layout("", {"name": 0})
             table = replace(table, headings=[""] * len(table.headings), rows=[table.headings, *table.rows])
         people, notes = [], []
         for at, row in enumerate(table.rows):
-            if is_nobody(row) or not any(plain(one) for one in row):
+            if is_nobody(row) or not any(plain(cell) for cell in row):
                 continue
             person = _person(layout, row, at)
             if is_test(person.name) or is_test(layout.of(row, "name")) or is_test(person.login):
@@ -170,10 +171,10 @@ class Roster:
         """
         if not label.strip():
             return None  # an empty text must not match people without id, e-mail or login
-        exact = [one for one in self.people if label in (self.label(one), one.id, one.email, one.login)]
-        named = exact or [one for one in self.people if plain(label) in {plain(name) for name in one.names()}]
+        exact = [person for person in self.people if label in (self.label(person), person.id, person.email, person.login)]
+        named = exact or [person for person in self.people if plain(label) in {plain(name) for name in person.names()}]
         wanted = {plain(word) for word in re.split(r"[\W_]+", label)} - {""}
-        found = named or [one for one in self.people if wanted and wanted <= _words_of(one)]
+        found = named or [person for person in self.people if wanted and wanted <= _words_of(person)]
         return found[0] if len(found) == 1 else None
 
 
@@ -208,13 +209,13 @@ def _words_of(person: Person) -> set[str]:
 def _expect_different(people: Sequence[Person]) -> None:
     """Require unique ids, e-mails and logins; people of the same name need them."""
     for what in ("id", "email", "login"):
-        count = Counter(getattr(one, what).casefold() for one in people)
-        twice = [one for one in people if getattr(one, what) and count[getattr(one, what).casefold()] > 1]
+        count = Counter(getattr(person, what).casefold() for person in people)
+        twice = [person for person in people if getattr(person, what) and count[getattr(person, what).casefold()] > 1]
         if twice:
-            names = ", ".join(one.name for one in twice)
+            names = ", ".join(person.name for person in twice)
             raise ValueError(f"These have the same {what} '{getattr(twice[0], what)}': {names}. Mend the list.")
-    count = Counter(plain(one.name) for one in people)
-    twice = [one for one in people if count[plain(one.name)] > 1 and not (one.id or one.email)]
+    count = Counter(plain(person.name) for person in people)
+    twice = [person for person in people if count[plain(person.name)] > 1 and not (person.id or person.email)]
     if twice:
-        names = ", ".join(one.name for one in twice)
+        names = ", ".join(person.name for person in twice)
         raise ValueError(f"Students have the same name: {names}. Tell them apart by an id, an e-mail or a number.")

@@ -47,7 +47,7 @@ class Layout:
 
 def layout_of(headings: Sequence[str]) -> Layout | None:
     """Recognise the layout from a row of headings; None if it is not one."""
-    known = [re.sub(r"\s+", " ", one.strip().strip('"').casefold().replace("’", "'")) for one in headings]
+    known = [re.sub(r"\s+", " ", heading.strip().strip('"').casefold().replace("’", "'")) for heading in headings]
     places: dict[str, int] = {}
     for what, words in COLUMNS.items():
         found = next((known.index(word) for word in words if word in known), None)
@@ -58,7 +58,7 @@ def layout_of(headings: Sequence[str]) -> Layout | None:
     platform = _platform(known)
     if platform == "canvas" and "id" in known:
         places["number"] = known.index("id")
-        places["id"] = next((known.index(one) for one in ("sis user id",) if one in known), known.index("id"))
+        places["id"] = next((known.index(heading) for heading in ("sis user id",) if heading in known), known.index("id"))
     return Layout(platform, places)
 
 
@@ -74,7 +74,7 @@ def _platform(known: Sequence[str]) -> str:
 
 def is_nobody(row: Sequence[str]) -> bool:
     """Whether a row contains the maximum points instead of a person."""
-    return any(_NOBODY.search(one) for one in row[:3])
+    return any(_NOBODY.search(cell) for cell in row[:3])
 
 
 def is_test(name: str) -> bool:
@@ -88,5 +88,5 @@ def parted(name: str) -> tuple[str, str]:
     >>> parted("García López, Ana"), parted("Ann Lee")
     (('García López', 'Ana'), ('', ''))
     """
-    family, comma, given = (one.strip() for one in name.partition(","))
+    family, comma, given = (part.strip() for part in name.partition(","))
     return (family, given) if comma and family and given else ("", "")

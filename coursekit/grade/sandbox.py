@@ -197,7 +197,7 @@ def _bwrap() -> str | None:
     """Return the path of bubblewrap, never from PATH, which may contain another program of that name."""
     if which.WINDOWS or which.MAC:  # only Linux has it; another program of that name is unrelated
         return None
-    return next((one for one in _BWRAP if os.access(one, os.X_OK)), None)
+    return next((path for path in _BWRAP if os.access(path, os.X_OK)), None)
 
 
 def _bubblewrap(work: Path, writable: bool, env: Mapping[str, str], limits: Limits) -> list[str]:
@@ -222,7 +222,7 @@ def _python_folders() -> list[str]:
     checkout = PACKAGE.parent
     beside = [str(checkout / name) for name in ("robots", "maps")] if (checkout / "pyproject.toml").is_file() else []
     found = [sys.base_prefix, sys.prefix, str(PACKAGE), *beside]
-    return [one for one in dict.fromkeys(found) if Path(one) != Path("/usr")]
+    return [folder for folder in dict.fromkeys(found) if Path(folder) != Path("/usr")]
 
 
 def _limited(limits: Limits) -> list[str]:

@@ -58,7 +58,7 @@ def similar(marks: Sequence[Marked]) -> list[tuple[str, str, float]]:
     Code of nearly everybody in a large class is ignored: it is from the course's stubs, or there is only one
     solution.
     """
-    found = {one.student: shingles(one.answers) for one in marks if one.answers}
+    found = {mark.student: shingles(mark.answers) for mark in marks if mark.answers}
     common = Counter(part for parts in found.values() for part in parts)
     usual = {part for part, number in common.items() if number > USUAL * len(found)} if len(found) >= LARGE else set()
     own = {student: parts - usual for student, parts in found.items()}

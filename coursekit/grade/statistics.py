@@ -21,7 +21,7 @@ from .record import Record
 
 def averaged(records: Sequence[Record]) -> list[float]:
     """Return the marks used in averages."""
-    return [total for one in records if one.counts() and (total := one.total()) is not None]
+    return [total for record in records if record.counts() and (total := record.total()) is not None]
 
 
 def mean(marks: Sequence[float]) -> float:
@@ -44,10 +44,10 @@ def average(records: Sequence[Record]) -> str:
 
 def shares(records: Sequence[Record]) -> dict[str, float]:
     """Return by exercise the average share of its points, for the students in the average, before deductions."""
-    verdicts = [verdict for one in records if one.counts() for verdict in one.marked().verdicts]
+    verdicts = [verdict for record in records if record.counts() for verdict in record.marked().verdicts]
     found: dict[str, list[float]] = {}
-    for one in verdicts:
-        found.setdefault(one.name, []).append(one.points / one.of if one.of else 0.0)
+    for lost in verdicts:
+        found.setdefault(lost.name, []).append(lost.points / lost.of if lost.of else 0.0)
     return {name: statistics.fmean(values) for name, values in sorted(found.items())}
 
 

@@ -20,7 +20,7 @@ QUESTION, NOTHING, NOT_MARKED, UNREADABLE, EMPTY, TIMED_OUT, ELSEWHERE, LATE, GR
     "graded",
 )
 """The first that applies is the status. The last two and `nothing handed in` need no attention of the teacher."""
-LOOK = tuple(one for one in STATUSES if one not in (GRADED, NOTHING, LATE))
+LOOK = tuple(status for status in STATUSES if status not in (GRADED, NOTHING, LATE))
 
 
 def status_of(marked: Marked | None, *, opened: bool, handed_in: bool, late: bool, tier: str) -> str:
@@ -29,11 +29,11 @@ def status_of(marked: Marked | None, *, opened: bool, handed_in: bool, late: boo
         return QUESTION
     if marked is None:
         return NOT_MARKED if handed_in else NOTHING
-    if marked.status == "error" or any(one.fault for one in marked.verdicts):
+    if marked.status == "error" or any(verdict.fault for verdict in marked.verdicts):
         return NOT_MARKED
     if marked.status in (UNREADABLE, EMPTY):
         return marked.status
-    if any(one.timed_out for one in marked.verdicts):
+    if any(verdict.timed_out for verdict in marked.verdicts):
         return TIMED_OUT
     if marked.tier and marked.tier != tier:
         return ELSEWHERE
@@ -51,7 +51,7 @@ def by_status(statuses: Iterable[str]) -> dict[str, int]:
     {'late': 1, 'graded': 2}
     """
     found: Sequence[str] = list(statuses)
-    return {one: found.count(one) for one in STATUSES if one in found}
+    return {status: found.count(status) for status in STATUSES if status in found}
 
 
 def told(counts: dict[str, int]) -> str:

@@ -54,10 +54,10 @@ class Submission:
             for file in self.bundle_files:
                 found.update(b"\0bundle\0" + _bytes(file, LARGEST_BUNDLE))
             return found.hexdigest()
-        for one in walk(self.place):
-            found.update("/".join(one.parts).encode("utf-8", "surrogateescape") + b"\0")
-            if one.open is not None:
-                with one.open() as data:
+        for path in walk(self.place):
+            found.update("/".join(path.parts).encode("utf-8", "surrogateescape") + b"\0")
+            if path.open is not None:
+                with path.open() as data:
                     while piece := data.read(1 << 16):
                         found.update(piece)
         return found.hexdigest()
@@ -67,9 +67,9 @@ class Submission:
         if self.chosen or self.bundle_files:
             return [_bytes(file, LARGEST_BUNDLE) for file in self.bundle_files]
         found = []
-        for one in walk(self.place):
-            data = _zip(one)
-            if data is not None and _says_bundle(one):
+        for path in walk(self.place):
+            data = _zip(path)
+            if data is not None and _says_bundle(path):
                 found.append(data)
         return found
 
@@ -79,15 +79,15 @@ class Submission:
             counts = enumerate(self.chosen.items())
             return [_copy(_bytes(file, LARGEST), scratch / str(at) / name) for at, (name, file) in counts]
         found = []
-        for number, one in enumerate(walk(self.place)):
-            name = one.parts[-1]
-            if one.open is None or name.startswith("._") or ".ipynb_checkpoints" in one.parts:
+        for number, path in enumerate(walk(self.place)):
+            name = path.parts[-1]
+            if path.open is None or name.startswith("._") or ".ipynb_checkpoints" in path.parts:
                 continue
             if name.endswith(".ipynb"):
-                with one.open() as data:
+                with path.open() as data:
                     found.append(_copy(_whole(data.read(LARGEST + 1), name), scratch / str(number) / name[:120]))
             elif name.endswith(".zip"):
-                found += _unpacked(one, scratch / str(number))
+                found += _unpacked(path, scratch / str(number))
         return found
 
 

@@ -61,7 +61,7 @@ class Table:
         >>> Table(["mark"], [["7"]], ";").form.decimal, Table(["mark"], [["7.50"]], ";").form.decimal
         (',', '.')
         """
-        found = [match[1] for row in self.rows for one in row if (match := _DECIMALS.fullmatch(one))]
+        found = [match[1] for row in self.rows for cell in row if (match := _DECIMALS.fullmatch(cell))]
         commas, points = found.count(","), found.count(".")
         usual = "," if self.separator == ";" else "."
         return Form(self.separator, usual if commas == points else "," if commas > points else ".")
@@ -96,11 +96,11 @@ def separator_of(text: str) -> str:
     if text[:4].casefold() == "sep=":
         return text[4:5]
     best, most = ",", 0
-    for one in (";", "\t", ","):
-        widths = [len(row) for row in csv.reader(io.StringIO(text[:20_000]), delimiter=one)][:20]
+    for separator in (";", "\t", ","):
+        widths = [len(row) for row in csv.reader(io.StringIO(text[:20_000]), delimiter=separator)][:20]
         width = min((width for width in widths if width), default=0)
         if width > max(1, most):
-            best, most = one, width
+            best, most = separator, width
     return best
 
 
@@ -119,7 +119,7 @@ def read_table(file: Path) -> Table:
     lines = text.split("\n", 1)[1] if text[:4].casefold() == "sep=" else text
     try:
         separator = separator_of(text)
-        rows = [[one.strip() for one in row] for row in csv.reader(io.StringIO(lines), delimiter=separator) if any(row)]
+        rows = [[cell.strip() for cell in row] for row in csv.reader(io.StringIO(lines), delimiter=separator) if any(row)]
     except csv.Error as error:
         raise ValueError(f"{file} is no table: {error}.") from None
     if not rows:
@@ -143,6 +143,6 @@ def write_table(
     table = csv.writer(made, delimiter=form.separator)
     table.writerow(headings)
     for row in rows:
-        table.writerow([row.get(one, "") for one in headings] if isinstance(row, Mapping) else row)
+        table.writerow([row.get(heading, "") for heading in headings] if isinstance(row, Mapping) else row)
     text = made.getvalue()
     write_whole(file, text.encode("utf-8" if text.isascii() else "utf-8-sig", "replace"), parents=True)

@@ -16,8 +16,8 @@ def posix_zone(when: float) -> str:
     begin = int(time.mktime((year, 1, 1, 12, 0, 0, 0, 0, -1)))
     days = range(begin, begin + 365 * DAY, DAY)
     changes = [_change(day) for day in days if _offset(day) != _offset(day + DAY)]
-    summer = [one for one in changes if time.localtime(one).tm_isdst == 1]
-    winter = [one for one in changes if time.localtime(one).tm_isdst == 0]
+    summer = [change for change in changes if time.localtime(change).tm_isdst == 1]
+    winter = [change for change in changes if time.localtime(change).tm_isdst == 0]
     if len(changes) != 2 or len(summer) != 1 or len(winter) != 1:
         return _named(_offset(int(when)))
     usual, other = _offset(winter[0]), _offset(summer[0])

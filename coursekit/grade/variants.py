@@ -35,8 +35,8 @@ def checks_in(notebook: Mapping[str, Any]) -> dict[str, int]:
     """
     found: dict[str, int] = {}
     for place, cell in enumerate(notebook.get("cells", [])):
-        for one in CHECK.finditer("".join(cell.get("source", ""))) if cell.get("cell_type") == "code" else ():
-            found.setdefault(one["name"], place)
+        for match in CHECK.finditer("".join(cell.get("source", ""))) if cell.get("cell_type") == "code" else ():
+            found.setdefault(match["name"], place)
     return found
 
 
@@ -51,7 +51,7 @@ def told(notebook: Mapping[str, Any]) -> Values:
         line = CHECK.search("".join(notebook["cells"][place]["source"]))
         try:
             call: Any = ast.parse(line[0].strip(), mode="eval").body if line else None
-            found[name] = {one.arg: ast.literal_eval(one.value) for one in call.keywords if one.arg}
+            found[name] = {keyword.arg: ast.literal_eval(keyword.value) for keyword in call.keywords if keyword.arg}
         except (ValueError, SyntaxError, AttributeError):
             found[name] = {}
     return found
@@ -59,7 +59,7 @@ def told(notebook: Mapping[str, Any]) -> Values:
 
 def values_of(notebooks: Iterable[Mapping[str, Any]]) -> Values:
     """Return the values in the checks of several notebooks, for exercises that have any."""
-    return {name: said for one in notebooks for name, said in told(one).items() if said}
+    return {name: said for notebook in notebooks for name, said in told(notebook).items() if said}
 
 
 def declared(notebook: Mapping[str, Any]) -> dict[str, dict[str, list[Any]]]:
@@ -68,7 +68,7 @@ def declared(notebook: Mapping[str, Any]) -> dict[str, dict[str, list[Any]]]:
     for name, place in checks_in(notebook).items():
         said = notebook["cells"][place].get("metadata", {}).get("coursekit", {}).get("variants", {})
         if said:
-            found[name] = {value: _choices(one) for value, one in said.items()}
+            found[name] = {value: _choices(told_value) for value, told_value in said.items()}
     return found
 
 
@@ -84,12 +84,12 @@ def personal(notebook: Mapping[str, Any], values: Values) -> dict[str, Any]:
     made: dict[str, Any] = json.loads(json.dumps(notebook))
     places, known = checks_in(notebook), declared(notebook)
     for name, chosen in values.items():
-        own = {_written(known[name][one][0]): _written(value) for one, value in chosen.items()}
+        own = {_written(known[name][place][0]): _written(value) for place, value in chosen.items()}
         for cell in made["cells"][_heading(made, places[name]) : places[name]]:
             head, text, _ = _parted(cell)
             cell["source"] = (head + _exchanged(text, own)).splitlines(keepends=True)
         check = made["cells"][places[name]]
-        line = ", ".join([f'"{name}"', *(f"{one}={value!r}" for one, value in chosen.items())])
+        line = ", ".join([f'"{name}"', *(f"{place}={value!r}" for place, value in chosen.items())])
         check["source"] = [f"check({line})"]
         del check["metadata"]["coursekit"]
     return made
@@ -118,7 +118,7 @@ def _exchanged(text: str, own: Mapping[str, str]) -> str:
     >>> _exchanged("10 boxes of 10.5 kg: 10.", {"10": "7"})
     '7 boxes of 10.5 kg: 7.'
     """
-    words = "|".join(re.escape(one) for one in sorted(own, key=len, reverse=True))
+    words = "|".join(re.escape(name) for name in sorted(own, key=len, reverse=True))
     return re.sub(rf"(?<![\w.])(?:{words})(?!\w|\.\d)", lambda found: own[found[0]], text)
 
 
@@ -162,7 +162,7 @@ class Variants:
 
     def copy_marks(self) -> dict[str, Person]:
         """Return the owner of each copy mark."""
-        return {self.copy_mark(one): one for one in self.roster.people}
+        return {self.copy_mark(person): person for person in self.roster.people}
 
     def dice(self) -> bytes:
         """Return the seed of the judges' random choices: constant, and the same for the whole class."""
@@ -170,7 +170,7 @@ class Variants:
 
     def copies(self, student: str, notebooks: Mapping[str, Any]) -> dict[str, Any]:
         """Return the student's own notebooks, by file name."""
-        return {name: personal(one, self.of(student, one)) for name, one in notebooks.items()}
+        return {name: personal(notebook, self.of(student, notebook)) for name, notebook in notebooks.items()}
 
     def _drawn(self, student: str, exercise: str, name: str, choices: list[Any]) -> Any:
         """Draw a value, which is unpredictable without the secret."""

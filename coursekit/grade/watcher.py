@@ -70,8 +70,8 @@ class Watcher:
         count = len(self.plan.run) + len(self.plan.later)
         if kind != "ended" or len(outputs) != count or len(codes) != count:
             raise ValueError("it does not say how each program ended")
-        self.seen.outputs = [str(one) for one in outputs]
-        self.seen.exit_codes = [None if one is None else int(one) for one in codes]
+        self.seen.outputs = [str(output) for output in outputs]
+        self.seen.exit_codes = [None if code is None else int(code) for code in codes]
         self._told.set()
 
     def _start(self, argv: list[str]) -> Any:
@@ -120,10 +120,10 @@ class Watcher:
         seen = self.seen
         seen.nodes = sorted(node.full_name for node in self.graph.nodes if not node.name.startswith(OURS))
         seen.topics = dict(self.graph.topics())
-        seen.services = dict(names_and_types(one for some in list(self.graph.servers.values()) for one in some))
+        seen.services = dict(names_and_types(server for some in list(self.graph.servers.values()) for server in some))
         for ends, kept in ((self.graph.publishers, seen.publishers), (self.graph.subscriptions, seen.subscriptions)):
             for name, endpoints in sorted(ends.items()):
-                kept[name] = [_described(one) for one in endpoints if not one.node.name.startswith(OURS)]
+                kept[name] = [_described(endpoint) for endpoint in endpoints if not endpoint.node.name.startswith(OURS)]
 
 
 def _described(endpoint: Any) -> dict[str, Any]:
@@ -182,7 +182,7 @@ def _know_the_types_of(workspace: str) -> None:
 
     install = Path(workspace, "install")
     if workspace and install.is_dir():
-        for prefix in [install, *sorted(one for one in install.iterdir() if one.is_dir())]:
+        for prefix in [install, *sorted(path for path in install.iterdir() if path.is_dir())]:
             if (prefix / "share").is_dir():
                 remember(prefix)
 

@@ -55,11 +55,11 @@ def pack(value: Any, depth: int = 0) -> Any:
     if kind is float:
         return {"float": repr(value)}
     if kind is list and len(value) <= LENGTH:
-        return [pack(one, depth + 1) for one in value]
+        return [pack(item, depth + 1) for item in value]
     if kind in (tuple, set, frozenset) and len(value) <= (LENGTH if kind is tuple else KEYS):
-        return {kind.__name__: [pack(one, depth + 1) for one in value]}
+        return {kind.__name__: [pack(item, depth + 1) for item in value]}
     if kind is dict and len(value) <= KEYS:
-        return {"dict": [[pack(key, depth + 1), pack(one, depth + 1)] for key, one in value.items()]}
+        return {"dict": [[pack(key, depth + 1), pack(item, depth + 1)] for key, item in value.items()]}
     if kind is bytes:
         return {"bytes": base64.b64encode(value[:LENGTH]).decode()}
     return _pack_object(value, kind)
@@ -69,7 +69,7 @@ def _pack_object(value: Any, kind: type) -> Any:
     if kind.__module__ == "numpy" and hasattr(value, "dtype") and value.dtype.kind in "biufU" and value.size <= LENGTH:
         return {"array": [str(value.dtype), list(value.shape), pack(value.ravel().tolist())]}
     if (kind.__module__, kind.__name__) == ("coursekit.slam.wall_field", "WallField"):
-        return {"gaps": [pack(one, DEPTH - 5) for one in (value.points, value.cell, value.reach)]}
+        return {"gaps": [pack(part, DEPTH - 5) for part in (value.points, value.cell, value.reach)]}
     name = getattr(kind, "_TYPE_NAME", None)
     if isinstance(name, str):
         from coursekit.interfaces import cdr
@@ -92,7 +92,7 @@ def unpack(tree: Any) -> Any:
     ValueError: there is no array of '<U250000000'
     """
     if isinstance(tree, list):
-        return [unpack(one) for one in tree]
+        return [unpack(item) for item in tree]
     if not isinstance(tree, dict):
         return tree
     tag, inner = _tagged(tree)
@@ -133,7 +133,7 @@ def _array(inner: Any) -> Any:
     texts = type(name) is str and _TEXTS.fullmatch(name) and int(name.rpartition("U")[2]) <= LETTERS
     if name not in _NUMBERS and not texts:
         raise ValueError(f"there is no array of {name!r}")
-    if type(values) is not list or len(values) > LENGTH or any(type(one) is not int or one < 0 for one in shape):
+    if type(values) is not list or len(values) > LENGTH or any(type(size) is not int or size < 0 for size in shape):
         raise ValueError("an array of another form")
     made = np.array(unpack(values), dtype=np.dtype(name)).reshape(shape)
     return made if shape else made[()]
@@ -151,7 +151,7 @@ def _message(inner: Any) -> Any:
 def _gaps(inner: Any) -> Any:
     from coursekit.slam.wall_field import WallField
 
-    points, cell, reach = (unpack(one) for one in inner)
+    points, cell, reach = (unpack(item) for item in inner)
     return WallField(points, cell, reach)
 
 
@@ -182,10 +182,10 @@ def refresh(old: Any, new: Any) -> bool:
 _READERS: dict[str, Any] = {
     "int": _integer,
     "float": lambda inner: float(str(inner)),
-    "tuple": lambda inner: tuple(unpack(one) for one in inner),
-    "set": lambda inner: {unpack(one) for one in _keys(inner)},
-    "frozenset": lambda inner: frozenset(unpack(one) for one in _keys(inner)),
-    "dict": lambda inner: {unpack(key): unpack(one) for key, one in _keys(inner)},
+    "tuple": lambda inner: tuple(unpack(item) for item in inner),
+    "set": lambda inner: {unpack(key) for key in _keys(inner)},
+    "frozenset": lambda inner: frozenset(unpack(key) for key in _keys(inner)),
+    "dict": lambda inner: {unpack(key): unpack(item) for key, item in _keys(inner)},
     "bytes": lambda inner: base64.b64decode(str(inner)),
     "array": _array,
     "message": _message,

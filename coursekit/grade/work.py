@@ -165,9 +165,9 @@ class Work:
         a student's code.
         """
         planned = Plan(
-            run=[_words(one) for one in commands],
-            later=[(when, _words(one)) for when, one in later],
-            beside=[_words(one) for one in beside],
+            run=[_words(command) for command in commands],
+            later=[(when, _words(line)) for when, line in later],
+            beside=[_words(line) for line in beside],
             **plan,
         )
         try:

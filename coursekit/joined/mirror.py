@@ -111,10 +111,10 @@ class Mirror:
 
     def _tell_changes(self) -> None:
         there = dict.fromkeys(self._local())
-        for one in there:
-            self._number_of(one)
-        for one in [one for one in self._numbers if one not in there]:
-            number = self._numbers.pop(one)
+        for endpoint in there:
+            self._number_of(endpoint)
+        for gone in [gone for gone in self._numbers if gone not in there]:
+            number = self._numbers.pop(gone)
             del self._ours[number]
             self.post(["gone", number])
 
@@ -135,7 +135,7 @@ class Mirror:
         owner = self._theirs[node]
         if len(self._theirs) >= MOST or number in self._theirs or not isinstance(owner, GhostNode):
             raise ValueError("more ends of topics than there can be")
-        profile = Qos(*(int(one) for one in qos))
+        profile = Qos(*(int(value) for value in qos))
         ghost: Any = KINDS[kind](self.graph, owner, str(name), Named(str(type_name)), profile)
         if kind != "publisher":
             ghost.number, ghost.tell = number, self.post

@@ -29,7 +29,10 @@ def hear_all(kernel: Any) -> None:
     manager._send_on_shell_channel = reply  # for subshells created later
 
     def take() -> None:
-        pairs = [manager._main_to_shell_channel, *(one.subshell_to_shell_channel for one in manager._cache.values())]
+        pairs = [
+            manager._main_to_shell_channel,
+            *(subshell.subshell_to_shell_channel for subshell in manager._cache.values()),
+        ]
         for pair in pairs:
             pair.on_recv(thread.io_loop, reply)
 
@@ -52,9 +55,9 @@ def keep_output_in_cells(shell: Any) -> None:
             set_parent(request)
             return
         shell._parent_header.set(request)  # for this thread only
-        for one in (shell.displayhook, shell.display_pub, sys.stdout, sys.stderr):
-            if hasattr(one, "_parent_header"):
-                one._parent_header.set(header)
+        for publisher in (shell.displayhook, shell.display_pub, sys.stdout, sys.stderr):
+            if hasattr(publisher, "_parent_header"):
+                publisher._parent_header.set(header)
 
     take.for_cells = True  # type: ignore[attr-defined]
     shell.set_parent = take
@@ -104,7 +107,7 @@ def load_lab(shell: Any) -> None:
 
 def _say_once(shell: Any, text: str, *_event: Any) -> None:
     callbacks = shell.events.callbacks["pre_run_cell"]
-    callbacks[:] = [one for one in callbacks if getattr(one, "func", None) is not _say_once]
+    callbacks[:] = [callback for callback in callbacks if getattr(callback, "func", None) is not _say_once]
     print(f"{text}\nWhat is wrong, and the cure: !coursekit doctor", file=sys.stderr)
 
 

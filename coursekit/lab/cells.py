@@ -48,9 +48,9 @@ class Cells:
     def _note_nodes(self) -> None:
         nodes = [node for graph in self.session.graphs.values() for node in graph.nodes if node.process is None]
         seen = [node for node in nodes if not node.name.startswith("_")]  # hidden nodes belong to panels
-        for one in [*seen, *(panel for panel in open_panels() if panel.of_cell), *_contexts()]:
-            if not any(one is known for made in self.made.values() for known in made):
-                self.made.setdefault(self.cell, []).append(one)
+        for new in [*seen, *(panel for panel in open_panels() if panel.of_cell), *_contexts()]:
+            if not any(new is known for made in self.made.values() for known in made):
+                self.made.setdefault(self.cell, []).append(new)
 
     def _begin(self, info: Any) -> None:
         self.cell = getattr(info, "cell_id", None) or ""
@@ -58,7 +58,7 @@ class Cells:
         if self.cell:
             self.ran.pop(self.cell, None)  # the running cell moves to the end
             self.ran[self.cell] = str(getattr(info, "raw_cell", "") or "")
-        replaced = [_describe(one) for one in self.made.pop(self.cell, []) if _end_one(one)]
+        replaced = [_describe(thing) for thing in self.made.pop(self.cell, []) if _end_one(thing)]
         if replaced:
             print(gettext(f"Run again: replaced {', '.join(dict.fromkeys(replaced))}."))
         self.session.in_cell = True

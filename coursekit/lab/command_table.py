@@ -125,8 +125,8 @@ class CommandTable(ipywidgets.VBox):  # type: ignore[misc]
         super().__init__(self.rows)
 
     def __repr__(self) -> str:
-        width = max((len(one.row.command) for one in self.rows), default=0)
-        return "\n".join(f"{one.row.command:{width}}  {one.row.meaning}" for one in self.rows)
+        width = max((len(row.row.command) for row in self.rows), default=0)
+        return "\n".join(f"{row.row.command:{width}}  {row.row.meaning}" for row in self.rows)
 
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
         return with_text(super()._repr_mimebundle_(**kwargs), repr(self))

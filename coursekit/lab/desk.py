@@ -61,8 +61,8 @@ class Desk:
 
     def _still(self) -> dict[str, str]:
         """Return the still picture for use without a browser: that of the first panel that has one."""
-        forms = (forms_of(one._repr_mimebundle_()) or {} for one in self.panels)
-        return next(({"image/png": one["image/png"]} for one in forms if "image/png" in one), {})
+        forms = (forms_of(panel._repr_mimebundle_()) or {} for panel in self.panels)
+        return next(({"image/png": form["image/png"]} for form in forms if "image/png" in form), {})
 
     def __repr__(self) -> str:
         return "\n".join([gettext("On the desk:"), *map(repr, self.panels)]) if self.panels else gettext(NOTHING)
@@ -88,9 +88,11 @@ def desk(*panels: Any) -> Desk:
     Raises:
         BadArgument: when an argument is not a panel.
     """
-    for one in panels:
-        if not isinstance(one, ipywidgets.DOMWidget):
-            raise BadArgument(f"{type(one).__name__} cannot be docked. Panels can: viewer(), pad(), graph(), terminal(...)")
+    for panel in panels:
+        if not isinstance(panel, ipywidgets.DOMWidget):
+            raise BadArgument(
+                f"{type(panel).__name__} cannot be docked. Panels can: viewer(), pad(), graph(), terminal(...)"
+            )
     if not _desks:
         _desks.append(Desk())
     _desks[0].put(list(panels) or list[Any](open_panels()))
@@ -99,7 +101,7 @@ def desk(*panels: Any) -> Desk:
 
 def _put_on_desk(view: View) -> None:
     """Add a view below those already on the desk."""
-    others = [one for one in (_desks[0].panels if _desks else []) if one is not view and one.comm is not None]
+    others = [panel for panel in (_desks[0].panels if _desks else []) if panel is not view and panel.comm is not None]
     desk(*others, view)._dock()
 
 

@@ -75,7 +75,7 @@ class Driver:
         if self._node is None or not self._publisher.alive:
             return ""
         listeners = self._publisher.targets
-        far = {one.node.remote for one in listeners if one.node.remote}
+        far = {listener.node.remote for listener in listeners if listener.node.remote}
         self._far = far or self._far
         if far or not self._far:
             return ""

@@ -15,7 +15,7 @@ class Plain(Exception):
 
     def _render_traceback_(self) -> list[str]:
         """Return the two lines that IPython shows instead of a traceback."""
-        theirs = [one for one in traceback.extract_tb(self.__traceback__) if _OURS not in Path(one.filename).parents]
+        theirs = [frame for frame in traceback.extract_tb(self.__traceback__) if _OURS not in Path(frame.filename).parents]
         called = theirs[-1].line if theirs else ""
         said = gettext(str(self))
         return [f"{called}\n{said}" if called else said]

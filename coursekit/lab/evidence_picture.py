@@ -23,8 +23,8 @@ def page(heading: str, things: Sequence[Any], kind: str) -> bytes:
     """Return a PNG or PDF (`kind`) of all `things` below the heading."""
     from matplotlib.figure import Figure
 
-    parts = [_part(one) for one in things]
-    heights = [0.4, *(_height(one) for one in parts)]
+    parts = [_part(thing) for thing in things]
+    heights = [0.4, *(_height(part) for part in parts)]
     total = sum(heights) + 0.15 * len(heights)
     figure: Any = Figure(figsize=(WIDTH, total), dpi=DPI, facecolor="white")
     figure.text(0.02, 1 - 0.25 / total, heading, fontsize=10, weight="bold", va="center", parse_math=False)

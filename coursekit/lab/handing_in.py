@@ -97,18 +97,22 @@ class HandedIn:
         self.at = at
 
     def _head(self) -> str:
-        of = sum(one.of for one in self.marked.verdicts)
+        of = sum(verdict.of for verdict in self.marked.verdicts)
         points = gettext(f"{self.marked.total():g} of {of:g} points in a clean run")
         if self.at:
             return gettext(f"Handed in: {self.file.name}, {self.at} ({points})")
         return gettext(f"Hand in: {self.file.name} ({points})")
 
     def __repr__(self) -> str:
-        return "\n".join([self._head(), *map(gettext, self.marked.notes), *(one.text() for one in self.marked.verdicts)])
+        return "\n".join(
+            [self._head(), *map(gettext, self.marked.notes), *(verdict.text() for verdict in self.marked.verdicts)]
+        )
 
     def _repr_html_(self) -> str:
         notes = "".join(f"<p>{html.escape(gettext(note))}</p>" for note in self.marked.notes)
-        return f"<p><b>{html.escape(self._head())}</b></p>{notes}" + "".join(one.html() for one in self.marked.verdicts)
+        return f"<p><b>{html.escape(self._head())}</b></p>{notes}" + "".join(
+            verdict.html() for verdict in self.marked.verdicts
+        )
 
 
 def hand_in(notebook: str | Path = "", *, by: str = "") -> HandedIn | None:
@@ -147,14 +151,14 @@ def _notebook(given: str | Path) -> Path:
     """Return the notebook's file: the given one, the one reported by VS Code or JupyterLab, or the only one here."""
     shell = running_shell()
     told = [given, shell.user_ns.get("__vsc_ipynb_file__", "") if shell else "", os.environ.get("JPY_SESSION_NAME", "")]
-    for one in told:
-        for place in (Path(one), course_folder() / one) if one else ():
+    for name in told:
+        for place in (Path(name), course_folder() / name) if name else ():
             if place.suffix == ".ipynb" and place.is_file():
                 return place.resolve()
     found = sorted(Path.cwd().glob("*.ipynb")) or sorted(course_folder().glob("*.ipynb"))
     if len(found) == 1 and not given:
         return found[0].resolve()
-    names = ", ".join(one.name for one in found) or "none"
+    names = ", ".join(path.name for path in found) or "none"
     raise FileNotFoundError(gettext(f'Which notebook? Say it: hand_in("02_topics.ipynb"). There are: {names}.'))
 
 

@@ -41,7 +41,7 @@ class JointPanel(Panel):
 
     def _find(self) -> Board | None:
         running = boards.running(current())
-        return next((one for one in reversed(running) if self._wanted in ("", one.full_name)), None)
+        return next((node for node in reversed(running) if self._wanted in ("", node.full_name)), None)
 
     def _news(self, board: Board) -> None:
         if board is self._board or (self._board is not None and not self._board.running):

@@ -47,7 +47,7 @@ def _keep(path: Path) -> str:
 
 def _earlier(folder: Path, name: str) -> list[Path]:
     found = folder.glob(f"{name}-*")
-    return [one for one in found if one.name.rpartition("-")[0] == name and one.name.rpartition("-")[2].isdecimal()]
+    return [path for path in found if path.name.rpartition("-")[0] == name and path.name.rpartition("-")[2].isdecimal()]
 
 
 def _same(one: Path, other: Path) -> bool:

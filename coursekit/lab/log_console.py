@@ -65,13 +65,15 @@ class LogConsole(Panel):
 
     def lines(self) -> list[str]:
         """The lines that pass the filters, oldest first."""
-        return [f"[{LEVELS.get(one.level, 'INFO')}] [{one.name}]: {one.msg}" for one in self._passing()]
+        return [f"[{LEVELS.get(entry.level, 'INFO')}] [{entry.name}]: {entry.msg}" for entry in self._passing()]
 
     def _passing(self) -> list[Any]:
         least, node, text = _NUMBERS[self._filters["level"]], self._filters["node"], self._filters["text"].lower()
         kept = list(self._entries) if self._paused is None else self._paused
-        kept = sorted(kept, key=lambda one: (one.stamp.sec, one.stamp.nanosec))  # a late subscriber gets them node by node
-        return [one for one in kept if one.level >= least and node in ("", one.name) and text in one.msg.lower()]
+        kept = sorted(
+            kept, key=lambda entry: (entry.stamp.sec, entry.stamp.nanosec)
+        )  # a late subscriber gets them node by node
+        return [entry for entry in kept if entry.level >= least and node in ("", entry.name) and text in entry.msg.lower()]
 
     # -- what is shown
 
@@ -86,17 +88,17 @@ class LogConsole(Panel):
         return {
             "lines": [
                 {
-                    "level": LEVELS.get(one.level, "INFO"),
-                    "node": one.name,
-                    "text": one.msg,
-                    "time": _clock_time(one.stamp),
-                    "place": f"{one.file}:{one.line} {one.function}".strip(": "),
+                    "level": LEVELS.get(entry.level, "INFO"),
+                    "node": entry.name,
+                    "text": entry.msg,
+                    "time": _clock_time(entry.stamp),
+                    "place": f"{entry.file}:{entry.line} {entry.function}".strip(": "),
                 }
-                for one in itertools.islice(passing, max(0, len(passing) - SENT), None)
+                for entry in itertools.islice(passing, max(0, len(passing) - SENT), None)
             ],
             "passing": len(passing),
             "counts": {name: self._counts[name] for name in _NUMBERS},
-            "nodes": sorted({one.name for one in list(self._entries)}),
+            "nodes": sorted({entry.name for entry in list(self._entries)}),
             "filters": self._filters,
             "paused": self._paused is not None,
         }

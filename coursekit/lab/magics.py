@@ -132,8 +132,8 @@ class CourseMagics(Magics):
         """Print a file of the workspace, or list one of its folders: `%show src/my_package/setup.py`."""
         path = workspace() / line.strip()
         if path.is_dir():
-            files = (one for one in sorted(path.rglob("*")) if one.is_file() and "__pycache__" not in one.parts)
-            print("\n".join(one.relative_to(path).as_posix() for one in files))
+            files = (file for file in sorted(path.rglob("*")) if file.is_file() and "__pycache__" not in file.parts)
+            print("\n".join(file.relative_to(path).as_posix() for file in files))
         elif path.is_file():
             print(path.read_text(encoding="utf-8"), end="")
         else:

@@ -69,7 +69,7 @@ def _join(words: argparse.Namespace) -> None:
 
 def _confirmed(moves: list[str]) -> bool:
     """Ask the user for confirmation; where no input is possible, the answer is no."""
-    print(gettext("This would move a robot as soon as you join:"), *(f"  {one}" for one in moves), sep="\n")
+    print(gettext("This would move a robot as soon as you join:"), *(f"  {move}" for move in moves), sep="\n")
     try:
         asked = gettext("Is the robot's path clear, and somebody at its stop button? Type yes to join: ")
         return input(asked).strip().lower() == "yes"
@@ -90,7 +90,7 @@ def _words(line: str) -> argparse.Namespace:
     parser.add_argument("--user", default="")
     parser.add_argument("--certificate", default="")
     parser.add_argument("--yes", action="store_true")
-    return parser.parse_args([os.path.expandvars(one) for one in split_words(line)])
+    return parser.parse_args([os.path.expandvars(word) for word in split_words(line)])
 
 
 __all__ = ["NetworkMagics"]

@@ -32,7 +32,7 @@ def static(name: str, *shared: str) -> str:
     """
     if name.endswith(".js"):
         return script("panel.js", *shared, name)
-    return "\n".join([style("panel.css"), *(_own_style(one) for one in (*shared, name))])
+    return "\n".join([style("panel.css"), *(_own_style(file) for file in (*shared, name))])
 
 
 def _own_style(name: str) -> str:

@@ -203,7 +203,7 @@ def _typed(row: Row, value: Any) -> Any:
     found = yaml.safe_load(str(value))
     if not isinstance(found, list):
         raise ValueError(value)
-    return [float(one) for one in found] if row.kind == 8 else found
+    return [float(value) for value in found] if row.kind == 8 else found
 
 
 def parameter_panel(node: str) -> ParameterPanel:

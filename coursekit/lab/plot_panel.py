@@ -63,7 +63,7 @@ class PlotPanel(Panel):
 
         try:
             reader = BagReader(str(bag))
-            kinds = {one.name: one.type for one in reader.topics()}
+            kinds = {recorded.name: recorded.type for recorded in reader.topics()}
             topics = {path: topic_of(path, kinds) for path in self._curves.wanted}
             for path in (path for path, topic in topics.items() if not topic):
                 raise NotThere(f"The bag '{bag}' has no topic that {path} begins with. It has: {', '.join(sorted(kinds))}")
@@ -91,7 +91,7 @@ class PlotPanel(Panel):
     def shown(self) -> dict[str, Any]:
         """Return the points that the browser lacks."""
         curves = sorted(self._curves.curves.items())
-        news = {name: [_plain(*one) for one in curve.newer(self._sent.get(name, 0))] for name, curve in curves}
+        news = {name: [_plain(*point) for point in curve.newer(self._sent.get(name, 0))] for name, curve in curves}
         self._sent = {name: curve.total for name, curve in self._curves.curves.items()}
         now = (self.session.clock.steady() - self._began) * 1e-9 if self._live else self._curves.span()[1]
         return {"news": news, "seconds": self.seconds, "live": self._live, "now": now}
@@ -156,7 +156,7 @@ class PlotPanel(Panel):
 
 
 def _line(name: str, values: list[float]) -> str:
-    low, high, last = (one + 0.0 for one in (min(values), max(values), values[-1]))  # -0.0 is 0
+    low, high, last = (value + 0.0 for value in (min(values), max(values), values[-1]))  # -0.0 is 0
     return f"{name}: {len(values)} values, {low:.3g} to {high:.3g}, last {last:.3g}"
 
 

@@ -53,7 +53,7 @@ def practice_robot(world: str = "robot_world") -> PracticeRobot:
     In ROS 2: nothing; there you have a robot.
     """
     _check()
-    for running in [one for one in current().processes if one.name == NAME]:
+    for running in [running for running in current().processes if running.name == NAME]:
         running.kill()
         running.wait(2.0)
     address, password = f"tcp/127.0.0.1:{free_port()}", secrets.token_urlsafe(16)

@@ -27,7 +27,7 @@ class Timeline(Panel):
     def begin(self) -> int:
         """Return the oldest time recorded by any panel [ns]."""
         now = self._clock.steady()
-        times = [one.known_since() for one in open_panels()]
+        times = [panel.known_since() for panel in open_panels()]
         return max(min([now, *(time for time in times if time is not None)]), now - round(SECONDS * 1e9))
 
     # -- from code

@@ -73,7 +73,7 @@ class TurtleWindow(View):
     def simulator(self) -> Any:
         """The turtlesim shown: the one of the given name, or the newest; None if none runs."""
         running = simulators.running(current())
-        named = [one for one in running if self.node in (None, one.full_name)]
+        named = [node for node in running if self.node in (None, node.full_name)]
         return named[-1] if named else None
 
     def snapshot(self, size: int = 500) -> Snapshot:
@@ -180,8 +180,8 @@ class TurtleWindow(View):
 
 
 def _message(simulator: Any, driven: str, strokes: list[dict[str, Any]], whole: bool) -> dict[str, Any]:
-    turtles = sorted(simulator.world.turtles.values(), key=lambda one: one.name) if simulator else []
-    poses = [[one.name, one.kind, one.x, one.y, one.theta] for one in turtles]  # the page rounds, only once
+    turtles = sorted(simulator.world.turtles.values(), key=lambda turtle: turtle.name) if simulator else []
+    poses = [[turtle.name, turtle.kind, turtle.x, turtle.y, turtle.theta] for turtle in turtles]  # the page rounds, once
     return {
         "type": "state",
         "running": simulator is not None,

@@ -52,7 +52,11 @@ class Viewer(ViewerPage):
             clock.sleep(0.05)
 
     def _complete(self) -> bool:
-        waits = [one for one in self.stage.displays if one.config.enabled and KINDS[one.kind].type and not one.count]
+        waits = [
+            display
+            for display in self.stage.displays
+            if display.config.enabled and KINDS[display.kind].type and not display.count
+        ]
         self.stage.buffer.catch_up()
         return not waits and bool(self.stage.buffer.frames) and not self.session.clock.virtual
 
@@ -101,7 +105,7 @@ class Viewer(ViewerPage):
 
         A file that ends in .rviz has RViz's format, any other is short YAML.
         """
-        shown = [one.config for one in self.stage.displays]
+        shown = [display.config for display in self.stage.displays]
         save(Config(self.fixed_frame, shown, self.stage.looking.view(), views=self.stage.config.views), path)
 
     def follow(self, frame: str, turn: bool = False) -> None:
@@ -155,8 +159,8 @@ def bare_config(hidden: HiddenNode) -> Config:
     topics = robot_topics(hidden) or [f"/{_ROBOT}"]
     robots: list[dict[str, Any]] = [{"type": "RobotModel", "topic": topic} for topic in topics]
     if len(robots) > 1:
-        for one in robots:
-            one["name"] = one["topic"].rpartition("/")[0].strip("/") or "RobotModel"
+        for robot in robots:
+            robot["name"] = robot["topic"].rpartition("/")[0].strip("/") or "RobotModel"
     return make_config("", ["Grid", *robots, {"type": "TF", "show_names": len(robots) < 2}])
 
 

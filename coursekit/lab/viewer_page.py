@@ -36,8 +36,9 @@ class ViewerPage(ScenePanel):
         looking = {"frame": stage.looking.frame, "type": stage.looking.type, "views": [*stage.config.views]}
         return {
             "height": self.height_px, "fixed": stage.fixed_frame, "frames": sorted(stage.buffer.frames),
-            "told": self.tools.told, "level": level, "remark": gettext(text), "rows": [_row(one) for one in stage.displays],
-            "skipped": stage.config.skipped, "looking": looking, "picked": self._picked(),
+            "told": self.tools.told, "level": level, "remark": gettext(text),
+            "rows": [_row(display) for display in stage.displays], "skipped": stage.config.skipped,
+            "looking": looking, "picked": self._picked(),
         }  # fmt: skip
 
     def _picked(self) -> dict[str, Any] | None:
@@ -52,7 +53,7 @@ class ViewerPage(ScenePanel):
     def on_topics(self, _message: dict[str, Any]) -> None:
         """Send the page the topics that can be displayed."""
         node = self.stage.node
-        published = [one for one in sorted(node.get_topic_names_and_types()) if node.count_publishers(one[0])]
+        published = [topic for topic in sorted(node.get_topic_names_and_types()) if node.count_publishers(topic[0])]
         found = [[topic, name] for topic, types in published for name, kind in KINDS.items() if kind.type in types]
         self.tell(type="topics", topics=found)
 
@@ -167,7 +168,7 @@ class ViewerPage(ScenePanel):
         if (place is not None) > self._placed:
             self.look_anew()
         self._placed = place is not None
-        return [round(one, 5) for one in place] if place is not None else None
+        return [round(number, 5) for number in place] if place is not None else None
 
     def _try(self, does: Any) -> None:
         try:
@@ -176,7 +177,7 @@ class ViewerPage(ScenePanel):
             self.tools.told = gettext(str(error))
 
     def _row_of(self, message: dict[str, Any]) -> Display | None:
-        return next((one for one in self.stage.displays if one.key == f"{message.get('row')}"), None)
+        return next((display for display in self.stage.displays if display.key == f"{message.get('row')}"), None)
 
 
 def _finite(number: Any) -> bool:
@@ -185,7 +186,7 @@ def _finite(number: Any) -> bool:
 
 def _known(kind: str) -> dict[str, Any]:
     """Return the description of one kind of display, and its editable properties."""
-    return {"about": gettext(ABOUT[kind]), "properties": [asdict(one) for one in properties(kind)]}
+    return {"about": gettext(ABOUT[kind]), "properties": [asdict(row) for row in properties(kind)]}
 
 
 def _row(one: Display) -> dict[str, Any]:

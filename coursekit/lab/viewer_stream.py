@@ -155,11 +155,11 @@ class Stream:
 
     def _images(self, then: Kept | None) -> tuple[list[str], list[bytes]]:
         """Return the names of the pictures that the page lacks, and their JPEG data."""
-        for one in self.panel.stage.images():
-            if self._pictures.get(one.key) != one.drawn:
-                self._pictures[one.key] = one.drawn
-                good, jpeg = cv2.imencode(".jpg", one.picture, (cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY))
-                self._jpegs |= {one.config.name: jpeg.tobytes()} if good else {}
+        for image in self.panel.stage.images():
+            if self._pictures.get(image.key) != image.drawn:
+                self._pictures[image.key] = image.drawn
+                good, jpeg = cv2.imencode(".jpg", image.picture, (cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY))
+                self._jpegs |= {image.config.name: jpeg.tobytes()} if good else {}
         wanted = self._jpegs if then is None else then[1]
         news = {name: jpeg for name, jpeg in wanted.items() if self._jpegs_there.get(name) is not jpeg}
         self._jpegs_there |= news

@@ -25,9 +25,9 @@ class Tools:
     def use(self, message: dict[str, Any]) -> None:
         """Handle a browser message: {'tool': 'goal', 'x': ..., 'y': ..., 'yaw': ...}."""
         numbers = [message.get(name, 0.0) for name in ("x", "y", "z", "yaw")]
-        if not all(isinstance(one, int | float) and math.isfinite(one) for one in numbers):
+        if not all(isinstance(number, int | float) and math.isfinite(number) for number in numbers):
             return
-        x, y, z, yaw = (float(one) + 0.0 for one in numbers)  # avoids -0.00
+        x, y, z, yaw = (float(number) + 0.0 for number in numbers)  # avoids -0.00
         if message.get("tool") == "goal":
             self.goal_pose(x, y, yaw)
         elif message.get("tool") == "estimate":

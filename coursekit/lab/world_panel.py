@@ -209,7 +209,7 @@ class WorldView(ScenePanel):
 
 def _floor(message: dict[str, Any]) -> tuple[float, float]:
     x, y = message.get("x"), message.get("y")
-    if not all(isinstance(one, (int, float)) and abs(one) < 1e4 for one in (x, y)):
+    if not all(isinstance(number, (int, float)) and abs(number) < 1e4 for number in (x, y)):
         raise BadArgument("That is too far away.")
     return float(x), float(y)  # type: ignore[arg-type]
 

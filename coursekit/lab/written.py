@@ -32,9 +32,9 @@ class Written:
 
     def forget(self) -> None:
         """Forget the parts of all files below this path, which was moved away: files made there later are new."""
-        gone = [one for one in self._all if Path(one).is_relative_to(self.path)]
-        for one in gone:
-            del self._all[one]
+        gone = [file for file in self._all if Path(file).is_relative_to(self.path)]
+        for file in gone:
+            del self._all[file]
         if self._file.exists():
             _write(self._file, json.dumps(self._all, indent=1))
 
@@ -57,7 +57,7 @@ class Written:
     def append(self, text: str) -> str:
         """Append this text to the file; it replaces the running cell's former text."""
         cell = this_cell()
-        former = next((one for one in self.pieces if cell and one[0] == cell), None)
+        former = next((piece for piece in self.pieces if cell and piece[0] == cell), None)
         there = self.path.read_text(encoding="utf-8") if self.path.exists() else ""
         whole = appended(there, text, former[1] if former else None)
         if former:
@@ -72,11 +72,11 @@ class Written:
         """
         text = self.path.read_text(encoding="utf-8")
         place = [this_cell(), run_number(f"{self.path} {old}"), old]
-        former = next((one for one in self.edits if place[0] and one[:3] == place), None)
+        former = next((change for change in self.edits if place[0] and change[:3] == place), None)
         if former and former[3] != new:
             text = undone(text, old, former[3])
         changed = edited(text, old, new)
-        if changed is None and not any(one[2:] == [old, new] for one in self.edits):
+        if changed is None and not any(change[2:] == [old, new] for change in self.edits):
             missing = gettext(f"{self.path.name} does not contain {old!r}.")
             raise NotThere(f"{missing} Were the cells above run? Print it with: %show {self._shown()}")
         if former:

@@ -141,7 +141,7 @@ class _Reader:
         if kind not in self._kinds:
             known = ", ".join(sorted(self._kinds))
             raise TreeError(f"has a node '{kind}', which is not known here; known are: {known}")
-        children = [self._node(one, depth + 1) for one in element]
+        children = [self._node(child, depth + 1) for child in element]
         made = self._kinds[kind](ports.pop("name", kind), ports, children, self._board)
         low, high = made.arity
         if not low <= len(children) <= high:

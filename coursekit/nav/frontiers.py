@@ -53,7 +53,7 @@ def frontiers(
         rows, columns = np.nonzero(labels == label)
         if len(rows) * grid.resolution >= least:
             found.append(_made(grid, rows, columns, robot, potential_scale, gain_scale))
-    return sorted(found, key=lambda one: one.cost)
+    return sorted(found, key=lambda frontier: frontier.cost)
 
 
 def _cell_of(grid: GridMap, robot: tuple[float, float]) -> tuple[int, int]:

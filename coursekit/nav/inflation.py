@@ -35,7 +35,10 @@ class Inflation:
         self.reach = int(radius / resolution)
         around = np.arange(-self.reach, self.reach + 1)
         distances = np.hypot(*np.meshgrid(around, around))
-        costs = [cost_at(one * resolution, inscribed, scaling) if one <= self.reach else 0 for one in distances.ravel()]
+        costs = [
+            cost_at(distance * resolution, inscribed, scaling) if distance <= self.reach else 0
+            for distance in distances.ravel()
+        ]
         self._stamp = np.array(costs, dtype=np.uint8).reshape(distances.shape)
 
     def spread(self, cells: Cells, unknown: bool = False) -> None:

@@ -207,7 +207,7 @@ def _origin(file: str, entries: dict[str, Any]) -> tuple[float, float, float]:
     value = entries.get("origin")
     if not isinstance(value, list) or len(value) != 3:
         raise MapError(file, "origin is not three numbers", "write 'origin: [x, y, yaw]' in metres and radians")
-    x, y, yaw = (_finite(file, "origin", one) for one in value)
+    x, y, yaw = (_finite(file, "origin", number) for number in value)
     return x, y, yaw
 
 

@@ -50,13 +50,13 @@ class Movers:
         self._past.append((now, Costmap(costs.cells.copy(), costs.resolution, costs.x, costs.y)))
 
     def _compare(self, costs: Costmap, old: list[Costmap], age: float) -> list[tuple[np.ndarray, np.ndarray]]:
-        before = [one.moved_to(costs.x, costs.y, UNKNOWN).cells for one in old]
-        standing = np.logical_or.reduce([one == LETHAL for one in before])
+        before = [grid.moved_to(costs.x, costs.y, UNKNOWN).cells for grid in old]
+        standing = np.logical_or.reduce([cells == LETHAL for cells in before])
         solid = costs.cells == LETHAL
         if not standing.any():
             return []
         gap, nearest = ndimage.distance_transform_edt(~standing, return_indices=True)
-        fresh = solid & (gap > JITTER) & np.logical_and.reduce([one == FREE for one in before])
+        fresh = solid & (gap > JITTER) & np.logical_and.reduce([cells == FREE for cells in before])
         fresh &= gap * costs.resolution < FASTEST * age
         labels, count = ndimage.label(ndimage.binary_dilation(fresh, iterations=2))
         return [self._mover(costs, labels == k, fresh, solid, gap, nearest, age) for k in range(1, count + 1)]

@@ -28,7 +28,7 @@ def move_differential(
     first = wrap(math.atan2(dy, dx) - before[2]) if way > STRAIGHT else 0.0
     second = wrap(turn - first)
     # driving backwards is not a rotation by half a circle
-    small = [min(abs(wrap(one)), abs(wrap(one - math.pi))) for one in (first, second)]
+    small = [min(abs(wrap(turn)), abs(wrap(turn - math.pi))) for turn in (first, second)]
     a1, a2, a3, a4 = alphas[:4]
     count = len(particles)
     one = first - rng.normal(0, math.sqrt(a1 * small[0] ** 2 + a2 * way**2), count)

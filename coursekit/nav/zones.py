@@ -98,7 +98,7 @@ def scaled(speeds: Speeds, share: float) -> Speeds:
 
 def pace(speeds: Speeds) -> float:
     """Return a measure of speed, to compare the zones' velocities."""
-    return sum(one * one for one in speeds)
+    return sum(speed * speed for speed in speeds)
 
 
 __all__ = ["STILL", "Speeds", "Zone", "pace", "scaled", "within"]

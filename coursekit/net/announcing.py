@@ -54,26 +54,26 @@ class Announcer:
     @property
     def senders(self) -> list[Sender]:
         """The senders of announced publishers."""
-        return [one.sender for one in list(self.known.values()) if one.sender is not None]
+        return [known.sender for known in list(self.known.values()) if known.sender is not None]
 
     def compare(self) -> None:
         """Announce new nodes and endpoints, withdraw removed ones, and send the topics that have listeners."""
         there = dict.fromkeys(self._ours())
-        for gone in [one for one in self.known if one not in there]:
+        for gone in [endpoint for endpoint in self.known if endpoint not in there]:
             self.known.pop(gone).close()
             self._node_numbers.pop(gone, None)
-        for one in there:
-            if one not in self.known:
-                self.known[one] = self._announce(one)
+        for endpoint in there:
+            if endpoint not in self.known:
+                self.known[endpoint] = self._announce(endpoint)
         for sender in self.senders:
-            listeners = [one for one in sender.publisher.targets if isinstance(one, RemoteSubscription)]
-            lines = self._direct.to(one.session for one in listeners) if self._direct else ()
-            sender.want({one.type_hash for one in listeners}, lines)
+            listeners = [target for target in sender.publisher.targets if isinstance(target, RemoteSubscription)]
+            lines = self._direct.to(listener.session for listener in listeners) if self._direct else ()
+            sender.want({listener.type_hash for listener in listeners}, lines)
 
     def close(self) -> None:
         """Withdraw all announcements."""
-        for one in self.known.values():
-            one.close()
+        for known in self.known.values():
+            known.close()
         self.known.clear()
 
     def _ours(self) -> Iterator[Any]:
@@ -82,7 +82,7 @@ class Announcer:
             ends: list[Endpoint] = [*node.subscriptions]
             if not self._listen_only:
                 ends += [*node.publishers, *node.servers, *node.clients]
-            yield from (one for one in ends if one.name not in INSIDE)
+            yield from (end for end in ends if end.name not in INSIDE)
 
     def _announce(self, one: Any) -> Announced:
         token = self._token(one)

@@ -88,7 +88,7 @@ class DirectLines:
 
     def to(self, sessions: Iterable[str]) -> tuple[Line, ...]:
         """Return a line to each of these sessions; none when one of them can only be reached through Zenoh."""
-        lines = [self._line_to(one) for one in dict.fromkeys(sessions)]
+        lines = [self._line_to(session) for session in dict.fromkeys(sessions)]
         return tuple(line for line in lines if line is not None) if all(lines) else ()
 
     def pause(self, paused: bool) -> None:
@@ -97,7 +97,7 @@ class DirectLines:
 
     def keep(self, sessions: Collection[str]) -> None:
         """Close the lines to all other sessions: they are gone."""
-        for gone in [one for one in self._lines if one not in sessions]:
+        for gone in [session for session in self._lines if session not in sessions]:
             line = self._lines.pop(gone)
             if line is not None:
                 line.close()
@@ -105,10 +105,10 @@ class DirectLines:
     def close(self) -> None:
         """Close all connections and stop listening."""
         self._path.unlink(missing_ok=True)
-        for one in (self._server, *self._callers):
+        for caller in (self._server, *self._callers):
             with contextlib.suppress(OSError):
-                one.shutdown(socket.SHUT_RDWR)  # wakes threads that wait on the socket
-            one.close()
+                caller.shutdown(socket.SHUT_RDWR)  # wakes threads that wait on the socket
+            caller.close()
         self.keep(())
 
     def _path_of(self, session: str) -> Path:

@@ -15,7 +15,7 @@ def write(path: Path) -> None:
     """Write the file, with identical bytes every time. Raises OSError when it cannot be written."""
     files = {"__main__.py": START, f"{NAME}/__init__.py": '"""What `coursekit gateway --write` wrote."""\n'}
     for folder in FOLDERS:
-        for file in sorted(resources.files("coursekit.net").joinpath(folder).iterdir(), key=lambda one: one.name):
+        for file in sorted(resources.files("coursekit.net").joinpath(folder).iterdir(), key=lambda file: file.name):
             if file.name.endswith(".py"):
                 files[f"{NAME}/{folder}/{file.name}"] = file.read_text(encoding="utf-8")
     with open(path, "wb") as out:

@@ -69,7 +69,7 @@ def leave(session: Session, domain_id: int | None = None) -> bool:
     """Leave the network of a domain, or all of them; return whether there was one."""
     with _lock:
         links = _links.get(session, {})
-        found = [links.pop(one) for one in ([domain_id] if domain_id is not None else list(links)) if one in links]
+        found = [links.pop(domain) for domain in ([domain_id] if domain_id is not None else list(links)) if domain in links]
     for link in found:
         link.close()
     return bool(found)
@@ -82,7 +82,7 @@ def link_of(session: Session, domain_id: int) -> Link | None:
 
 def credentials_from_the_environment() -> Credentials:
     """Read COURSEKIT_NETWORK_USER, COURSEKIT_NETWORK_PASSWORD and COURSEKIT_NETWORK_CERTIFICATE."""
-    values = (os.environ.get(f"{NETWORK_VARIABLE}_{one}", "") for one in ("USER", "PASSWORD", "CERTIFICATE"))
+    values = (os.environ.get(f"{NETWORK_VARIABLE}_{name}", "") for name in ("USER", "PASSWORD", "CERTIFICATE"))
     return Credentials(*values)
 
 

@@ -63,7 +63,7 @@ def open_router(
     """
     zenoh = engine()
     config = _quiet(zenoh, "router")
-    _set(config, "listen/endpoints", [read_address(one) for one in listen])
+    _set(config, "listen/endpoints", [read_address(text) for text in listen])
     _set(config, "listen/exit_on_failure", True)
     if users is not None:
         _set(config, "transport/auth/usrpwd/dictionary_file", str(users.resolve()))

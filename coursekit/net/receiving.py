@@ -38,7 +38,7 @@ class Receiver:
     def set_publishers(self, publishers: list[RemotePublisher]) -> None:
         """Set the topic's current publishers; messages received before any of them was known are delivered now."""
         with self._lock:
-            self._publishers = {one.gid[:16]: one for one in publishers}
+            self._publishers = {publisher.gid[:16]: publisher for publisher in publishers}
             while self._publishers and self._early:
                 self._give(*self._early.popleft())
 

@@ -79,7 +79,7 @@ class RemotePublisher(Publisher):
 
     def _listeners(self) -> list[Subscription]:
         """The local subscriptions: peers receive the messages themselves."""
-        return [one for one in self.targets if not isinstance(one.msg_type, Named)]
+        return [target for target in self.targets if not isinstance(target.msg_type, Named)]
 
     def _hand_over(self, target: Subscription, data: bytes, stamp: int) -> None:
         try:
@@ -162,8 +162,8 @@ class RemoteServer(Server):
 
     def push(self, request: Any, request_id: RequestId) -> None:
         """Send the request once to all servers with the same key; only the first of them in the graph does so."""
-        same = [one for one in self.graph.servers.get(self.name, ()) if isinstance(one, RemoteServer)
-                and (one.type_name, one.type_hash) == (self.type_name, self.type_hash)]  # fmt: skip
+        same = [server for server in self.graph.servers.get(self.name, ()) if isinstance(server, RemoteServer)
+                and (server.type_name, server.type_hash) == (self.type_name, self.type_hash)]  # fmt: skip
         if same[:1] == [self]:
             self._ask(self, cdr.serialize(request), request_id)
 

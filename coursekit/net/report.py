@@ -59,15 +59,23 @@ def report(link: Link | None) -> str:
 def report_of(link: Link) -> Report:
     """Return the state of a link."""
     now = link.place.graph.clock.now()
-    heard = [_row(one, one.traffic, now, with_delay=True) for one in link.visitors.publishers if one.traffic.total]
-    sent = [_row(one.publisher, one.traffic, now, with_delay=False) for one in link.announcer.senders if one.traffic.total]
+    heard = [
+        _row(publisher, publisher.traffic, now, with_delay=True)
+        for publisher in link.visitors.publishers
+        if publisher.traffic.total
+    ]
+    sent = [
+        _row(sender.publisher, sender.traffic, now, with_delay=False)
+        for sender in link.announcer.senders
+        if sender.traffic.total
+    ]
     sessions = {name[:8]: tokens for name, tokens in sorted(link.visitors.sessions.items()) if tokens}
     return Report(
         link.place.address,
         link.place.domain_id,
         link.is_up,
         link.listen_only,
-        {name: sorted({one.full_node_name for one in tokens if not one.node_name.startswith("_")})
+        {name: sorted({token.full_node_name for token in tokens if not token.node_name.startswith("_")})
          for name, tokens in sessions.items()},
         sorted(heard),
         sorted(sent),

@@ -42,13 +42,13 @@ class Visitors:
     @property
     def publishers(self) -> list[RemotePublisher]:
         """The remote publishers."""
-        return [one for one in list(self._things.values()) if isinstance(one, RemotePublisher)]
+        return [thing for thing in list(self._things.values()) if isinstance(thing, RemotePublisher)]
 
     @property
     def same_names(self) -> list[str]:
         """Names of nodes that exist on both sides."""
         here = {node.full_name for node in local_nodes(self._place.graph)}
-        return sorted({one.full_name for one in list(self._nodes.values())} & here)
+        return sorted({visitor.full_name for visitor in list(self._nodes.values())} & here)
 
     def came(self, text: str) -> None:
         """Add a peer's announcement; invalid, known and own tokens are ignored."""
@@ -92,9 +92,9 @@ class Visitors:
     def listen(self) -> None:
         """Receive the topics of local subscriptions; called before they are announced, since peers may send at once."""
         wanted: dict[tuple[str, str], bool] = {}
-        for one in self._subscriptions():
-            key = (one.name, one.type_name)
-            wanted[key] = wanted.get(key, False) or is_latched(one)
+        for subscription in self._subscriptions():
+            key = (subscription.name, subscription.type_name)
+            wanted[key] = wanted.get(key, False) or is_latched(subscription)
         for key, latched in wanted.items():
             known = self._receivers.get(key)
             if known is None or (latched and not known.latched):
@@ -113,15 +113,15 @@ class Visitors:
     def compare(self) -> None:
         """Update the receivers' publishers, and warn the user of nodes with the same names."""
         publishers: dict[tuple[str, str], list[RemotePublisher]] = {}
-        for one in self.publishers:
-            publishers.setdefault((one.name, one.type_name), []).append(one)
+        for publisher in self.publishers:
+            publishers.setdefault((publisher.name, publisher.type_name), []).append(publisher)
         for key, receiver in self._receivers.items():
             receiver.set_publishers(publishers.get(key, []))
         self._tell_same_names()
 
     def _subscriptions(self) -> Iterator[Subscription]:
         for node in local_nodes(self._place.graph):
-            yield from (one for one in list(node.subscriptions) if one.name not in INSIDE)
+            yield from (subscription for subscription in list(node.subscriptions) if subscription.name not in INSIDE)
 
     def close(self) -> None:
         """Remove all of them from the graph."""

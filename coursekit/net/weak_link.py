@@ -119,17 +119,17 @@ class WeakLink:
     async def _end(self) -> None:
         await self._end_listening()
         relays = list(self._relays)
-        for one in relays:
-            one.cancel()
+        for relay in relays:
+            relay.cancel()
         await asyncio.gather(*relays, return_exceptions=True)
 
     async def _relay(self, near: socket.socket) -> None:
         """Relay between an incoming connection and the other address, until either side closes."""
         with near, socket.socket(self._family, socket.SOCK_STREAM) as far, contextlib.suppress(OSError, TimeoutError):
             far.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, BUFFER)
-            for one in (near, far):
-                one.setblocking(False)
-                one.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            for end in (near, far):
+                end.setblocking(False)
+                end.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
             await asyncio.wait_for(self._loop.sock_connect(far, self._to), CONNECT_SECONDS)
             await _first_of(self._carry(near, far), self._carry(far, near))
 
@@ -154,12 +154,12 @@ class WeakLink:
 
 async def _first_of(*works: Coroutine[Any, Any, None]) -> None:
     """Run all until one of them ends, then cancel the others."""
-    tasks = [asyncio.ensure_future(one) for one in works]
+    tasks = [asyncio.ensure_future(work) for work in works]
     try:
         await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
     finally:
-        for one in tasks:
-            one.cancel()
+        for task in tasks:
+            task.cancel()
         await asyncio.gather(*tasks, return_exceptions=True)
 
 

@@ -49,7 +49,7 @@ class ChildProcess(BaseProcess):
     def begin(self) -> None:
         """Start it, with threads that read its output."""
         terminals = [open_terminal() if self.tty else None for _ in ("stdout", "stderr")]
-        ends = [one[1] if one else subprocess.PIPE for one in terminals]
+        ends = [terminal[1] if terminal else subprocess.PIPE for terminal in terminals]
         try:
             self._child = subprocess.Popen(
                 self.argv,
@@ -64,9 +64,9 @@ class ChildProcess(BaseProcess):
                 **children.apart(),
             )
         finally:
-            for one in terminals:
-                if one:
-                    os.close(one[1])
+            for terminal in terminals:
+                if terminal:
+                    os.close(terminal[1])
         self._count_child(1)
         pipes = [one[0] if one else pipe for one, pipe in zip(terminals, _outputs(self._child), strict=True)]
         readers = [

@@ -113,7 +113,7 @@ def stand_ins(package: str) -> list[Path]:
 
 def _programs(package: str, prefix: Path) -> list[Path]:
     folder = prefix / "lib" / package
-    return [one for one in folder.iterdir() if one.is_file() and _runs(one, prefix)] if folder.is_dir() else []
+    return [path for path in folder.iterdir() if path.is_file() and _runs(path, prefix)] if folder.is_dir() else []
 
 
 def _runs(path: Path, prefix: Path) -> bool:
@@ -165,12 +165,12 @@ def has_compiled_here(command: Sequence[str]) -> bool:
 
 def python_folders(env: Mapping[str, str]) -> list[str]:
     """Return the folders that PYTHONPATH and the prefixes of `env` add to Python's path, without the interpreter's own."""
-    folders = [one for one in env.get("PYTHONPATH", "").split(os.pathsep) if one]
+    folders = [folder for folder in env.get("PYTHONPATH", "").split(os.pathsep) if folder]
     for prefix in env.get("AMENT_PREFIX_PATH", "").split(os.pathsep):
         if prefix and Path(prefix) != UNDERLAY:
             folders.append(str(layout.site_packages(Path(prefix))))
     ours = {sysconfig.get_path("purelib"), sysconfig.get_path("platlib"), str(UNDERLAY / "ros"), str(UNDERLAY.parent)}
-    return [one for one in dict.fromkeys(folders) if one not in ours and Path(one).is_dir()]
+    return [folder for folder in dict.fromkeys(folders) if folder not in ours and Path(folder).is_dir()]
 
 
 def make_process(

@@ -153,7 +153,7 @@ class PatchManager:
     def leave_all(self) -> None:
         """Undo everything, for all sessions."""
         with self._lock:
-            for session in {id(one): one for group in self._wanted.values() for one in group}.values():
+            for session in {id(session): session for group in self._wanted.values() for session in group}.values():
                 self.leave(session)
 
     def renew(self) -> None:

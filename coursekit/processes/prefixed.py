@@ -40,6 +40,6 @@ def prefixed(command: Sequence[str]) -> list[str]:
         return words
     if os.path.basename(words[0]) in _OUT_OF_REACH:
         return words[at:]
-    if UNDERLAY in Path(words[at]).parents and not any(names_python(one) for one in words[:at]):
+    if UNDERLAY in Path(words[at]).parents and not any(names_python(word) for word in words[:at]):
         words.insert(at, sys.executable)
     return words

@@ -39,8 +39,8 @@ def _ready(objects: list[Any], seconds: float) -> bool:
     if sys.platform == "win32":
         return bool(_real_wait(objects, seconds))
     with selectors.PollSelector() as selector:
-        for one in objects:
-            selector.register(one, selectors.EVENT_READ)
+        for thing in objects:
+            selector.register(thing, selectors.EVENT_READ)
         return bool(selector.select(seconds))
 
 

@@ -115,7 +115,7 @@ class Scene:
         things.append((self.in_camera((*self.robot(t)[:2], 0.1))[2], None))
         for ball in self.balls(t):
             self._shadow(image, ball)
-        for _, thing in sorted(things, key=lambda one: -one[0]):
+        for _, thing in sorted(things, key=lambda pair: -pair[0]):
             if thing is None:
                 self._draw_robot(image, t)
             else:

@@ -62,7 +62,7 @@ class Fields:
         value = self._get(key, default)
         if not isinstance(value, (list, tuple)) or len(value) not in counts:
             raise self.fault(f"'{key}' is {value!r}", f"Give a list of {' or '.join(map(str, counts))} numbers.")
-        return [self._number(key, one) for one in value]
+        return [self._number(key, number) for number in value]
 
     def points(self, key: str, least: int) -> np.ndarray:
         """Return a list of [x, y] with at least so many points; a repeated first point at the end is dropped.
@@ -77,7 +77,7 @@ class Fields:
             rows = rows[:-1]
         if len(rows) < least:
             raise self.fault(f"has {len(rows)} different points; it needs at least {least}", "Add the missing corners.")
-        return np.array([[self._number(key, one) for one in row] for row in rows])
+        return np.array([[self._number(key, number) for number in row] for row in rows])
 
     def word(self, key: str, default: str | None = None, of: Sequence[str] = ()) -> str:
         """Return a word, optionally one of a set."""

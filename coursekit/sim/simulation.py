@@ -270,10 +270,10 @@ class Simulation:
 
     def _push(self) -> None:
         there = {*self.robots, *self.things}
-        self.pushes[:] = [one for one in self.pushes if one.name in there and not _over(one, self.now_ns)]
-        for one in self.pushes:
-            if one.begin_ns <= self.now_ns:
-                one.work(self._body(one.name))
+        self.pushes[:] = [push for push in self.pushes if push.name in there and not _over(push, self.now_ns)]
+        for push in self.pushes:
+            if push.begin_ns <= self.now_ns:
+                push.work(self._body(push.name))
 
     # -- sensing
 
@@ -294,7 +294,7 @@ class Simulation:
         if height not in self._scenes:
             fixed = [thing.cut(height).moved(thing.place) for thing in self._fixed.values()]
             loose = [(body, thing.cut(height)) for thing, body in self.things.values()]
-            loose += [(one.body, OutlineScene.cut_of(one.model.parts, height)) for one in self.robots.values()]
+            loose += [(robot.body, OutlineScene.cut_of(robot.model.parts, height)) for robot in self.robots.values()]
             self._scenes[height] = OutlineScene(fixed, loose)
         return self._scenes[height]
 

@@ -230,7 +230,7 @@ class World:
     def step(self, now: float) -> list[tuple[Turtle, tuple[float, float]]]:
         """Advance all turtles by one frame at time `now` [s]; return those that hit a wall, with positions beyond it."""
         hits = []
-        for turtle in sorted(self.turtles.values(), key=lambda one: one.name):
+        for turtle in sorted(self.turtles.values(), key=lambda turtle: turtle.name):
             hit = turtle.step(now, self.paper)
             if hit is not None:
                 hits.append((turtle, hit))

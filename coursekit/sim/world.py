@@ -101,7 +101,7 @@ class World:
         for thing in self.things:
             if thing.name == name:
                 return thing
-        raise LookupError(f"world '{self.name}' has no '{name}'. {known(name, [one.name for one in self.things])}")
+        raise LookupError(f"world '{self.name}' has no '{name}'. {known(name, [other.name for other in self.things])}")
 
     def fixed(self) -> Iterator[Thing]:
         """The fixed objects."""

@@ -76,7 +76,7 @@ def world_text(path: str | Path) -> str:
     try:
         return read_text(file)
     except (OSError, UnicodeDecodeError) as error:
-        beside = [one.name for one in file.parent.glob("*.yaml")] if file.parent.is_dir() else []
+        beside = [found.name for found in file.parent.glob("*.yaml")] if file.parent.is_dir() else []
         cure = f"Check the path. {known(file.name, beside)}"
         raise WorldError(f"cannot be read: {error}", file=str(file), cure=cure) from None
 

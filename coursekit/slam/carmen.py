@@ -166,7 +166,7 @@ def read_log(path: str | Path) -> CarmenLog:
         raise ValueError(_nothing(path, log, kinds))
     if any(reading.kind != "RAWLASER1" for reading in log.readings):  # these repeat the same scans
         log.readings = [reading for reading in log.readings if reading.kind != "RAWLASER1"]
-    log.readings = [one if one.odometry is not None else _placed(one, track) for one in log.readings]
+    log.readings = [scan if scan.odometry is not None else _placed(scan, track) for scan in log.readings]
     return log
 
 

@@ -67,8 +67,8 @@ def _kernel() -> Any:
 
 
 def _free(*given: Any) -> None:
-    for one in given:
-        _kernel().LocalFree(ctypes.cast(one, ctypes.c_void_p))
+    for pointer in given:
+        _kernel().LocalFree(ctypes.cast(pointer, ctypes.c_void_p))
 
 
 def _check(code: int, path: Path) -> None:

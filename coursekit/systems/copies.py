@@ -45,8 +45,8 @@ def renew(prefix: Path, package: str) -> None:
 def fresh_sources(prefix: Path, package: str) -> set[Path]:
     """Return the files, and the folders of modules, that may be changed without a build."""
     modules = _said(prefix, package).get("modules")
-    folders = [Path(str(one)) for one in modules] if isinstance(modules, list) else []
-    return {one.resolve() for one in [*_files(prefix, package).values(), *folders]}
+    folders = [Path(str(module)) for module in modules] if isinstance(modules, list) else []
+    return {path.resolve() for path in [*_files(prefix, package).values(), *folders]}
 
 
 def _said(prefix: Path, package: str) -> dict[str, Any]:

@@ -27,7 +27,7 @@ def given(pipes: Sequence[int]) -> dict[str, Any]:
     """
     if not which.WINDOWS:
         return {"pass_fds": tuple(pipes)}
-    handles = [_handle(one) for one in pipes]
+    handles = [_handle(pipe) for pipe in pipes]
     for handle in handles:
         os.set_handle_inheritable(handle, True)  # type: ignore[attr-defined]
     info: Any = subprocess.STARTUPINFO()  # type: ignore[attr-defined]

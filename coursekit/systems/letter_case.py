@@ -16,7 +16,7 @@ def other_spelling(path: Path) -> str:
     try:
         if not path.exists():
             return ""
-        names = [one.name for one in path.parent.iterdir()]
+        names = [entry.name for entry in path.parent.iterdir()]
     except OSError:
         return ""
     if path.name in names:

@@ -46,12 +46,12 @@ def wait_readable(sources: Sequence[Any], seconds: float | None = None) -> list[
     """
     if not which.WINDOWS:
         return list(_select(sources, [], [], seconds)[0])
-    pipes = [one for one in sources if isinstance(one, int)]
-    sockets = [one for one in sources if not isinstance(one, int)]
+    pipes = [source for source in sources if isinstance(source, int)]
+    sockets = [source for source in sources if not isinstance(source, int)]
     give_up = None if seconds is None else _now() + seconds
     while True:
         left = None if give_up is None else max(0.0, give_up - _now())
-        ready = [one for one in pipes if peek(one)]
+        ready = [pipe for pipe in pipes if peek(pipe)]
         ready += _ready_sockets(sockets, 0.0 if ready else _step(left, bool(pipes)))
         if ready or left == 0.0:
             return ready

@@ -59,7 +59,7 @@ def split_folders(text: str) -> list[str]:
     >>> split_folders("/opt/models:/home/vera/models:")
     ['/opt/models', '/home/vera/models']
     """
-    return _FOLDER.findall(text) if which.WINDOWS else [one for one in text.split(":") if one]
+    return _FOLDER.findall(text) if which.WINDOWS else [word for word in text.split(":") if word]
 
 
 def _with_operators(text: str) -> shlex.shlex:

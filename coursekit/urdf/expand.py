@@ -51,7 +51,7 @@ def expand(path: str | os.PathLike[str], arguments: Mapping[str, str] | None = N
 def _fault(error: BaseException, file: str, said: str) -> UrdfError:
     """Convert xacro's error to one with the file in which it occurred."""
     stack: list[Any] = list(getattr(__import__("xacro"), "filestack", None) or [])
-    named = [str(one) for one in stack if one]
+    named = [str(place) for place in stack if place]
     inner = named[-1] if named else file
     lines = [line for line in said.splitlines() if line.strip()]
     what = str(error) or type(error).__name__

@@ -159,8 +159,8 @@ class _Writer:
         """Return the sum of products, each of numbers and names."""
         constant, words = 0.0, []
         for product in products:
-            factor = math.prod(one for one in product if not isinstance(one, str))
-            names = [one for one in product if isinstance(one, str)]
+            factor = math.prod(factor for factor in product if not isinstance(factor, str))
+            names = [factor for factor in product if isinstance(factor, str)]
             if not names:
                 constant += factor
             elif factor:

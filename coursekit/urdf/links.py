@@ -28,12 +28,12 @@ def read_link(element: Element, faults: list[UrdfError]) -> Link:
     visuals: list[Visual] = []
     collisions: list[Collision] = []
     try:
-        for one in [*element.all("inertial")][:1]:
-            inertial = _part(one, name, _inertial)
-        for one in element.all("visual"):
-            visuals.append(_part(one, name, _visual))
-        for one in element.all("collision"):
-            collisions.append(_part(one, name, _collision))
+        for own in [*element.all("inertial")][:1]:
+            inertial = _part(own, name, _inertial)
+        for visual in element.all("visual"):
+            visuals.append(_part(visual, name, _visual))
+        for collision in element.all("collision"):
+            collisions.append(_part(collision, name, _collision))
     except Negative:
         raise
     except UrdfError as error:

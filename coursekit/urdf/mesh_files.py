@@ -75,7 +75,7 @@ def _load(path: Path, _changed: int) -> MeshFile:
         raise MeshError(what[:500], file=str(path), cure="Export it again, or try another format.") from None
     finally:
         _reading.reset(token)
-    if not any(len(one.faces) for one in made.surfaces):
+    if not any(len(surface.faces) for surface in made.surfaces):
         raise MeshError("has no triangles", file=str(path), cure="Is the file complete? Export it again.")
     return made
 
@@ -100,7 +100,7 @@ def _parts(data: bytes, kind: str, beside: Any) -> list[Surface]:
     if kind == ".dae" and scene.units:  # COLLADA specifies its unit; RViz and Gazebo respect it, too
         scene = scene.convert_units("meters")
     meshes = [part for part in scene.dump() if isinstance(part, trimesh.Trimesh)]
-    if sum(len(one.faces) for one in meshes) > MOST_FACES:
+    if sum(len(mesh.faces) for mesh in meshes) > MOST_FACES:
         raise ValueError(f"more than {MOST_FACES} triangles")
     return [_surface(part) for part in meshes]
 
@@ -120,7 +120,7 @@ def _colour(material: Any) -> Colour:
 
     if material is None or getattr(material, "main_color", None) is None:
         return GREY
-    red, green, blue, alpha = (float(one) / 255.0 for one in material.main_color)
+    red, green, blue, alpha = (float(value) / 255.0 for value in material.main_color)
     picture = getattr(material, "baseColorTexture", None) or getattr(material, "image", None)
     try:
         tint = mean_of(picture) if picture is not None else (255, 255, 255)

@@ -48,7 +48,7 @@ def parse(text: str, file: str | os.PathLike[str] = "") -> Robot:
             raise element.error(f"link '{link.name}' is not unique.", cure)
         links[link.name] = _coloured(link, element, materials, warnings)
     if not links:
-        xacro = any(one.tag.startswith("xacro:") for one in root.children)
+        xacro = any(child.tag.startswith("xacro:") for child in root.children)
         cure = EXPAND if xacro else 'A robot has at least <link name="base_link"/>.'
         raise root.error("No link elements found in urdf file", cure)
     joints = _joints(root, warnings)
@@ -73,7 +73,7 @@ def load_text(path: str | os.PathLike[str], arguments: Mapping[str, str] | None 
 
     path = Path(path)
     if not is_file(path):
-        beside = sorted(one.name for one in path.parent.glob("*") if one.suffix in (".urdf", ".xacro"))
+        beside = sorted(file.name for file in path.parent.glob("*") if file.suffix in (".urdf", ".xacro"))
         cure = close(path.name, beside) if beside else f"Does the folder {path.parent} exist, and is it the right one?"
         raise UrdfError("there is no such file", file=str(path), cure=cure)
     try:

@@ -60,8 +60,8 @@ def remove_package_path(folder: str | os.PathLike[str]) -> None:
 def package_paths() -> list[Path]:
     """Return the folders searched for packages, in order; a package is a folder inside one of them."""
     environment = _environment[0]() if _environment else os.environ
-    listed = [Path(one) for one in environment.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if one]
-    prefixes = [Path(one) for one in environment.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
+    listed = [Path(folder) for folder in environment.get("ROS_PACKAGE_PATH", "").split(os.pathsep) if folder]
+    prefixes = [Path(folder) for folder in environment.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if folder]
     shares = [prefix / "share" for prefix in prefixes]
     return list(dict.fromkeys([*_added, *listed, *shares, UNDERLAY / "share"]))
 
@@ -88,7 +88,7 @@ def find_package(name: str, near: Path | None = None) -> Path:
 
 
 def _where(name: str, searched: list[Path]) -> str:
-    there = sorted({one.name for folder in searched if folder.is_dir() for one in folder.iterdir() if one.is_dir()})
+    there = sorted({path.name for folder in searched if folder.is_dir() for path in folder.iterdir() if path.is_dir()})
     hint = close(name, there)
     lines = [f"  {folder}" for folder in searched]
     first = f"{hint}\n" if hint.startswith("Did") else ""
@@ -101,8 +101,8 @@ def _where(name: str, searched: list[Path]) -> str:
 def model_folders() -> list[Path]:
     """Return the folders in which Gazebo searches for models and their files, from the environment."""
     environment = _environment[0]() if _environment else os.environ
-    told = (one for name in MODEL_PATHS for one in split_folders(environment.get(name, "")))
-    return list(dict.fromkeys(Path(one).expanduser() for one in told))
+    told = (folder for name in MODEL_PATHS for folder in split_folders(environment.get(name, "")))
+    return list(dict.fromkeys(Path(folder).expanduser() for folder in told))
 
 
 def _in_models(uri: str, near: Path | None) -> Path:
@@ -166,7 +166,7 @@ def _beside(path: Path) -> str:
     folder = path.parent
     if not is_folder(folder):
         return f"There is no folder {folder} either. Is it listed in setup.py's data_files, and was the package built?"
-    there = sorted(one.name for one in folder.iterdir())
+    there = sorted(entry.name for entry in folder.iterdir())
     return f"{close(path.name, there)} Is it listed in setup.py's data_files, and was the package built?"
 
 

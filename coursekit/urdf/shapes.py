@@ -47,7 +47,7 @@ def mesh_of(geometry: Geometry, near: Path | None = None) -> Any:
     import trimesh
 
     parts = surfaces_of(geometry, near)
-    return trimesh.util.concatenate([trimesh.Trimesh(one.vertices, one.faces, process=False) for one in parts])
+    return trimesh.util.concatenate([trimesh.Trimesh(part.vertices, part.faces, process=False) for part in parts])
 
 
 def surfaces_of(geometry: Geometry, near: Path | None = None) -> list[Surface]:
@@ -60,7 +60,7 @@ def surfaces_of(geometry: Geometry, near: Path | None = None) -> list[Surface]:
     """
     if isinstance(geometry, Mesh):
         path = find_file(geometry.filename, near)
-        return [_scaled(one, geometry.scale) for one in load_mesh(path).surfaces]
+        return [_scaled(surface, geometry.scale) for surface in load_mesh(path).surfaces]
     return [_primitive(geometry)]
 
 

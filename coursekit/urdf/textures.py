@@ -32,7 +32,7 @@ class Beside(Resolver):
     def __init__(self, mesh: Path) -> None:
         self.mesh = mesh
         self.notes: list[str] = []
-        self.roots = list(dict.fromkeys(_model_of(one) for one in (mesh, mesh.resolve())))  # for symlink installs, too
+        self.roots = list(dict.fromkeys(_model_of(file) for file in (mesh, mesh.resolve())))  # for symlink installs, too
 
     def write(self, name: str, data: Any) -> None:
         """Refuse: nothing is written."""
@@ -49,7 +49,7 @@ class Beside(Resolver):
     def get(self, name: str) -> bytes:
         """Return the contents of a file beside the mesh; FileNotFoundError if its model's folder contains none."""
         word = unquote(name).replace("\\", "/").removeprefix("file://").strip()
-        path = next((one for one in self._places(word) if is_file(one) and self._inside(one)), None)
+        path = next((place for place in self._places(word) if is_file(place) and self._inside(place)), None)
         picture = Path(word).suffix.lower() in PICTURES
         kind = "texture" if picture else "file"
         if path is None:
@@ -72,22 +72,22 @@ class Beside(Resolver):
 
     def _places(self, word: str) -> list[Path]:
         name = Path(word).name
-        tails = [folder for root in [*self.roots, *model_folders()] for folder in (root / one for one in FOLDERS)]
+        tails = [folder for root in [*self.roots, *model_folders()] for folder in (root / name for name in FOLDERS)]
         uri = word.removeprefix("model://")
         named = [folder / uri for folder in model_folders()] if uri != word else [self.mesh.parent / word]
         return [*named, self.mesh.parent / name, *(folder / name for folder in tails)]
 
     def _inside(self, path: Path) -> bool:
         real = path.resolve()
-        return any(real.is_relative_to(one.resolve()) for one in [*self.roots, *model_folders()])
+        return any(real.is_relative_to(root.resolve()) for root in [*self.roots, *model_folders()])
 
 
 def _model_of(mesh: Path) -> Path:
     """Return the folder of the model or package of a mesh, at most four levels above it; else its own folder."""
     folder = mesh.absolute().parent
-    for one in [folder, *folder.parents][:5]:
-        if is_file(one / "model.config") or is_file(one / "package.xml"):
-            return one
+    for parent in [folder, *folder.parents][:5]:
+        if is_file(parent / "model.config") or is_file(parent / "package.xml"):
+            return parent
     return folder.parent if folder.name == "meshes" and len(folder.parents) > 2 else folder
 
 

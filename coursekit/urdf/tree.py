@@ -16,7 +16,7 @@ _ROOT = "Failed to find root link: "
 
 
 def _element(root: Element, tag: str, name: str) -> Element:
-    return next(one for one in root.all(tag) if one.get("name") == name)
+    return next(element for element in root.all(tag) if element.get("name") == name)
 
 
 def find_root(root: Element, links: Mapping[str, Link], joints: Mapping[str, Joint]) -> str:
@@ -104,7 +104,7 @@ def _loop(root: Element, start: str, above: Mapping[str, Joint], what: str) -> U
 
 def check_mimics(root: Element, joints: Mapping[str, Joint], warnings: list[str]) -> dict[str, Joint]:
     """Return the joints, with mimics of fixed joints removed; UrdfError if one mimics an unknown joint, or itself."""
-    elements = {one.get("name"): one.first("mimic") or one for one in root.all("joint")}
+    elements = {element.get("name"): element.first("mimic") or element for element in root.all("joint")}
     checked = dict(joints)
     for joint in joints.values():
         if joint.mimic is None:

@@ -64,7 +64,9 @@ class VirtualCapture:
         """Return the grabbed image in BGR order."""
         if not self._open:
             return False, None
-        width, height = (int(self._size[one]) for one in (cv2.CAP_PROP_FRAME_WIDTH, cv2.CAP_PROP_FRAME_HEIGHT))
+        width, height = (
+            int(self._size[property_id]) for property_id in (cv2.CAP_PROP_FRAME_WIDTH, cv2.CAP_PROP_FRAME_HEIGHT)
+        )
         picture = _picture(self._seen * 1e-9, width, height)
         if image is not None and image.shape == picture.shape:
             image[:] = picture

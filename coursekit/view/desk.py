@@ -67,8 +67,8 @@ class Window:
 
     def click(self, x: int, y: int, event: int = cv2.EVENT_LBUTTONDOWN) -> None:
         """Press a button at a pixel, the left one by default, and release it."""
-        for one in (event, event + _UP):
-            self.mouse(one, x, y, _FLAGS[event])
+        for kind in (event, event + _UP):
+            self.mouse(kind, x, y, _FLAGS[event])
 
     def __repr__(self) -> str:
         size = "no image yet" if self.image is None else f"{self.image.shape[1]}x{self.image.shape[0]}"
@@ -144,7 +144,7 @@ class Desk:
     def serve(self) -> None:
         """Tell the calling program what was done in its windows."""
         mine = current_process()
-        for posted in [one for one in self._posted if one[1] is mine]:
+        for posted in [event for event in self._posted if event[1] is mine]:
             self._posted.remove(posted)
             if posted[0].open:
                 posted[2]()

@@ -119,7 +119,7 @@ def drawable(points: Sequence[Sequence[float]]) -> list[Point]:
     """
     step = max(1, math.ceil(len(points) / MOST_POINTS))
     kept = [*points[:-1:step], *points[-1:]]
-    pairs = ((float(one[0]), float(one[1])) for one in kept)
+    pairs = ((float(point[0]), float(point[1])) for point in kept)
     return [(x, y) for x, y in pairs if abs(x) < FARTHEST and abs(y) < FARTHEST]
 
 
@@ -128,11 +128,11 @@ def view_of(panel: Panel) -> View:
     if panel.view is not None:
         return panel.view
     found = [point for shape in panel.shapes for point in _extent(shape)]
-    xs, ys = ([one[axis] for one in found] or [0.0, 1.0] for axis in (0, 1))
+    xs, ys = ([point[axis] for point in found] or [0.0, 1.0] for axis in (0, 1))
     left, right, low, high = min(xs), max(xs), min(ys), max(ys)
     if panel.axes:
         return left, max(right, left + 1e-9), low - 0.06 * (high - low or 1.0), high + 0.06 * (high - low or 1.0)
-    around = 0.0 if any(isinstance(one, Cells) for one in panel.shapes) else 0.06 * max(right - left, high - low, 1e-6)
+    around = 0.0 if any(isinstance(shape, Cells) for shape in panel.shapes) else 0.06 * max(right - left, high - low, 1e-6)
     return left - around, right + around, low - around, high + around
 
 

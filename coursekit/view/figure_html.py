@@ -25,7 +25,7 @@ RIGHT, MOST_RINGS = 18, 24
 def html(figure: Figure) -> str:
     """Return the figure as a part of a page; deterministic, without other files or scripts."""
     wide = WIDTHS.get(len(figure.panels), 220.0)
-    panels = "".join(_panel(one, wide) for one in figure.panels)
+    panels = "".join(_panel(panel, wide) for panel in figure.panels)
     legend = "".join(_legend(figure))
     return (
         f'<figure class="ck-drawn"><style>{style()}</style>{box() if "mover" in panels else ""}'
@@ -38,11 +38,11 @@ def _panel(panel: Panel, wide: float) -> str:
     view = view_of(panel)
     frame = _Frame.of(panel, view, wide)
     width, height = _n(frame.width), _n(frame.height)
-    is_map = not panel.axes and any(isinstance(one, Cells) for one in panel.shapes)
+    is_map = not panel.axes and any(isinstance(shape, Cells) for shape in panel.shapes)
     paper = "unknown" if is_map else "free"
     back = f'<rect class="fill {paper}" width="{width}" height="{height}"/>'
     inner = "".join(_draw(shape, frame) for shape in panel.shapes if not isinstance(shape, Mover))
-    inner += "".join(_movers([one for one in panel.shapes if isinstance(one, Mover)], frame))
+    inner += "".join(_movers([shape for shape in panel.shapes if isinstance(shape, Mover)], frame))
     grid = "".join(_grid(view, frame, panel.axes)) if panel.axes else ""
     rings = "".join(_ring(at, frame) for at in drawable(panel.rings)[:MOST_RINGS])
     title = f'<p class="drawn-title">{escape(gettext(panel.title))}</p>' if panel.title else ""
@@ -86,14 +86,14 @@ def _n(number: float) -> str:
 
 
 def _pairs(points: list[Point], frame: _Frame) -> str:
-    return " ".join(f"{_n(x)},{_n(y)}" for x, y in (frame.at(*one) for one in points))
+    return " ".join(f"{_n(x)},{_n(y)}" for x, y in (frame.at(*point) for point in points))
 
 
 def _movers(movers: list[Mover], frame: _Frame) -> Iterator[str]:
-    ticks = max((len(one.places) for one in movers), default=0)
-    for one in movers:
-        if len(one.places) > 1 and all(abs(x) < FARTHEST and abs(y) < FARTHEST for x, y in one.places):
-            yield moving([frame.at(*place) for place in one.places], one.kind, ticks)
+    ticks = max((len(mover.places) for mover in movers), default=0)
+    for mover in movers:
+        if len(mover.places) > 1 and all(abs(x) < FARTHEST and abs(y) < FARTHEST for x, y in mover.places):
+            yield moving([frame.at(*place) for place in mover.places], mover.kind, ticks)
 
 
 def _draw(shape: Shape, frame: _Frame) -> str:
@@ -112,7 +112,7 @@ def _draw(shape: Shape, frame: _Frame) -> str:
 
 def _dots(dots: Dots, frame: _Frame) -> str:
     """Draw one path of short strokes with round ends: much shorter than as many circles."""
-    places = (frame.at(*one) for one in drawable(dots.points))
+    places = (frame.at(*point) for point in drawable(dots.points))
     path = "".join(f"M{_n(x)} {_n(y)}h0" for x, y in places)
     return f'<path class="line {dots.kind}" style="stroke-width:{_n(2 * dots.radius)}" d="{path}"/>' if path else ""
 
@@ -185,14 +185,14 @@ def _ticks(low: float, high: float, most: int) -> list[float]:
     """
     rough = max(high - low, 1e-9) / most
     ten = 10.0 ** math.floor(math.log10(rough))
-    step = next(one * ten for one in (1, 2, 5, 10) if one * ten >= rough - 1e-12)
+    step = next(step * ten for step in (1, 2, 5, 10) if step * ten >= rough - 1e-12)
     return [round(k * step, 9) + 0.0 for k in range(math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9) + 1)]
 
 
 def _legend(figure: Figure) -> Iterator[str]:
     """Yield each label once, in drawing order."""
     seen: set[str] = set()
-    for sign, kind, label in itertools.chain.from_iterable(map(_keys, (one for p in figure.panels for one in p.shapes))):
+    for sign, kind, label in itertools.chain.from_iterable(map(_keys, (shape for p in figure.panels for shape in p.shapes))):
         if label and label not in seen:
             seen.add(label)
             yield f'<span class="drawn-key"><i class="{sign} {kind}"></i>{escape(gettext(label))}</span>'

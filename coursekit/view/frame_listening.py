@@ -68,8 +68,8 @@ class BroadcastFrames(FrameBuffer):
             lying = core.queue
             while lying and lying[0][1] < limit and (entry := core.take()) is not None:
                 self._outlived_at = entry[1]
-                for one in _kept_in(entry):
-                    outlived[one[1]] = one
+                for kept in _kept_in(entry):
+                    outlived[kept[1]] = kept
 
     def now(self, now_ns: int) -> int:
         """Return the broadcasters' time [ns]: a simulator's clock may differ from the session's."""

@@ -95,13 +95,13 @@ def take(graph: Any, *, hidden: bool = False, debug: bool = False) -> Facts:
     counts = Counter(node.full_name for node in nodes)
 
     def ends(kind: str, of_services: bool = False) -> tuple[End, ...]:
-        found = (one for node in nodes for one in list(getattr(node, kind)))
+        found = (end for node in nodes for end in list(getattr(node, kind)))
         skip = _is_parameter_service if of_services else _is_debug_topic
         return tuple(
             sorted(
-                End(one.name, one.node.full_name, one.type_name, one.qos)
-                for one in found
-                if (hidden or not is_hidden(one.name)) and (debug or not skip(one))
+                End(end.name, end.node.full_name, end.type_name, end.qos)
+                for end in found
+                if (hidden or not is_hidden(end.name)) and (debug or not skip(end))
             )
         )
 
@@ -135,9 +135,9 @@ def _actions(nodes: list[Any], kind: str) -> tuple[End, ...]:
     """Return the actions; they are recognised by the service for their goals."""
     return tuple(
         sorted(
-            End(one.name.removesuffix(_GOAL_SERVICE), node.full_name, one.type_name.removesuffix(_GOAL_TYPE))
+            End(end.name.removesuffix(_GOAL_SERVICE), node.full_name, end.type_name.removesuffix(_GOAL_TYPE))
             for node in nodes
-            for one in list(getattr(node, kind))
-            if one.name.endswith(_GOAL_SERVICE)
+            for end in list(getattr(node, kind))
+            if end.name.endswith(_GOAL_SERVICE)
         )
     )

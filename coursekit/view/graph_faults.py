@@ -167,10 +167,12 @@ def _lonely(name: str, others: Sequence[str], facts: Facts, *, heard: bool) -> F
 def _alike(name: str, mine: Sequence[End], theirs: Sequence[End]) -> str | None:
     """Find the probably intended topic of this type: a similar name, or the same last part and no such end."""
     types = types_of(name, mine)
-    candidates = [one for one in names_of(end for end in theirs if end.type in types) if _letters(one) != _letters(name)]
+    candidates = [
+        other for other in names_of(end for end in theirs if end.type in types) if _letters(other) != _letters(name)
+    ]
     last, served = name.rpartition("/")[2], names_of(mine)
     close = similar(name, candidates, 1, ALIKE)
-    namesakes = [one for one in candidates if one.rpartition("/")[2] == last and one not in served]
+    namesakes = [candidate for candidate in candidates if candidate.rpartition("/")[2] == last and candidate not in served]
     return next(iter(close or namesakes), None)
 
 

@@ -49,7 +49,7 @@ def _line(kind: str, name: str, sources: Sequence[End], targets: Sequence[End]) 
 
 def details(graph: Any, name: str) -> str:
     """Return the output of `ros2 node info` or `ros2 topic info -v` for the node, topic, service or action of that name."""
-    node = next((one for one in list(graph.nodes) if one.full_name == name), None)
+    node = next((found for found in list(graph.nodes) if found.full_name == name), None)
     if node is not None:
         return _of_node(node)
     publishers, subscriptions = graph.publishers.get(name, ()), graph.subscriptions.get(name, ())
@@ -68,7 +68,9 @@ def _of_node(node: Any) -> str:
         ("Service Clients", node.clients),
     ):
         lines.append(f"  {title}:")
-        lines += sorted({f"    {one.name}: {one.type_name}" for one in list(endpoints) if "/_" not in one.name})
+        lines += sorted(
+            {f"    {endpoint.name}: {endpoint.type_name}" for endpoint in list(endpoints) if "/_" not in endpoint.name}
+        )
     if node.remote:
         lines.append(f"  Runs elsewhere; heard at {node.remote}")
     if node.process is not None:
@@ -77,7 +79,7 @@ def _of_node(node: Any) -> str:
 
 
 def _of_topic(name: str, publishers: list[Any], subscriptions: list[Any]) -> str:
-    types = sorted({one.type_name for one in (*publishers, *subscriptions)})
+    types = sorted({end.type_name for end in (*publishers, *subscriptions)})
     lines = [name, f"Type: {', '.join(types)}"]
     for title, ends in (("Publisher", publishers), ("Subscription", subscriptions)):
         lines.append(f"{title} count: {len(ends)}")
@@ -106,8 +108,8 @@ def _qos_lines(qos: Any) -> Iterable[str]:
 def _of_service(name: str, servers: list[Any], clients: list[Any]) -> str:
     if not servers and not clients:
         return f"{name}: not in the graph any more"
-    types = sorted({one.type_name.removesuffix("_SendGoal") for one in (*servers, *clients)})
+    types = sorted({end.type_name.removesuffix("_SendGoal") for end in (*servers, *clients)})
     lines = [name, f"Type: {', '.join(types)}"]
     for title, ends in (("Servers", servers), ("Clients", clients)):
-        lines.append(f"{title}: {', '.join(sorted({one.node.full_name for one in ends})) or '(none)'}")
+        lines.append(f"{title}: {', '.join(sorted({end.node.full_name for end in ends})) or '(none)'}")
     return "\n".join(lines)

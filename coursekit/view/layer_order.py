@@ -114,7 +114,7 @@ def _sweep(order: Order, linked: _Neighbours, rank: dict[str, int], *, down: boo
     places = order.places()
     for row in order.rows if down else reversed(order.rows):
         means = {
-            key: sum(places[one] for one in beside[key]) / len(beside[key]) if key in beside else places[key]
+            key: sum(places[neighbour] for neighbour in beside[key]) / len(beside[key]) if key in beside else places[key]
             for key in row
         }
         row.sort(key=lambda key: (rank[order.groups[key]], means[key]))
@@ -126,7 +126,7 @@ def _swap(order: Order, linked: _Neighbours) -> None:
     places = order.places()
     for row in order.rows:
         sides = (linked.before, linked.after)
-        ends = [{key: sorted(places[one] for one in side.get(key, ())) for key in row} for side in sides]
+        ends = [{key: sorted(places[neighbour] for neighbour in side.get(key, ())) for key in row} for side in sides]
         for place in range(len(row) - 1):
             upper, lower = row[place], row[place + 1]
             if order.groups[upper] != order.groups[lower]:

@@ -55,7 +55,7 @@ def _one_band(
     for step in range(ROUNDS):
         for row in rows if step % 2 == 0 else reversed(rows):
             wished = [
-                sum(ys[one] for one in beside[key]) / len(beside[key]) if beside[key] else ys[key]
+                sum(ys[neighbour] for neighbour in beside[key]) / len(beside[key]) if beside[key] else ys[key]
                 for key in row
             ]
             ys.update(zip(row, _apart(wished, row, heights, between), strict=True))

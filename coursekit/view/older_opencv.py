@@ -34,7 +34,7 @@ def estimatePoseSingleMarkers(
     """Return the markers' turns and places, each as (N, 1, 3), and their corners: x right, y up, z out of the marker."""
     half = markerLength / 2
     points = np.array([[-half, half, 0], [half, half, 0], [half, -half, 0], [-half, -half, 0]], np.float32)
-    poses = [cv2.solvePnP(points, np.asarray(one).reshape(4, 2), cameraMatrix, distCoeffs)[1:] for one in corners]
+    poses = [cv2.solvePnP(points, np.asarray(corner).reshape(4, 2), cameraMatrix, distCoeffs)[1:] for corner in corners]
     if not poses:
         return None, None, points.reshape(4, 1, 3)
     turns, places = (np.array(part).reshape(-1, 1, 3) for part in zip(*poses, strict=True))

@@ -38,7 +38,7 @@ def told(stage: Stage, picked: Picked) -> dict[str, Any] | None:
     """Return the display, topic and current values for the page; None if the thing is no longer shown."""
     with stage.lock:
         thing = stage.scene.things.get((picked.display, picked.thing))
-        one = next((one for one in stage.displays if one.key == picked.display), None)
+        one = next((display for display in stage.displays if display.key == picked.display), None)
         if thing is None or one is None:
             return None
         head = [("Topic", one.config.topic)] if KINDS[one.kind].type else []

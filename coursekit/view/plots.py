@@ -51,7 +51,7 @@ class Plots:
 
     def open_managers(self) -> list[Any]:
         """Return the figures that pyplot still has."""
-        self.managers = [one for one in self.managers if Gcf.figs.get(one.num) is one]
+        self.managers = [manager for manager in self.managers if Gcf.figs.get(manager.num) is manager]
         return self.managers
 
     def draw(self) -> None:
@@ -75,7 +75,7 @@ class Plots:
                 return
             due = [timer.due for timer in self.timers] + ([end] if end is not None else [])
             self.clock.sleep(max(0.0, min([FRAME, *((at - now) * 1e-9 for at in due)])))
-            for timer in [one for one in self.timers if one.due <= self.clock.steady()]:
+            for timer in [timer for timer in self.timers if timer.due <= self.clock.steady()]:
                 timer.fire()
 
     def close(self) -> None:

@@ -74,7 +74,7 @@ class RobotTree:
             last = robot.joints_below(joint.parent)[-1] is joint
             branch, more = ("└─ ", "   ") if last else ("├─ ", "│  ")
             lines.append(f"{indent}{branch}{joint.child}  ({joint.name}: {motion(joint)})")
-            waiting += [(one, indent + more) for one in reversed(robot.joints_below(joint.child))]
+            waiting += [(child, indent + more) for child in reversed(robot.joints_below(joint.child))]
         return "\n".join(lines)
 
     def drawing(self) -> Drawing:

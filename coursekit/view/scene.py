@@ -153,7 +153,7 @@ class Scene:
 
 def _replaces(shapes: Sequence[Shape], old: Sequence[Shape]) -> bool:
     """Whether the page can change the old shapes into these: it keeps a picture until the next one is loaded."""
-    return len(shapes) == len(old) and all(isinstance(one, Picture) for one in (*shapes, *old))
+    return len(shapes) == len(old) and all(isinstance(shape, Picture) for shape in (*shapes, *old))
 
 
 def _corners(thing: Thing) -> Iterator[np.ndarray]:

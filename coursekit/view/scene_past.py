@@ -35,14 +35,16 @@ def between(before: Moment, after: Moment) -> Changes:
     gone = [number for number in before if number not in after]
     made = [thing for number, thing in after.items() if number not in before or before[number].shapes is not thing.shapes]
     same = [thing for number, thing in after.items() if number in before and before[number].shapes is thing.shapes]
-    moved = [one for one in same if (one.pose, one.scale) != (before[one.number].pose, before[one.number].scale)]
+    moved = [shown for shown in same if (shown.pose, shown.scale) != (before[shown.number].pose, before[shown.number].scale)]
     return Changes(gone, made, moved)
 
 
 def size_of(moment: Moment, before: Moment) -> int:
     """Return the extra memory of a moment after an earlier one [bytes]: shared shapes count once."""
-    new = [one for one in moment.values() if one.number not in before or before[one.number].shapes is not one.shapes]
-    values = [value for one in new for shape in one.shapes for value in vars(shape).values()]
+    new = [
+        shown for shown in moment.values() if shown.number not in before or before[shown.number].shapes is not shown.shapes
+    ]
+    values = [value for shown in new for shape in shown.shapes for value in vars(shape).values()]
     return _POSE_BYTES * len(moment) + sum(value.nbytes for value in values if isinstance(value, np.ndarray))
 
 

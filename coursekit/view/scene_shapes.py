@@ -91,7 +91,7 @@ class Label:
         >>> Label("A", (1.0, 1.0, 0.2, 1.0), height=0.5).light
         True
         """
-        red, green, blue = (round(one * 255) for one in self.colour[:3])
+        red, green, blue = (round(value * 255) for value in self.colour[:3])
         return self.height > 0.0 and 0.2126 * red + 0.7152 * green + 0.0722 * blue > 150
 
 
@@ -104,7 +104,7 @@ def colour_of(rgb: list[int] | tuple[int, ...], alpha: float = 1.0) -> Colour:
     >>> colour_of([255, 0, 51])
     (1.0, 0.0, 0.2, 1.0)
     """
-    red, green, blue = (one / 255.0 for one in rgb)
+    red, green, blue = (value / 255.0 for value in rgb)
     return red, green, blue, alpha
 
 
@@ -157,7 +157,7 @@ def tube(start: float, end: float, radius: float, tip: float | None = None, side
     here, there = np.arange(sides), (np.arange(sides) + 1) % sides
     faces = [(here, there, there + sides), (here, there + sides, here + sides)]
     faces += [(there, here, np.full(sides, 2 * sides)), (here + sides, there + sides, np.full(sides, 2 * sides + 1))]
-    return vertices, np.concatenate([np.stack(one, axis=1) for one in faces])
+    return vertices, np.concatenate([np.stack(face, axis=1) for face in faces])
 
 
 def arrow(length: float, radius: float, head: float, head_radius: float, colour: Colour) -> Triangles:

@@ -43,8 +43,8 @@ class Stage:
         self._guessed = ""
         self._count = 0
         self._time = SimulatedTime(node)
-        for one in config.displays:
-            self.add(one)
+        for display in config.displays:
+            self.add(display)
 
     # -- the displays
 
@@ -59,13 +59,13 @@ class Stage:
 
     def names(self) -> list[str]:
         """Return the names of the displays."""
-        return [one.config.name for one in self.displays]
+        return [display.config.name for display in self.displays]
 
     def find(self, name: str) -> Display:
         """Return the display of that name; LookupError lists the existing ones."""
-        for one in self.displays:
-            if one.config.name == name:
-                return one
+        for display in self.displays:
+            if display.config.name == name:
+                return display
         known = ", ".join(self.names()) or "none"
         raise LookupError(f"There is no display '{name}'. There are: {known}")
 
@@ -110,8 +110,8 @@ class Stage:
         """Change the fixed frame; '' chooses it automatically."""
         with self.lock:
             self.config.fixed_frame, self._guessed = frame, ""
-            for one in self.displays:
-                self.switch(one, one.config.enabled)
+            for display in self.displays:
+                self.switch(display, display.config.enabled)
 
     def _guess(self) -> None:
         """Choose a frame with a usual name of the world, else the root of the largest tree."""
@@ -121,14 +121,14 @@ class Stage:
         for frame in sorted(self.buffer.frames):
             root = self.root(frame)
             below[root] = below.get(root, 0) + 1
-        named = [one for one in WORLD if one in below]
-        self._guessed = named[0] if named else max(below, key=lambda one: below[one])
+        named = [name for name in WORLD if name in below]
+        self._guessed = named[0] if named else max(below, key=lambda name: below[name])
 
     def _root_of_a_robot(self) -> str:
         """Return a robot's root if there are no frames: a robot of one link has no joint, so no node publishes its frame."""
         if self.buffer.frames:
             return ""
-        return next((one.prefix(self) + one.robot.root for one in self.robots() if one.robot is not None), "")
+        return next((robot.prefix(self) + robot.robot.root for robot in self.robots() if robot.robot is not None), "")
 
     def root(self, frame: str) -> str:
         """Return the root of a frame's tree."""
@@ -177,11 +177,11 @@ class Stage:
             return "The message names no frame: its header.frame_id is empty"
         if isinstance(error, ExtrapolationException):
             return f"For frame [{frame}]: no transform to [{fixed}] at its time. {error}"
-        for one in (frame, fixed):
-            if one not in known:
-                near = similar(one, known, 1, 0.7)
+        for name in (frame, fixed):
+            if name not in known:
+                near = similar(name, known, 1, 0.7)
                 hint = f"Did you mean [{near[0]}]? " if near else ""
-                return f"No transform from [{frame}] to [{fixed}]: frame [{one}] does not exist. {hint}{_there(known)}"
+                return f"No transform from [{frame}] to [{fixed}]: frame [{name}] does not exist. {hint}{_there(known)}"
         return f"No transform from [{frame}] to [{fixed}]: they are in two trees, under [{self.root(frame)}] and " \
                f"[{self.root(fixed)}]"  # fmt: skip
 
@@ -196,8 +196,8 @@ class Stage:
         with self.lock:
             self.buffer.catch_up()
             self._guess()
-            for one in self.displays:
-                one.update(self)
+            for display in self.displays:
+                display.update(self)
             return self.scene
 
     def global_status(self) -> tuple[str, str]:
@@ -210,32 +210,35 @@ class Stage:
 
     def robots(self) -> list[RobotModel]:
         """Return the enabled robot displays."""
-        return [one for one in self.displays if isinstance(one, RobotModel) and one.config.enabled]
+        return [display for display in self.displays if isinstance(display, RobotModel) and display.config.enabled]
 
     def images(self) -> list[Image]:
         """Return the enabled image displays that have an image."""
-        return [one for one in self.displays if isinstance(one, Image) and one.config.enabled and one.picture is not None]
-
+        return [
+            display
+            for display in self.displays
+            if isinstance(display, Image) and display.config.enabled and display.picture is not None
+        ]
 
     # -- pictures
 
     def keys(self, *kinds: str) -> list[str]:
         """Return the keys of the displays of these kinds."""
-        return [one.key for one in self.displays if one.kind in kinds]
+        return [display.key for display in self.displays if display.kind in kinds]
 
     def seen(self) -> bool:
         """Whether the object to look at is placed: a robot, if any is shown."""
         robots = self.robots()
-        return self.looking.camera() is not None or not robots or any(one.poses for one in robots)
+        return self.looking.camera() is not None or not robots or any(robot.poses for robot in robots)
 
     def camera(self) -> Camera:
         """Return the user's camera, else one that shows all but floors and clouds, with room for moving robots."""
         told = self.looking.camera()
         if told is not None:
             return told
-        at_home = any(one.robot is not None and self.fixed_frame in one.robot.links for one in self.robots())
+        at_home = any(robot.robot is not None and self.fixed_frame in robot.robot.links for robot in self.robots())
         wide = ("Grid", "Map", "LaserScan", "PointCloud2")
-        keys = self.keys("RobotModel") if at_home else [one.key for one in self.displays if one.kind not in wide]
+        keys = self.keys("RobotModel") if at_home else [display.key for display in self.displays if display.kind not in wide]
         return camera_of(self.scene, keys, 0.5 if at_home else ROOM)
 
     def png(self, width: int = 640, height: int = 400) -> bytes:

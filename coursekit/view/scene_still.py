@@ -77,7 +77,7 @@ class Still:
         paints = np.broadcast_to(every, (len(shape.faces), 4))
         pixels = self._pixels(seen)
         for index in np.nonzero(depth.min(axis=1) > NEAR)[0]:
-            red, green, blue = (float(one) * 255 * float(bright[index]) for one in paints[index, :3])
+            red, green, blue = (float(paint) * 255 * float(bright[index]) for paint in paints[index, :3])
             self._parts.append((float(depth[index].mean()), pixels[index], (blue, green, red), float(paints[index, 3]), 0.0))
 
     def _lines(self, shape: Lines, world: Any) -> None:
@@ -160,7 +160,7 @@ class Still:
             if not 3.0 <= size <= 200.0 or not (-200 < x < image.shape[1] + 200 and -50 < y < image.shape[0] + 50):
                 continue
             font = ImageFont.truetype(f"{get_data_path()}/fonts/ttf/DejaVuSans.ttf", round(size))
-            red, green, blue = (round(one * 255) for one in label.colour[:3])
+            red, green, blue = (round(value * 255) for value in label.colour[:3])
             place, anchor = ((x, y), "mm") if label.height else ((x + 5, y - 5), "lm")
             rim = (59, 50, 38) if label.light else (248, 245, 243)
             pen.text(place, label.text, (blue, green, red), font, anchor, stroke_width=1, stroke_fill=rim)

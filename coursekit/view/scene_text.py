@@ -17,11 +17,11 @@ def described(stage: Stage) -> str:
     level, text = stage.global_status()
     if level != "Ok":
         lines.append(f"Global Status: {level}: {text}")
-    heads = [_head(one) for one in stage.displays]
+    heads = [_head(display) for display in stage.displays]
     width = max(map(len, heads), default=0)
     for head, one in zip(heads, stage.displays, strict=True):
         lines.append(f"{head:<{width}}  {one.level:<5}  {one.remark if one.config.enabled else ''}".rstrip())
-    lines += [f"not known here: {one}" for one in stage.config.skipped]
+    lines += [f"not known here: {name}" for name in stage.config.skipped]
     return "\n".join(lines)
 
 

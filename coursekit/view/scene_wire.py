@@ -47,7 +47,7 @@ def css(colour: Colour) -> str:
     >>> css((1.0, 0.0, 0.0, 0.5))
     'rgba(255, 0, 0, 0.5)'
     """
-    red, green, blue = (round(one * 255) for one in colour[:3])
+    red, green, blue = (round(value * 255) for value in colour[:3])
     return f"rgba({red}, {green}, {blue}, {colour[3]:g})"
 
 
@@ -76,7 +76,7 @@ _EYE = [1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.
 
 
 def _paint(colour: Colour, colours: np.ndarray | None) -> dict[str, Any]:
-    red, green, blue = (round(min(max(one, 0.0), 1.0) * 255) for one in colour[:3])
+    red, green, blue = (round(min(max(value, 0.0), 1.0) * 255) for value in colour[:3])
     look: dict[str, Any] = {"color": (red << 16) + (green << 8) + blue, "opacity": colour[3], "transparent": colour[3] < 1.0}
     return look if colours is None else {**look, "color": 0xFFFFFF, "vertexColors": 2}
 

@@ -76,8 +76,8 @@ def describe(world: World, name: str = "/turtlesim") -> str:
       turtle1  x 5.54 m  y 5.54 m  heading   0.0°  drove 0.00 m
     """
     lines = [f"TurtleSim [{name}]"]
-    width = max((len(one) for one in world.turtles), default=0)
-    for turtle in sorted(world.turtles.values(), key=lambda one: one.name):
+    width = max((len(turtle) for turtle in world.turtles), default=0)
+    for turtle in sorted(world.turtles.values(), key=lambda turtle: turtle.name):
         heading = math.degrees(turtle.theta) + 0.0
         lines.append(
             f"  {turtle.name:{width}}  x {turtle.x:.2f} m  y {turtle.y:.2f} m  heading {heading:5.1f}°"
@@ -94,7 +94,7 @@ def picture(world: World, background: tuple[int, int, int] = BACKGROUND, size: i
         points = _pixels(stroke.points, scale)
         thickness = max(1, round(stroke.width * size / 500))
         cv2.polylines(image, [points], False, stroke.colour[::-1], thickness, cv2.LINE_AA, _ACROSS)
-    for turtle in sorted(world.turtles.values(), key=lambda one: one.name):
+    for turtle in sorted(world.turtles.values(), key=lambda turtle: turtle.name):
         _draw_turtle(image, turtle, scale)
     return image
 

@@ -90,7 +90,9 @@ def _link_shapes(assembly: Any) -> dict[str, list[Triangles]]:
         except MeshError:
             return {}
         if surfaces:
-            found[link] = [Triangles(*simpler((one.vertices, one.faces), MOST_FACES), one.colour) for one in surfaces]
+            found[link] = [
+                Triangles(*simpler((surface.vertices, surface.faces), MOST_FACES), surface.colour) for surface in surfaces
+            ]
     return found
 
 

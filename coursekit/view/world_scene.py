@@ -173,7 +173,7 @@ def lidars(simulator: Simulator) -> dict[str, tuple[Robot, Lidar]]:
     found: dict[str, tuple[Robot, Lidar]] = {}
     for name, robot in simulator.simulation.robots.items():
         devices = simulator.assemblies[name].devices if name in simulator.assemblies else []
-        rays = [one for one in devices if isinstance(one, RayDevice) and one.lidar.beams > 1]
+        rays = [device for device in devices if isinstance(device, RayDevice) and device.lidar.beams > 1]
         found |= {f"{name} {number}": (robot, one.lidar) for number, one in enumerate(rays)}
     return found
 

@@ -68,7 +68,7 @@ def words_of(code: str) -> Words:
         return Words({})
     import polib
 
-    return Words({one.msgid: one.msgstr for one in polib.pofile(str(catalogue_of(code))).translated_entries()})
+    return Words({entry.msgid: entry.msgstr for entry in polib.pofile(str(catalogue_of(code))).translated_entries()})
 
 
 def _is_ours(code: str) -> bool:

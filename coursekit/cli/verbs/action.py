@@ -53,8 +53,8 @@ def list_actions(args: Any) -> int:
 def show_type(args: Any) -> int:
     """Print an action's types."""
     types = dict(_actions()).get(ask.full_name(args.action_name))
-    for one in types or ():
-        print(one)
+    for type_name in types or ():
+        print(type_name)
     return 0 if types else 1
 
 
@@ -78,10 +78,10 @@ def show_info(args: Any) -> int:
 
 def _nodes_with(node: Any, action: str, find: Any) -> list[tuple[str, list[str]]]:
     found = []
-    for one in list(ask.graph().nodes):
-        types = dict(find(node, one.name, one.namespace)).get(action)
+    for other in list(ask.graph().nodes):
+        types = dict(find(node, other.name, other.namespace)).get(action)
         if types:
-            found.append((one.full_name, types))
+            found.append((other.full_name, types))
     return sorted(found)
 
 
@@ -117,7 +117,7 @@ def _offered(node: Any) -> list[str]:
 
     nodes = list(ask.graph().nodes)
     return sorted(
-        {name for one in nodes for name, _ in get_action_server_names_and_types_by_node(node, one.name, one.namespace)}
+        {name for other in nodes for name, _ in get_action_server_names_and_types_by_node(node, other.name, other.namespace)}
     )
 
 

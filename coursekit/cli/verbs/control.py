@@ -72,7 +72,7 @@ def _load(asker: Asker, args: Any) -> str | None:
 
 def _set_state(asker: Asker, args: Any) -> str | None:
     name, wanted = args.controller_name, args.state
-    state = next((one.state for one in asker.controllers() if one.name == name), None)
+    state = next((controller.state for controller in asker.controllers() if controller.name == name), None)
     if state is None:
         return f"controller {name} does not seem to be loaded"
     if wanted == "inactive" and state == "unconfigured":

@@ -88,10 +88,10 @@ def _transitions(node: Any, name: str, everything: bool = False) -> list[Any]:
 def list_transitions(args: Any) -> int:
     """Print the transitions that are currently possible, or all."""
     with ask.command_node() as node:
-        for one in _transitions(node, _checked(args), args.all):
+        for transition in _transitions(node, _checked(args), args.all):
             print(
-                f"- {one.transition.label} [{one.transition.id}]\n"
-                f"\tStart: {one.start_state.label}\n\tGoal: {one.goal_state.label}"
+                f"- {transition.transition.label} [{transition.transition.id}]\n"
+                f"\tStart: {transition.start_state.label}\n\tGoal: {transition.goal_state.label}"
             )
     return 0
 
@@ -104,9 +104,13 @@ def set_state(args: Any) -> int:
     name = _checked(args)
     with ask.command_node() as node:
         known = _transitions(node, name)
-        wanted = [one.transition for one in known if args.transition in (one.transition.label, str(one.transition.id))]
+        wanted = [
+            transition.transition
+            for transition in known
+            if args.transition in (transition.transition.label, str(transition.transition.id))
+        ]
         if not wanted:
-            names = "\n".join(f"- {one.transition.label} [{one.transition.id}]" for one in known)
+            names = "\n".join(f"- {transition.transition.label} [{transition.transition.id}]" for transition in known)
             raise ask.Unhappy(f"Unknown transition requested, available ones are:\n{names}")
         request = ChangeState.Request(transition=Transition(id=wanted[0].id, label=wanted[0].label))
         if _ask(node, name, ChangeState, "change_state", request).success:

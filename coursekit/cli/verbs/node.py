@@ -60,7 +60,7 @@ def show_info(args: Any) -> int:
         ("Service Clients", node.clients),
     ):
         found = names_and_types(endpoints)
-        _section(title, [one for one in found if args.include_hidden or not is_hidden(one[0])])
+        _section(title, [pair for pair in found if args.include_hidden or not is_hidden(pair[0])])
     _actions(node, args.include_hidden)
     return 0
 
@@ -79,4 +79,4 @@ def _actions(node: Any, hidden: bool) -> None:
             ("Action Clients", action_graph.get_action_client_names_and_types_by_node),
         ):
             found = find(asking, node.name, node.namespace)
-            _section(title, [one for one in found if hidden or not is_hidden(one[0])])
+            _section(title, [pair for pair in found if hidden or not is_hidden(pair[0])])

@@ -101,7 +101,7 @@ def list_parameters(args: Any) -> int:
     with ask.command_node() as node:
         for name in _nodes(args):
             asking = _Asking(node, name)
-            names = [one for one in asking.names(args.param_prefixes) if re.search(args.filter, one)]
+            names = [parameter for parameter in asking.names(args.param_prefixes) if re.search(args.filter, parameter)]
             if not args.node_name:
                 print(f"{name}:")
             values = asking.values(names) if args.param_type else [None] * len(names)

@@ -56,8 +56,8 @@ def _served(hidden: bool) -> list[tuple[str, list[str]]]:
 def show_type(args: Any) -> int:
     """Print a service's types."""
     types = dict(ask.services(args.hidden)).get(ask.full_name(args.service_name))
-    for one in types or ():
-        print(one)
+    for type_name in types or ():
+        print(type_name)
     return 0 if types else 1
 
 

@@ -96,8 +96,8 @@ def show_info(args: Any) -> int:
 def show_type(args: Any) -> int:
     """Print a topic's types."""
     types = dict(ask.topics(args.hidden)).get(ask.full_name(args.topic_name))
-    for one in types or ():
-        print(one)
+    for type_name in types or ():
+        print(type_name)
     return 0 if types else 1
 
 

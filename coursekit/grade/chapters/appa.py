@@ -105,11 +105,11 @@ def prove(work: Work) -> None:
     if len(commands) != 3:
         raise Wrong("a list of three texts", gave=shown(commands), hint=NO_HINT)
     commands = texts(commands, "a list of three texts")
-    commands = [_command(one, "commands") for one in commands]
+    commands = [_command(given, "commands") for given in commands]
     well = _answers(work, commands, "")
     for command, output in zip(commands, well, strict=True):
         _understood(command, output)
-    rates = [float(one) for one in re.findall(r"average rate: ([0-9.]+)", "\n".join(well))]
+    rates = [float(rate) for rate in re.findall(r"average rate: ([0-9.]+)", "\n".join(well))]
     if not any(60 < rate < 65 for rate in rates):
         raise Wrong("a measured rate of about 62 Hz", f"rates: {rates or 'none'}", "Which verb measures?", share=0.25)
     for fault, option in BROKEN.items():

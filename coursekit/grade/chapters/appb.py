@@ -186,10 +186,10 @@ def the_lookout(work: Work) -> None:
     if len(points) != len(poses):
         got = f"{len(points)}; it said: {last_words(said(seen))}"
         raise Wrong(f"{len(poses)} points on /vera/pallet for {len(poses)} poses", got, hint=NO_HINT)
-    frames = {field(one, "header.frame_id", str, "/vera/pallet") for one in points}
+    frames = {field(point, "header.frame_id", str, "/vera/pallet") for point in points}
     if frames != {"base_link"}:
         raise Wrong("points in base_link", f"frame_id {shown(sorted(frames))}", "In which frame are the numbers?")
-    if [field(one, "header.stamp.sec", int, "/vera/pallet") for one in points] != list(poses):
+    if [field(point, "header.stamp.sec", int, "/vera/pallet") for point in points] != list(poses):
         raise Wrong("each point with the stamp of its pose", "other stamps", "When was the pallet seen there?", share=0.5)
     for message, (place, turn) in zip(points, poses.values(), strict=True):
         _judge_sight(fields(message, ("point.x", "point.y", "point.z"), "/vera/pallet"), place, turn)

@@ -81,7 +81,7 @@ def large_cone(work: Work) -> None:
     work.built(PACKAGE)
     wanted = ("urdf/cone.urdf", "urdf/large_cone.urdf", "meshes/cone.stl", "meshes/large/cone.stl")
     places = [f"install/{folder}share/{PACKAGE}/" for folder in (f"{PACKAGE}/", "")]
-    share = next((one for one in places if work.exists(one + "package.xml")), places[0])
+    share = next((place for place in places if work.exists(place + "package.xml")), places[0])
     there = [file for file in wanted if work.exists(share + file)]
     for file in wanted:
         if file not in there:

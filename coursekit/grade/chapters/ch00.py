@@ -52,7 +52,7 @@ def keys(work: Work) -> None:
     seen = work.try_out(beside=[TURTLESIM], seconds=now + 0.5, publish=plan, record=[POSE])
     places = way_of(seen, POSE)
     work.illustrate(walked, places, (0.0, 5.5, 0.0, PAPER))
-    if any("hit the wall" in one for one in seen.beside):
+    if any("hit the wall" in line for line in seen.beside):
         cause = "Press for a shorter time."
         raise Wrong("no wall on the way", "it hit one", cause, share=0.25, hint=NO_HINT, at=places[-1:])
     driven = sum(math.dist(one[:2], other[:2]) for one, other in pairwise(places))
@@ -83,13 +83,15 @@ def _press(press: Any) -> tuple[tuple[float, float], float]:
 def wishes(work: Work) -> None:
     """Check for three chapters, a sentence each."""
     found = work.value("wishes", dict)
-    good = {key: one for key, one in found.items() if type(key) is int and key in CHAPTERS and _is_sentence(one)}
+    good = {
+        key: sentence for key, sentence in found.items() if type(key) is int and key in CHAPTERS and _is_sentence(sentence)
+    }
     wanted = f"a sentence for at least three chapters from {CHAPTERS[0]} to {CHAPTERS[-1]}"
     if len(good) < 3:
         what = ", ".join(str(key) for key in sorted(good)) or "none"
         cause = "A sentence has four words or more, with spaces between them."
         raise Wrong(wanted, gave=f"sentences for: {what}", cause=cause)
-    if len({" ".join(sorted(_words(one))) for one in good.values()}) < 3:
+    if len({" ".join(sorted(_words(sentence))) for sentence in good.values()}) < 3:
         raise Wrong(wanted, gave=shown(list(good.values())), cause="Each wish is another one.", hint=1)
 
 

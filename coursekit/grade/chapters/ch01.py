@@ -88,7 +88,7 @@ def stage(work: Work) -> None:
     """Check that a second turtle is in place, and that turtle1's pen is red and five pixels wide."""
     name, where = work.variant("turtle", "bob"), (work.variant("x", 2.5), work.variant("y", 3.5))
     commands = texts(work.value("commands", list), "a list of texts in `commands`")
-    if any(one.split()[:1] == ["ros2"] for one in commands):
+    if any(command.split()[:1] == ["ros2"] for command in commands):
         raise Wrong("command lines without the word ros2", gave=shown(commands), hint=NO_HINT)
     looks = [(6.5, "/spawn", "turtlesim/srv/Spawn", {"x": 6.0, "y": _beside(off), "name": _look(off)}) for off in ASIDE]
     colours = {off: f"/{_look(off)}/color_sensor" for off in ASIDE}
@@ -98,14 +98,14 @@ def stage(work: Work) -> None:
     )  # fmt: skip
     complaint = _complaint(seen, commands)
     if not course_said(seen, f"/{name}/pose"):
-        there = ", ".join(one for one in seen.topics if "pose" in one and "look" not in one)
+        there = ", ".join(name for name in seen.topics if "pose" in name and "look" not in name)
         raise Wrong(f"a turtle named {name}", f"topics: {there}{complaint}", hint=0)
     place = way_of(seen, f"/{name}/pose")[-1][:2]
     if not close(place, where, 0.01):
         raise Wrong(f"{name} at ({where[0]:g}, {where[1]:g})", f"({place[0]:.2f}, {place[1]:.2f})", share=0.5, hint=0)
     line = {off: _colours(seen, topic) for off, topic in colours.items()}
     if RED not in line[0]:
-        drawn = ", ".join(str(one) for one in sorted(line[0])) or "no colour"
+        drawn = ", ".join(str(key) for key in sorted(line[0])) or "no colour"
         wanted = f"turtle1 draws in red {RED}"
         raise Wrong(wanted, f"where it went there is {drawn}{complaint}", _pen_cause(commands), share=0.5, hint=1)
     wide, right = sum(RED in line[off] for off in ASIDE), sum(map(_is_drawn, ASIDE))
@@ -134,7 +134,7 @@ def _look(off: int) -> str:
 def _colours(seen: Any, topic: str) -> set[tuple[Any, ...]]:
     """Return the colours that a turtle has sensed below itself."""
     found = (message for _, message in course_said(seen, topic) if isinstance(message, dict))
-    return {tuple(message.get(one) for one in "rgb") for message in found}
+    return {tuple(message.get(channel) for channel in "rgb") for message in found}
 
 
 def _complaint(seen: Any, commands: list[str]) -> str:
@@ -147,7 +147,7 @@ def _complaint(seen: Any, commands: list[str]) -> str:
 
 def _pen_cause(commands: list[str]) -> str:
     """Explain that YAML reads an unquoted `off` as false, which is no field name."""
-    unquoted = any("{off:" in one.replace(" ", "") or ",off:" in one.replace(" ", "") for one in commands)
+    unquoted = any("{off:" in command.replace(" ", "") or ",off:" in command.replace(" ", "") for command in commands)
     return "YAML reads off as false. Between quotes it is a name: \"off\": 0" if unquoted else ""
 
 
@@ -183,8 +183,8 @@ def dance(work: Work) -> None:
 def _triples(work: Work, name: str) -> list[tuple[float, ...]]:
     found = work.value(name, list)
     wanted = f"`{name}`, a list of three finite numbers each"
-    triples = [numbers(one, 3, wanted) for one in found[:1000]]
-    if any(not abs(one) <= 1000 for triple in triples for one in triple) or len(found) > 1000:
+    triples = [numbers(triple, 3, wanted) for triple in found[:1000]]
+    if any(not abs(number) <= 1000 for triple in triples for number in triple) or len(found) > 1000:
         raise Wrong(wanted, gave=shown(found), hint=NO_HINT)
     return triples
 

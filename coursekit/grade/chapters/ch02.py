@@ -116,17 +116,17 @@ def _judge_relay(work: Work, package: str, language: str, chance: Random, cause_
         texts[1] = "grüß dich"  # a C++ text is bytes, and a letter may have two
     times = [0.5 + 0.4 * index + chance.uniform(0.0, 0.3) for index in range(len(texts) - 2)]
     times += [times[-1] + 0.011, times[-1] + 0.022]
-    spoken = [(when, hears, STRING, {"data": one}) for when, one in zip(times, texts, strict=True)]
+    spoken = [(when, hears, STRING, {"data": text}) for when, text in zip(times, texts, strict=True)]
     seen = work.try_out(f"run {package} relay_exe", record=[says], publish=spoken, seconds=4.5)
     expect_node(seen, f"/{language}_relay_node")
     _expect_ends(seen, hears, says)
-    answers = [(when, field(one, "data", str, says)) for when, one in heard(seen, says)]
-    got = [one for _, one in answers]
-    if [one.casefold() for one in got] != [one.casefold() for one in texts]:
+    answers = [(when, field(message, "data", str, says)) for when, message in heard(seen, says)]
+    got = [answer for _, answer in answers]
+    if [word.casefold() for word in got] != [word.casefold() for word in texts]:
         wanted = f"{len(texts)} messages, one for each that came in"
         cause = "Does a timer publish? It misses what comes in between, or sends it twice." if got else ""
         raise Wrong(wanted, f"{counted(len(got), 'message')}: {shown(got)}", cause, share=0.25, hint=2 if got else 0)
-    if got != [one.upper() for one in texts]:
+    if got != [word.upper() for word in texts]:
         raise Wrong("texts in capitals", shown(got), cause_of_case, share=0.5, hint=1)
     late = [when - came for (when, _), came in zip(answers, times, strict=True)]
     if not max(late) <= AT_ONCE:

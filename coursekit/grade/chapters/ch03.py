@@ -195,8 +195,8 @@ def _shows(messages: Sequence[tuple[float, Any]]) -> bool:
     parts = [[_leaves(msg) for when, msg in messages if start <= when < start + 2.9] for start in (0.0, 3.1, 6.1)]
     if min(len(part) for part in parts) < 2:
         return False
-    names = set.intersection(*(set(one) for part in parts for one in part))
-    return any(_tells(*([one[name] for one in part] for part in parts)) for name in names)
+    names = set.intersection(*(set(fields) for part in parts for fields in part))
+    return any(_tells(*([fields[name] for fields in part] for part in parts)) for name in names)
 
 
 def _leaves(message: Any, name: str = "") -> dict[str, Any]:
@@ -208,13 +208,13 @@ def _leaves(message: Any, name: str = "") -> dict[str, Any]:
         inner = iter(enumerate(message[:100]))
     else:
         return {name: re.sub(r"\d+", "#", message) if isinstance(message, str) else message}
-    return {place: leaf for key, one in inner for place, leaf in _leaves(one, f"{name}.{key}").items()}
+    return {place: leaf for key, value in inner for place, leaf in _leaves(value, f"{name}.{key}").items()}
 
 
 def _tells(before: list[Any], on: list[Any], after: list[Any]) -> bool:
-    if all(is_number(one) for one in before + on + after):
+    if all(is_number(value) for value in before + on + after):
         return min(on) > max(before + after) or max(on) < min(before + after)
-    said_on, said_off = {repr(one) for one in on}, ({repr(one) for one in before}, {repr(one) for one in after})
+    said_on, said_off = {repr(value) for value in on}, ({repr(value) for value in before}, {repr(value) for value in after})
     return not said_on & (said_off[0] | said_off[1]) and bool(said_off[0] & said_off[1])
 
 

@@ -30,7 +30,7 @@ def _message(work: Work, name: str) -> Message:
     found = work.message(source)
     work.built(TYPES)
     places = [f"install/{folder}share/{TYPES}/msg/{name}.msg" for folder in (f"{TYPES}/", "")]
-    installed = [work.text(one) for one in places if work.exists(one)]
+    installed = [work.text(place) for place in places if work.exists(place)]
     if work.text(source) not in installed:
         build = f"%colcon build --packages-select {TYPES}"
         what = "an older one is in install/" if installed else "not in install/"
@@ -164,7 +164,7 @@ def _expect_cancelled(work: Work, goal: str) -> None:
 
 
 def _numbers(text: str, label: str) -> list[int]:
-    return [int(one) for one in re.findall(rf"^ *{label} (-?\d{{1,9}})$", text, re.M)]
+    return [int(number) for number in re.findall(rf"^ *{label} (-?\d{{1,9}})$", text, re.M)]
 
 
 def _ending(said: str) -> str:
@@ -192,15 +192,15 @@ def report(work: Work) -> None:
         others = ", ".join(name for name in seen.topics if name not in EVERY_NODE_S) or "none"
         got = f"{', '.join(types) or 'topics: ' + others}; the program said: {last_words(said(seen))}"
         raise Wrong("/vera_report with your type", got, share=0.5, hint=1)
-    messages = [one for _, one in heard(seen, "/vera_report")]
+    messages = [message for _, message in heard(seen, "/vera_report")]
     if len(messages) < 3:
         raise Wrong("a report at least once a second", f"{len(messages)} in 4 seconds", share=0.5, hint=1)
-    if len({repr(one) for one in messages}) < 2:
+    if len({repr(message) for message in messages}) < 2:
         raise Wrong("values that change", f"always {shown(messages[0])}", share=0.75, hint=1)
 
 
 def _told(fields: tuple[Field, ...], constants: int) -> str:
-    kinds = ", ".join(f"{one.type} {one.name}" for one in fields)
+    kinds = ", ".join(f"{member.type} {member.name}" for member in fields)
     return f"{kinds or 'no fields'}; {constants} constant{'' if constants == 1 else 's'}"[:200]
 
 
@@ -233,19 +233,19 @@ def alarm(work: Work) -> None:
     work.compiled(CPP, "cpp_alarm_node")
     chance, kind = work.dice("ch04.q5"), f"{TYPES}/msg/HardwareStatus"
     degrees = [61, 60, chance.randint(62, 95), chance.randint(-20, 59), chance.randint(62, 95)]
-    states = [{"temperature": one, "are_motors_up": chance.random() < 0.5} for one in degrees]
+    states = [{"temperature": degree, "are_motors_up": chance.random() < 0.5} for degree in degrees]
     publish = [(1.0 + 0.5 * at, "/cpp_hs_topic", kind, state) for at, state in enumerate(states)]
     seen = work.try_out(f"run {CPP} alarm_exe", record=["/cpp_alarm_topic"], publish=publish, seconds=4.5)
     expect_node(seen, "/cpp_alarm_node")
     expect_subscription(seen, "/cpp_hs_topic", kind, hint=0)
     alarms = [message for _, message in heard(seen, "/cpp_alarm_topic")]
-    got = [(field(one, "temperature", int), field(one, "are_motors_up", bool)) for one in alarms]
+    got = [(field(message, "temperature", int), field(message, "are_motors_up", bool)) for message in alarms]
     hot = [(state["temperature"], state["are_motors_up"]) for state in states if state["temperature"] > 60]
     if got != hot:
         told = f"of statuses with {', '.join(map(str, degrees))} degrees"
-        came = f"alarms at {', '.join(str(one) for one, _ in got) or 'no'} degrees"
+        came = f"alarms at {', '.join(str(temperature) for temperature, _ in got) or 'no'} degrees"
         cause = "60 degrees are not above 60." if (60, states[1]["are_motors_up"]) in got else ""
         raise Wrong(f"{told} those above 60, unchanged, on /cpp_alarm_topic", came, cause, hint=0)
-    texts = {field(one, "debug_message", str) for one in alarms}
+    texts = {field(message, "debug_message", str) for message in alarms}
     if texts != {"too hot"}:
         raise Wrong("`too hot` in each alarm's debug_message", shown(sorted(texts)), hint=1)

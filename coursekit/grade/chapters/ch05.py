@@ -51,7 +51,7 @@ def lamp(work: Work) -> None:
     calls = [describe, *calls_that_set(LAMP, asks)]
     seen = work.try_out(f"run {PACKAGE} lamp_exe", record=["/lamp"], call=calls, seconds=5.0)
     expect_node(seen, LAMP)
-    colours = [(when, field(one, "data", str, "/lamp")) for when, one in heard(seen, "/lamp")]
+    colours = [(when, field(message, "data", str, "/lamp")) for when, message in heard(seen, "/lamp")]
     early = [colour for when, colour in colours if when < 1.1]
     if early != ["green", "green"]:
         raise Wrong("green twice in the first second, as the defaults say", f"{shown(early)}", "Are name and default right?")
@@ -135,7 +135,7 @@ def two_eyes(work: Work) -> None:
         for node, answer in zip(nodes, seen.responses, strict=True):
             expect_node(seen, node)
             values = field(answer, "values", list, f"an answer of {node}")
-            size = [(field(one, "type", int), field(one, "integer_value", int)) for one in values]
+            size = [(field(message, "type", int), field(message, "integer_value", int)) for message in values]
             if size != [(INTEGER, width), (INTEGER, 240)]:
                 sizes = " x ".join(str(value) for _, value in size) or "nothing"
                 raise Wrong(f"{width} x 240 for {node} with: ros2 {command}", sizes, share=0.5, hint=0)
@@ -160,7 +160,9 @@ def ball(work: Work) -> None:
     for width, height in ((320, 240), (200, 150)):
         moments = _moments(chance)
         pictures = [_picture(number, moment, width, height) for number, moment in enumerate(moments, 1)]
-        spoken = [(0.5 + 0.1 * k, "/camera/image_raw", "sensor_msgs/msg/Image", one) for k, one in enumerate(pictures)]
+        spoken = [
+            (0.5 + 0.1 * k, "/camera/image_raw", "sensor_msgs/msg/Image", picture) for k, picture in enumerate(pictures)
+        ]
         seconds = 1.0 + 0.1 * len(pictures)
         seen = work.try_out(f"run {USERS} tracker_exe", publish=spoken, record=["/ball/pixel"], seconds=seconds)
         expect_node(seen, "/py_tracker_node")
@@ -171,10 +173,10 @@ def ball(work: Work) -> None:
 def _expect_none(work: Work, chance: Random) -> None:
     """Check that a grey image without a ball gives no position, and that the program continues with the next image."""
     grey = _picture(1, 0.0, 160, 120) | {"data": [128] * (3 * 160 * 120)}
-    spoken = [(0.5 + 0.1 * number, "/camera/image_raw", "sensor_msgs/msg/Image", one)
-              for number, one in enumerate((grey, _picture(2, _moments(chance)[0], 160, 120)))]
+    spoken = [(0.5 + 0.1 * number, "/camera/image_raw", "sensor_msgs/msg/Image", picture)
+              for number, picture in enumerate((grey, _picture(2, _moments(chance)[0], 160, 120)))]
     seen = work.try_out(f"run {USERS} tracker_exe", publish=spoken, record=["/ball/pixel"], seconds=1.2)
-    stamps = [field(one, "header.stamp.sec", int, "/ball/pixel") for _, one in heard(seen, "/ball/pixel")]
+    stamps = [field(message, "header.stamp.sec", int, "/ball/pixel") for _, message in heard(seen, "/ball/pixel")]
     if stamps != [2]:
         wanted = "of a grey picture and one with the ball, a place for the second alone"
         got = f"places for {' and '.join(f'picture {stamp}' for stamp in stamps) or 'neither'}"
@@ -215,10 +217,10 @@ def _judge_places(work: Work, seen: Seen, places: dict[int, tuple[float, float]]
     said_of: dict[int, float] = {}
     answers: dict[int, tuple[float, float]] = {}
     work.illustrate(seen_at, places, answers, (width, height), 0.04 * width)
-    for _, one in heard(seen, "/ball/pixel"):
-        number = field(one, "header.stamp.sec", int, "/ball/pixel")
+    for _, message in heard(seen, "/ball/pixel"):
+        number = field(message, "header.stamp.sec", int, "/ball/pixel")
         if number in places:
-            x, y = fields(one, ("point.x", "point.y"), "/ball/pixel")
+            x, y = fields(message, ("point.x", "point.y"), "/ball/pixel")
             answers[number], far = (x, y), math.dist((x, y), places[number])
             said_of[number] = max(far, said_of.get(number, 0.0))
     if len(said_of) < 0.6 * len(places):
@@ -270,6 +272,6 @@ def lamp_in_cpp(work: Work) -> None:
     seen = work.try_out(f"run {CPP} lamp_exe", record=["/lamp"], call=calls, seconds=4.0)
     expect_node(seen, CPP_LAMP)
     judge_answers(asks, seen.responses)
-    late = {field(one, "data", str, "/lamp") for when, one in heard(seen, "/lamp") if when > 2.5}
+    late = {field(message, "data", str, "/lamp") for when, message in heard(seen, "/lamp") if when > 2.5}
     if late != {"amber"}:
         raise Wrong("the colour that was set last: amber", ", ".join(sorted(late)) or "none", hint=1)

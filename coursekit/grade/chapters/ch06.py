@@ -84,11 +84,11 @@ def _judge_cart_places(robot: Robot) -> None:
 
 
 def _floats(values: Any) -> list[float]:
-    return [float(one) for one in values]
+    return [float(value) for value in values]
 
 
 def _same_size(got: Any, need: tuple[float, ...], tolerance: float) -> bool:
-    return all(near(float(one), other, tolerance) for one, other in zip(got, need, strict=True))
+    return all(near(float(value), other, tolerance) for value, other in zip(got, need, strict=True))
 
 
 def _judge_wheel(robot: Robot, side: str) -> None:
@@ -243,7 +243,7 @@ def _postures(robot: Robot, chance: Random) -> list[dict[str, float]]:
         around = [k * math.pi / 4 for k in range(8)]
         ends[joint.name] = around if limit is None else [float(limit.lower), float(limit.upper)]
     if math.prod(map(len, ends.values())) <= POSTURES:
-        return [{}, *(dict(zip(ends, one, strict=True)) for one in itertools.product(*ends.values()))]
+        return [{}, *(dict(zip(ends, corner, strict=True)) for corner in itertools.product(*ends.values()))]
     return [{}, *({name: chance.choice(values) for name, values in ends.items()} for _ in range(POSTURES))]
 
 

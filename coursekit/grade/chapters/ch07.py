@@ -71,7 +71,7 @@ def stages(work: Work) -> None:
 
 def _judge_stages(work: Work, seen: Seen) -> None:
     told = reports(seen, 1)
-    goals = [[spot_of(one) for _, one in heard(seen, f"/robot1/{kind}_pose")] for kind in ("pickup", "delivery")]
+    goals = [[spot_of(message) for _, message in heard(seen, f"/robot1/{kind}_pose")] for kind in ("pickup", "delivery")]
     if len(told) < 100 or not all(goals):
         what = f"{len(told)} reports; it said: {last_words(said(seen, 1))}"
         raise Wrong("a robot that asks for work and reports 30 times a second", what, "Was it built?")
@@ -156,7 +156,7 @@ def _judge_silence(shown: dict[int, list[int]], back: int) -> None:
 
 
 def _row(stages: Sequence[int]) -> str:
-    return ", ".join(str(one) for one in stages[:8]) + (", ..." if len(stages) > 8 else "")
+    return ", ".join(str(stage) for stage in stages[:8]) + (", ..." if len(stages) > 8 else "")
 
 
 @exercise(
@@ -187,10 +187,10 @@ def _crew(seed: int) -> list[str]:
 
 def _judge_crew(work: Work, seen: Seen) -> None:
     told = [reports(seen, number) for number in range(1, 5)]
-    if min(len(one) for one in told) < 2500 or any(one[-1][0] == 6 == one[-60][0] for one in told):
+    if min(len(track) for track in told) < 2500 or any(track[-1][0] == 6 == track[-60][0] for track in told):
         what = f"the manager said: {last_words(said(seen))}"
         raise Wrong("four robots at work for 90 seconds", what, "Does `choose` return?")
-    work.illustrate(four_robots, [[place for _, place in one] for one in told])
+    work.illustrate(four_robots, [[place for _, place in track] for track in told])
     for robot, steps in enumerate(told, 1):
         for (_, before), (_, after) in itertools.pairwise(steps):
             if not math.dist(before[:2], after[:2]) <= STEP + 1e-6:
@@ -207,7 +207,7 @@ def _judge_crew(work: Work, seen: Seen) -> None:
 
 
 def _judge_deliveries(told: list[list[Report]]) -> None:
-    done = [sum(way > 0.5 for way in carried(one)) for one in told]
+    done = [sum(way > 0.5 for way in carried(track)) for track in told]
     if sum(done) < 8 or min(done) < 1:
         each = ", ".join(f"robot{n} {count}" for n, count in enumerate(done, 1))
         cause = "Are there enough tries before it gives up, and does every robot get work?"

@@ -109,7 +109,7 @@ def ray_caster(work: Work) -> None:
 
     judge, chance = RayJudge(work), work.dice("ch08.q2")
     _judge_single(judge)
-    room = [tuple(one) for one in load_world(_world("robot_world")).cut(0.2).edges.tolist()]
+    room = [tuple(edge) for edge in load_world(_world("robot_world")).cut(0.2).edges.tolist()]
     in_room = _judge_rays(judge, room, chance)
     _judge_rays(judge, [tuple(chance.uniform(-6, 6) for _ in range(4)) for _ in range(12)], chance)
     work.illustrate(rays_among, room, in_room)
@@ -163,8 +163,8 @@ def scan_matcher(work: Work) -> None:
         try_match(match, puzzle_in(_world(name), chance), f"{name} {number}")
         for number, name in enumerate(worlds, 1)
     ]
-    bad = [one for one in found if not (one.off <= 0.03 and one.turned <= 0.02)]
-    worst = max(bad, key=lambda one: one.off) if bad else found[0]
+    bad = [match for match in found if not (match.off <= 0.03 and match.turned <= 0.02)]
+    worst = max(bad, key=lambda match: match.off) if bad else found[0]
     work.illustrate(matched, worst.puzzle, worst.pose, worst.told, not bad)
     if bad:
         off, turned, told = worst.off, worst.turned, worst.told
@@ -216,7 +216,7 @@ def _explore(next_goal: Any, name: str, world: Unseen, stops: list[tuple[int, in
 
 def _allowed(world: Any, got: Any, name: str) -> tuple[int, int]:
     wanted = "a cell (row, column) of two integers, or None, from next_goal"
-    cell = [whole(one, wanted) for one in items(got, wanted)]
+    cell = [whole(item, wanted) for item in items(got, wanted)]
     if len(cell) != 2:
         raise Wrong(wanted, gave=shown(got), hint=NO_HINT)
     row, column = cell

@@ -167,7 +167,7 @@ def patrol(work: Work) -> None:
         seconds=ROUND_SECONDS,
     )
     place = "pose.pose.position"
-    track = [fields(one, (f"{place}.x", f"{place}.y"), "/odom") for _, one in course_said(seen, "/odom")]
+    track = [fields(message, (f"{place}.x", f"{place}.y"), "/odom") for _, message in course_said(seen, "/odom")]
     work.illustrate(driven, _course_map(), track, *estimates_and_plans(seen), STOPS)
     _expect_stops(track, last_words(said(seen)))
     lines = [line for line in said(seen).splitlines() if line.startswith("stop ")]
@@ -198,7 +198,7 @@ def _expect_stops(track: Sequence[tuple[float, ...]], last: str) -> None:
         raise Wrong("Vera drives the round", "she was moved without driving", hint=NO_HINT)
     at = 0
     for number, (x, y) in enumerate(STOPS, 1):
-        gaps = [math.hypot(one[0] - x, one[1] - y) for one in track[at:]]
+        gaps = [math.hypot(point[0] - x, point[1] - y) for point in track[at:]]
         first = next((k for k, gap in enumerate(gaps) if gap < NEAR), None)
         if first is None:
             cause = f"Does each goal wait for the end of the one before? The program's last words: {last[:160]}"
@@ -221,7 +221,7 @@ def task_manager(work: Work) -> None:
     """Check for no collision and full delivery, in half the time of one robot."""
     manage, chance = work.function("manage"), work.dice("ch09.q4")
     told = [_judge_plan(work, manage, number, chance) for number in range(1, 6)]
-    slow = [one for one in told if one.ticks > one.alone / 2]
+    slow = [run for run in told if run.ticks > run.alone / 2]
     if slow:
         ticks, alone, number = slow[0].ticks, slow[0].alone, told.index(slow[0]) + 1
         work.illustrate(crew, *slow[0].drawn)

@@ -36,10 +36,10 @@ def driven(
     """Draw the map with the stops, the planned paths, and the robot's positions by amcl and by odometry alone."""
     from coursekit.nav.map_file import load_map
 
-    track = [_place(one, "pose.pose.position", "/amcl_pose") for one in estimates]
+    track = [_place(estimate, "pose.pose.position", "/amcl_pose") for estimate in estimates]
     lines = [Line(odometry, "robot4", "by odometry alone"), Line(track, "own", "driven, as amcl finds", wide=True)]
     shapes: list[Shape] = [_cells(load_map(map_file)), *lines]
-    shapes += [Line(_path(one), "guess", "planned", dashed=True) for one in _first_of_each(plans)]
+    shapes += [Line(_path(plan), "guess", "planned", dashed=True) for plan in _first_of_each(plans)]
     shapes.append(Dots(odometry[:1], "ink", "her start", 4.5))
     for number, stop in enumerate(stops, 1):
         shapes += [Dots([stop], "truth", "a stop", 5.0), Words(stop[0], stop[1] - 0.13, f"stop {number}")]
@@ -56,22 +56,22 @@ def _cells(grid: GridMap) -> Cells:
 
 def _around(points: Sequence[Sequence[float]]) -> View:
     """Return a view of all points with a margin."""
-    xs, ys = ([one[axis] for one in points] for axis in (0, 1))
+    xs, ys = ([point[axis] for point in points] for axis in (0, 1))
     return min(xs) - ROOM, max(xs) + ROOM, min(ys) - ROOM, max(ys) + ROOM
 
 
 def _first_of_each(plans: Sequence[Any]) -> list[Any]:
     """Return the first plan to each goal: later ones start at her current position."""
     found: dict[Point, Any] = {}
-    for one in plans[:MOST_PLANS]:
-        path = _path(one)
+    for plan in plans[:MOST_PLANS]:
+        path = _path(plan)
         if path:
-            found.setdefault((round(path[-1][0], 1), round(path[-1][1], 1)), one)
+            found.setdefault((round(path[-1][0], 1), round(path[-1][1], 1)), plan)
     return list(found.values())
 
 
 def _path(plan: Any) -> list[Point]:
-    return [_place(one, "pose.position", "/plan") for one in field(plan, "poses", list, "/plan")]
+    return [_place(pose, "pose.position", "/plan") for pose in field(plan, "poses", list, "/plan")]
 
 
 def _place(message: Any, position: str, topic: str) -> Point:

@@ -32,7 +32,7 @@ def inflated(asked: Sequence[Point], inscribed: float, scaling: float, radius: f
     curve = [(0.0, 254.0), (0.0, 253.0), (inscribed, 253.0)]
     curve += [(gap, 252 * math.exp(-scaling * (gap - inscribed))) for gap in falling]
     end = radius * 1.25
-    dots = Dots([one for one in asked if one[0] <= end], "own", "your function", 3.2)
+    dots = Dots([cell for cell in asked if cell[0] <= end], "own", "your function", 3.2)
     line = Line([*curve, (radius, 0.0), (end, 0.0)], "truth", "nav2's formula")
     alt = f"Cost over the distance from a wall: nav2's curve falls from 252 at {inscribed:g} m to 0 beyond {radius:g} m"
     axes = ("distance from the wall [m]", "cost")
@@ -41,7 +41,7 @@ def inflated(asked: Sequence[Point], inscribed: float, scaling: float, radius: f
 
 def path_over_costs(costs: np.ndarray, path: Sequence[Cell], cheapest: Sequence[Cell], told: str) -> Figure:
     """Draw a floor of costs with the path found, and the cheapest path if that is another one."""
-    paid, least = (sum(1 + costs[one] / 50 for one in cells[1:] if _inside(one, costs)) for cells in (path, cheapest))
+    paid, least = (sum(1 + costs[cell] / 50 for cell in cells[1:] if _inside(cell, costs)) for cells in (path, cheapest))
     right = list(path[:1]) == list(cheapest[:1]) and abs(paid - least) < 1e-6
     better = [] if right else [Line(spots(*cheapest), "truth", "the cheapest path", wide=True)]
     shapes = [_costs(costs), *better, Line(spots(*path), "guess", "your path", wide=True), *_ends(cheapest)]
@@ -53,7 +53,7 @@ def path_over_costs(costs: np.ndarray, path: Sequence[Cell], cheapest: Sequence[
 def closed_floor(costs: np.ndarray, path: Sequence[Cell], start: Cell, goal: Cell, told: str) -> Figure:
     """Draw a floor without a path to the goal, with the path that was given."""
     figure = path_over_costs(costs, path, [start, goal], told)
-    shapes = [one for one in figure.panels[0].shapes if not isinstance(one, Line) or one.label == "your path"]
+    shapes = [shape for shape in figure.panels[0].shapes if not isinstance(shape, Line) or shape.label == "your path"]
     return Figure([Panel(shapes, told, _whole(costs), down=True)], f"{told} from above: no path leads to the goal.")
 
 

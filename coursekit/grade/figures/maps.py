@@ -45,7 +45,7 @@ def _known(grid: GridMap, missed: np.ndarray) -> View:
 
 def explored(worlds: Sequence[tuple[str, Unseen, list[Cell]]]) -> Figure:
     """Draw each world as seen, with the path from goal to goal; unseen floor is marked."""
-    panels = [_explored(*one) for one in worlds]
+    panels = [_explored(*explored) for explored in worlds]
     told = [f"{name}: {len(stops) - 1} goals, {_percent(world)} of the floor seen" for name, world, stops in worlds]
     return Figure(panels, f"Maps from above with the explorer's path. {'; '.join(told)}.")
 

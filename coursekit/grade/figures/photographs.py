@@ -15,7 +15,7 @@ FAR = 20.0
 def photographed(corners: Sequence[Point], poses: Sequence[tuple[Point, float]], name: str) -> Figure:
     """Draw the outline [m], and the field of view of each pose (position, yaw)."""
     shapes: list[Shape] = [Line([*corners, corners[0]], "wall", "the outline", wide=True)]
-    near = [one for one in poses if math.dist(one[0], corners[0]) < FAR]
+    near = [pose for pose in poses if math.dist(pose[0], corners[0]) < FAR]
     for place, yaw in near:
         left, right = (_ahead(place, yaw + side) for side in (HALF_VIEW, -HALF_VIEW))
         shapes.append(Line([left, place, right], "guess", "what it sees", dashed=True))

@@ -39,7 +39,9 @@ def seen_by_me(me: Sequence[float], other: Sequence[float], answer: Sequence[flo
 
 def _around(points: Sequence[Sequence[float]]) -> View:
     """Return a view of all points with a margin, at least half as wide again as high."""
-    (left, right), (low, high) = ((min(one[k] for one in points) - 0.7, max(one[k] for one in points) + 0.7) for k in (0, 1))
+    (left, right), (low, high) = (
+        (min(point[k] for point in points) - 0.7, max(point[k] for point in points) + 0.7) for k in (0, 1)
+    )
     wider = max(0.0, 1.5 * (high - low) - (right - left)) / 2
     return left - wider, right + wider, low, high
 
@@ -51,7 +53,7 @@ def worked(told: Sequence[Report], pickups: Sequence[Spot], deliveries: Sequence
         shapes += [Line(part, kind, label, wide=loaded) for part in _parts(told, loaded)]
     tasks = _tasks(told)
     for goals, kind, label in ((pickups, "guess", "a pickup"), (deliveries, "truth", "a delivery")):
-        shapes += [Arrow(*one, kind, label) for one in goals[:tasks]]
+        shapes += [Arrow(*goal, kind, label) for goal in goals[:tasks]]
     shapes.append(Dots([told[0][1][:2]], "ink", "its start", 4.5))
     alt = f"The robot's track from above, {tasks} loads begun: to each pickup, then to its delivery."
     return Figure([Panel(shapes)], alt)
@@ -100,10 +102,10 @@ def four_robots(tracks: Sequence[Sequence[Spot]]) -> Figure:
     """Draw the tracks of four robots, and the robots on them."""
     shapes: list[Shape] = []
     for number, track in enumerate(tracks, 1):
-        places = [one[:2] for one in track[::EVERY]]
+        places = [pose[:2] for pose in track[::EVERY]]
         shapes += [Line(places, f"robot{number}", f"robot{number}"), Dots(places[:1], f"robot{number}", "", 4.5)]
         shapes.append(Mover(places, f"robot{number}"))
-    lengths = (sum(math.dist(a[:2], b[:2]) for a, b in itertools.pairwise(one)) for one in tracks)
+    lengths = (sum(math.dist(a[:2], b[:2]) for a, b in itertools.pairwise(path)) for path in tracks)
     told = ", ".join(f"robot{number} {length:.1f} m" for number, length in enumerate(lengths, 1))
     return Figure([Panel(shapes)], f"The tracks of four robots from above: {told}.")
 

@@ -24,8 +24,8 @@ AROUND = 0.8
 def rays_among(walls: Sequence[Sequence[float]], rays: Sequence[Ray]) -> Figure:
     """Draw correct rays, each up to the first wall."""
     drawn = rays[:MOST_RAYS]
-    shapes = [*_walls(walls), *(part for one in drawn for part in _right(one))]
-    met = sum(math.isfinite(one.need) for one in drawn)
+    shapes = [*_walls(walls), *(part for ray in drawn for part in _right(ray))]
+    met = sum(math.isfinite(ray.need) for ray in drawn)
     alt = f"{len(walls)} walls from above and {len(drawn)} of your rays: {met} end at the first wall, the others meet none."
     return Figure([Panel(shapes, view=_around(walls, drawn))], alt)
 
@@ -41,7 +41,7 @@ def wrong_ray(walls: Sequence[Sequence[float]], ray: Ray) -> Figure:
 
 
 def _walls(walls: Sequence[Sequence[float]]) -> list[Shape]:
-    return [Line([one[:2], one[2:]], "wall", "a wall", wide=True) for one in walls]
+    return [Line([wall[:2], wall[2:]], "wall", "a wall", wide=True) for wall in walls]
 
 
 def _far(distance: float) -> str:
@@ -58,7 +58,7 @@ def _right(ray: Ray) -> list[Shape]:
 
 def _around(walls: Sequence[Sequence[float]], rays: Sequence[Ray], room: float = 0.4) -> View:
     """Return a view of all walls and the rays' starts."""
-    points = [point for one in walls for point in (one[:2], one[2:])] + [(one.x, one.y) for one in rays]
+    points = [point for wall in walls for point in (wall[:2], wall[2:])] + [(ray.x, ray.y) for ray in rays]
     xs, ys = zip(*points, strict=True)
     return min(xs) - room, max(xs) + room, min(ys) - room, max(ys) + room
 

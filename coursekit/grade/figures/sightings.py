@@ -11,8 +11,8 @@ from coursekit.view.figure import Dots, Figure, Line, Panel, Point, Shape
 def seen_at(places: Mapping[int, Point], answers: Mapping[int, Point], size: tuple[int, int], near: float) -> Figure:
     """Draw all images in one, `size` pixels wide and high: the ball, and the answers, which are wrong beyond `near`."""
     pairs = [(places[number], answer) for number, answer in answers.items() if number in places]
-    right, wrong = ([one for one in pairs if (math.dist(*one) <= near) is is_near] for is_near in (True, False))
-    shapes: list[Shape] = [Line(one, "bad", "how far off") for one in wrong]
+    right, wrong = ([pair for pair in pairs if (math.dist(*pair) <= near) is is_near] for is_near in (True, False))
+    shapes: list[Shape] = [Line(pair, "bad", "how far off") for pair in wrong]
     shapes.append(Dots(list(places.values()), "truth", "the ball", 5.5))
     shapes.append(Dots([answer for _, answer in right], "own", "your place", 2.8))
     shapes.append(Dots([answer for _, answer in wrong], "bad", "a place beside it", 3.5))

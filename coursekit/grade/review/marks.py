@@ -22,11 +22,11 @@ class Marks:
     def __init__(self, group: Class, outcome: Outcome) -> None:
         self._group, self._outcome = group, outcome
         self.folder = group.kept
-        self.records = {one.key: one for one in group.shown(outcome.records)}
+        self.records = {record.key: record for record in group.shown(outcome.records)}
 
     def exercises(self, key: str) -> list[str]:
         """Return the names of a person's exercises."""
-        return [one.name for verdicts in self.records[key].wanted.values() for one in verdicts]
+        return [verdict.name for verdicts in self.records[key].wanted.values() for verdict in verdicts]
 
     def points(self, key: str, exercise: str, text: str) -> None:
         """Set points by hand, or restore the grader's with an empty text.
@@ -37,8 +37,8 @@ class Marks:
         record = self._record(key, exercise)
         kept = self._group.table.by_hand.points.setdefault(key, {})
         if not text.strip():
-            for one in (kept, record.by_hand):
-                one.pop(exercise, None)
+            for points in (kept, record.by_hand):
+                points.pop(exercise, None)
         else:
             kept[exercise] = record.by_hand[exercise] = _points(text)
         self._write(record)
@@ -56,7 +56,9 @@ class Marks:
     def remark(self, key: str, exercise: str) -> str:
         """Return a remark if more than the maximum points were given."""
         record = self.records[key]
-        of = next((one.of for verdicts in record.wanted.values() for one in verdicts if one.name == exercise), 0.0)
+        of = next(
+            (verdict.of for verdicts in record.wanted.values() for verdict in verdicts if verdict.name == exercise), 0.0
+        )
         given = record.by_hand.get(exercise, 0.0)
         return f"Saved: {number(given)} of {number(of)}, a bonus" if given > of else ""
 
@@ -65,7 +67,7 @@ class Marks:
         record = self.records[key]
         total = record.total()
         told = {"total": "no mark yet" if total is None else number(total), "status": record.status().capitalize()}
-        verdicts = [one for one in record.marked().verdicts if one.name == exercise]
+        verdicts = [verdict for verdict in record.marked().verdicts if verdict.name == exercise]
         return told | {"verdict": said_of(verdicts[0], record) if verdicts else ""}
 
     def class_page(self) -> str:

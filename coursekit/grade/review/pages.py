@@ -59,7 +59,7 @@ def _with(page: str, places: Mapping[str, str]) -> str:
 
 def _fields(record: Record, name: str) -> str:
     """Return the fields for points and comment of an exercise; empty points keep the grader's."""
-    verdict = next(one for one in record.marked().verdicts if one.name == name)
+    verdict = next(candidate for candidate in record.marked().verdicts if candidate.name == name)
     own = next((v.points for m in record.marks.values() for v in m.verdicts if v.name == name), 0.0)
     return _FIELDS.format(
         name=html.escape(name, quote=True),

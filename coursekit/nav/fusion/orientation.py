@@ -53,14 +53,14 @@ class Orientation:
         return self.q
 
     def _first(self, pushed: Vector, north: Vector | None) -> Quaternion:
-        x, y, z = (one * self._up for one in pushed)
+        x, y, z = (part * self._up for part in pushed)
         q = quaternion_of((math.atan2(y, z), math.atan2(-x, math.hypot(y, z)), 0.0))
         return q if north is None else multiply(_turn((0.0, 0.0, 1.0), self._off(q, north)), q)
 
     def _level(self, pushed: Vector, dt: float) -> None:
         """Rotate so that the measured vertical approaches the world's."""
         assert self.q is not None
-        x, y, z = (one * self._up for one in rotate(self.q, pushed))
+        x, y, z = (part * self._up for part in rotate(self.q, pushed))
         if not _size((x, y, z)):
             return
         error = math.atan2(math.hypot(x, y), z)
@@ -90,7 +90,7 @@ def _turn(axis: Vector, angle: float) -> Quaternion:
 
 
 def _unit(q: Quaternion) -> Quaternion:
-    size = math.sqrt(sum(one * one for one in q))
+    size = math.sqrt(sum(part * part for part in q))
     return q[0] / size, q[1] / size, q[2] / size, q[3] / size
 
 

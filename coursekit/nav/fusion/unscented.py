@@ -50,7 +50,7 @@ class Ukf(Ekf):
     def predict(self, time_ns: int) -> None:
         """Predict to a later time without measurements."""
         now, seconds = self.now, (time_ns - self.now.time_ns) * 1e-9
-        later = np.array([step(one, seconds) for one in self._around(self.controlled(time_ns, seconds))])
+        later = np.array([step(point, seconds) for point in self._around(self.controlled(time_ns, seconds))])
         off = self._offsets(later)
         mean = self._weights @ off  # of the offsets: large weights of opposite sign cancel better than for the states
         off -= mean

@@ -34,9 +34,9 @@ def in_box(points: Array, low: Array, high: Array) -> Mask:
 
 def _neighbours(ranges: Array, offsets: list[int]) -> Array:
     """Return the ranges at these beam offsets, (offsets, n); NaN beyond the ends."""
-    reach = max(abs(one) for one in offsets)
+    reach = max(abs(offset) for offset in offsets)
     wide = np.pad(ranges, reach, constant_values=np.nan)
-    return np.array([wide[reach + one : reach + one + len(ranges)] for one in offsets])
+    return np.array([wide[reach + offset : reach + offset + len(ranges)] for offset in offsets])
 
 
 def speckles_by_distance(ranges: Array, window: int, largest: float, far: float) -> Array:

@@ -44,11 +44,11 @@ class Announced:
     def compare(self) -> None:
         """Announce new nodes and endpoints, withdraw removed ones."""
         there = dict.fromkeys(self._present())
-        for gone in [one for one in self._said if one not in there]:
+        for gone in [token for token in self._said if token not in there]:
             for part in self._said.pop(gone):
                 part.undeclare() if hasattr(part, "undeclare") else part.close()
             del self._tokens[gone]
-        for new in [one for one in there if one not in self._said]:
+        for new in [token for token in there if token not in self._said]:
             self._announce(new)
         speakers = [(one, text) for one, text in self._tokens.items() if one.kind == PUBLISHER]
         self._speakers = {(one.name, one.type_name): gid_of(text) for one, text in speakers}

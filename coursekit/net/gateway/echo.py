@@ -59,7 +59,7 @@ class Echo:
         with self._lock:
             while self._said and self._said[0].begin_ns < oldest:
                 self._said.popleft()
-            found = next((one for one in self._said if one.has(data, stamp_ns)), None)
+            found = next((sent for sent in self._said if sent.has(data, stamp_ns)), None)
             if found is not None:
                 self._said.remove(found)
         return found is not None

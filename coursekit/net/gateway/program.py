@@ -95,7 +95,7 @@ class Gateway:
     def _older(self) -> str:
         """Return an error message if another gateway was here first: two would carry everything twice."""
         others = [name for name in self.node.get_node_names() if name.startswith(PREFIX)]
-        if any(int(one[len(PREFIX) :]) < int(self.node.get_name()[len(PREFIX) :]) for one in others):
+        if any(int(other[len(PREFIX) :]) < int(self.node.get_name()[len(PREFIX) :]) for other in others):
             return "A gateway runs in this ROS domain already: two would carry everything twice. End that one first."
         return ""
 

@@ -124,12 +124,12 @@ class Topic:
 
         The publishers' own depth is not used: DDS does not announce it.
         """
-        qualities, asked = [quality_of(one) for one in offered], [quality for _, quality in self._listeners.values()]
+        qualities, asked = [quality_of(info) for info in offered], [quality for _, quality in self._listeners.values()]
         return Quality(
-            reliability=max(one.reliability for one in qualities),
-            durability=max(one.durability for one in qualities),
-            history=max(one.history for one in asked),
-            depth=max(LEAST_DEPTH, *(one.depth for one in asked)),
+            reliability=max(offer.reliability for offer in qualities),
+            durability=max(offer.durability for offer in qualities),
+            history=max(profile.history for profile in asked),
+            depth=max(LEAST_DEPTH, *(profile.depth for profile in asked)),
         )
 
     def _outlet(self, type_hash: str, profile: Any) -> Any:

@@ -29,16 +29,16 @@ class Visitors:
 
     def is_own(self, name: str, namespace: str) -> bool:
         """Whether a ROS node was created here for a remote one."""
-        return any((one.get_name(), one.get_namespace()) == (name, namespace) for one in self._nodes.values())
+        return any((node.get_name(), node.get_namespace()) == (name, namespace) for node in self._nodes.values())
 
     def compare(self) -> None:
         """Match the subscription of each topic to the QoS that ROS publishers offer now."""
         for (name, type_name), topic in self._topics.items():
             infos = self._gateway.node.get_publishers_info_by_topic(name)
             topic.compare([
-                one.qos_profile for one in infos
-                if one.topic_type == type_name and not one.node_name.startswith(PREFIX)
-                and not self.is_own(one.node_name, one.node_namespace)
+                info.qos_profile for info in infos
+                if info.topic_type == type_name and not info.node_name.startswith(PREFIX)
+                and not self.is_own(info.node_name, info.node_namespace)
             ])  # fmt: skip
 
     def came(self, text: str) -> None:

@@ -69,8 +69,8 @@ def read_token(text: str) -> Token:
         raise ValueError(f"'{kind[:20]}' is no kind of token with {len(parts)} parts")
     if not (domain.isascii() and domain.isdecimal() and len(domain) <= 9):
         raise ValueError(f"'{domain[:20]}' is no domain")
-    for one in (session, node, entity):
-        _need(_ID, one, "id")
+    for number in (session, node, entity):
+        _need(_ID, number, "id")
     _need(_NODE_NAME, node_name, "name of a node")
     where = "/" if namespace in ("%", "") else demangle(namespace)
     head = Token(int(domain), session, node, entity, kind, where, node_name)

@@ -22,7 +22,7 @@ _LEVELS = {10: "debug", 20: "info", 30: "warn", 40: "error", 50: "fatal"}
 
 def given_by(request: LoadNode.Request) -> Given:
     """Return the node options for a request."""
-    return Given(arguments_of(request), [Parameter.from_parameter_msg(one) for one in request.parameters])
+    return Given(arguments_of(request), [Parameter.from_parameter_msg(parameter) for parameter in request.parameters])
 
 
 def arguments_of(request: LoadNode.Request) -> list[str]:

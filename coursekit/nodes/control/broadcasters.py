@@ -48,7 +48,7 @@ class JointStateBroadcaster(Controller):
         msg.header.stamp = stamp(now_ns)
         fields = [[state(f"{joint}/{self._names[kind]}") for joint in self._told] for kind in TOLD]
         rest = [0.0] * len(self._extra)
-        msg.position, msg.velocity, msg.effort = ([*one, *rest] for one in fields)
+        msg.position, msg.velocity, msg.effort = ([*field, *rest] for field in fields)
         self._out.publish(msg)
         if not self._dynamic.get_subscription_count():
             return

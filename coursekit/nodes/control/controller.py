@@ -55,7 +55,7 @@ class Controller:
         self.log = node.get_logger()
         self.now_ns = 0
         """The time of the current or last step [ns]."""
-        self._born_with = [id(one) for one in self._opened()]
+        self._born_with = [id(handle) for handle in self._opened()]
 
     def parameter(self, name: str, usual: Any) -> Any:
         """Return a parameter, declared on first use; ControlError for a wrong type."""
@@ -101,17 +101,17 @@ class Controller:
 
     def cleanup(self) -> None:
         """Close what `configure` created, so that the controller can be configured again."""
-        for one in [each for each in self._opened() if id(each) not in self._born_with]:
-            if isinstance(one, Publisher):
-                self.node.destroy_publisher(one)
-            elif isinstance(one, Subscription):
-                self.node.destroy_subscription(one)
-            elif isinstance(one, Service):
-                self.node.destroy_service(one)
-            elif isinstance(one, Timer):
-                self.node.destroy_timer(one)
-            elif isinstance(one, ActionServer):
-                one.destroy()
+        for handle in [each for each in self._opened() if id(each) not in self._born_with]:
+            if isinstance(handle, Publisher):
+                self.node.destroy_publisher(handle)
+            elif isinstance(handle, Subscription):
+                self.node.destroy_subscription(handle)
+            elif isinstance(handle, Service):
+                self.node.destroy_service(handle)
+            elif isinstance(handle, Timer):
+                self.node.destroy_timer(handle)
+            elif isinstance(handle, ActionServer):
+                handle.destroy()
 
     def _opened(self) -> list[Any]:
         node = self.node

@@ -47,7 +47,7 @@ class HardwareInfo:
 
     def interfaces(self, which: str) -> dict[str, Interface]:
         """Return all "commands" or "states" by their full names, such as `wheel/velocity`."""
-        return {f"{part.name}/{one.name}": one for part in self.components for one in getattr(part, which)}
+        return {f"{part.name}/{interface.name}": interface for part in self.components for interface in getattr(part, which)}
 
 
 def read_hardware(text: str, file: str = "") -> tuple[Robot, list[HardwareInfo]]:
@@ -59,7 +59,7 @@ def read_hardware(text: str, file: str = "") -> tuple[Robot, list[HardwareInfo]]
     ['j/position']
     """
     robot = parse(text, file)
-    return robot, [_hardware(one, robot) for one in read(text, file).all("ros2_control")]
+    return robot, [_hardware(element, robot) for element in read(text, file).all("ros2_control")]
 
 
 def _hardware(element: Element, robot: Robot) -> HardwareInfo:
@@ -74,7 +74,7 @@ def _hardware(element: Element, robot: Robot) -> HardwareInfo:
     for key, value in parameters.items():
         if key.endswith("_offset"):
             _number(hardware, value)
-    parts = tuple(_component(one) for one in element.children if one.tag in KINDS)
+    parts = tuple(_component(child) for child in element.children if child.tag in KINDS)
     known = {part.name for part in parts if part.kind == "joint"}
     mimics = {
         joint.name: (joint.mimic.joint, joint.mimic.multiplier, joint.mimic.offset)
@@ -88,7 +88,7 @@ def _hardware(element: Element, robot: Robot) -> HardwareInfo:
 
 
 def _parameters(element: Element) -> dict[str, str]:
-    return {one.get("name") or "": one.text.strip() for one in element.all("param")}
+    return {param.get("name") or "": param.text.strip() for param in element.all("param")}
 
 
 def _component(element: Element) -> Component:

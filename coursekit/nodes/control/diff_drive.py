@@ -92,7 +92,7 @@ class DiffDriveController(Controller):
         return Reckoning(frames, out, tf, period_ns, spreads=spreads, window=1 if self._open_loop else window)
 
     def _diagonal(self, name: str) -> list[float]:
-        values = [float(one) for one in self._told[name]]
+        values = [float(number) for number in self._told[name]]
         if len(values) not in (0, 6):
             raise ControlError(f"{name} has {len(values)} numbers; give 6: x, y, z, and the turns about them")
         return values
@@ -125,8 +125,8 @@ class DiffDriveController(Controller):
         self._wish = (0.0, 0.0)
         for name in self.command_names():
             self.interfaces.command(name, 0.0)
-        for one in self._limits:
-            one.restart()
+        for limit in self._limits:
+            limit.restart()
 
     def update(self, now_ns: int, dt: float) -> None:
         """Command the wheels; publish odometry."""
@@ -156,7 +156,7 @@ class DiffDriveController(Controller):
         ]
         if any(map(math.isnan, sides)):
             return 0.0, 0.0
-        left, right = (one * dt for one in sides)
+        left, right = (side * dt for side in sides)
         if self._feedback == "position":
             last, self._last = self._last or sides, sides
             left, right = sides[0] - last[0], sides[1] - last[1]

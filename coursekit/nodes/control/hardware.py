@@ -21,7 +21,8 @@ class Hardware:
         self.info = info
         self.commands: dict[str, float] = dict.fromkeys(info.interfaces("commands"), math.nan)
         self.states: dict[str, float] = {
-            name: (one.initial if not math.isnan(one.initial) else 0.0) for name, one in info.interfaces("states").items()
+            name: (interface.initial if not math.isnan(interface.initial) else 0.0)
+            for name, interface in info.interfaces("states").items()
         }
         self.state = UNCONFIGURED
         self.now_ns = 0

@@ -41,7 +41,7 @@ class JointCommands:
 
 def difference(desired: Point, actual: Point) -> Point:
     """Return desired minus actual state; angles by the shorter rotation."""
-    off = np.array([math.remainder(float(one), 2 * math.pi) for one in desired.positions - actual.positions])
+    off = np.array([math.remainder(float(difference), 2 * math.pi) for difference in desired.positions - actual.positions])
     speeds = None if desired.velocities is None or actual.velocities is None else desired.velocities - actual.velocities
     return Point(0.0, off, speeds)
 

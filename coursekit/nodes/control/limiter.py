@@ -32,10 +32,10 @@ class SpeedLimiter:
         """Return the limited speed after the last two speeds and `dt` seconds."""
         speed, change = wish, self._last - self._before
         if self._jerk != NOTHING:
-            least, most = (2 * one * dt * dt for one in self._jerk)
+            least, most = (2 * jerk * dt * dt for jerk in self._jerk)
             speed = self._last + change + _within(speed - self._last - change, least, most)
         if self._acceleration != NOTHING:
-            least, most = (one * dt for one in self._acceleration)
+            least, most = (acceleration * dt for acceleration in self._acceleration)
             speed = self._last + _within(speed - self._last, least, most)
         speed = _within(speed, *self._velocity)
         self._before, self._last = self._last, speed

@@ -136,21 +136,26 @@ class Manager:
     def switch(self, start: Sequence[str], stop: Sequence[str], strict: bool) -> bool:
         """Activate and deactivate; `strict` is all or nothing."""
         with self.lock:
-            closed = {name for one in self.hardware if not one.is_available for name in (*one.commands, *one.states)}
+            closed = {
+                name
+                for component in self.hardware
+                if not component.is_available
+                for name in (*component.commands, *component.states)
+            }
             plan = Switching(self.loaded, self.interfaces, self.log, strict, closed).plan(start, stop)
             if plan is None:
                 return False
             starting, stopping = plan
-            claimed = [name for one in starting for name in one.controller.command_names()]
-            released = [name for one in stopping for name in one.claimed]
+            claimed = [name for loaded in starting for name in loaded.controller.command_names()]
+            released = [name for loaded in stopping for name in loaded.claimed]
             if not self._prepare(claimed, released):
                 self.log.error("Could not switch controllers since prepare command mode switch was rejected.")
                 return False
-            for one in stopping:
-                self._deactivate(one)
+            for loaded in stopping:
+                self._deactivate(loaded)
             if not self._perform(claimed, released):
                 self.log.error("Error while performing mode switch.")
-            done = [self._activate(one) for one in starting]
+            done = [self._activate(loaded) for loaded in starting]
             return all(done)
 
     def _prepare(self, claimed: list[str], released: list[str]) -> bool:
@@ -172,7 +177,7 @@ class Manager:
 
     def _asked(self, claimed: list[str], released: list[str]) -> list[Hardware]:
         """Return the hardware that must agree to a switch: none if no commands are concerned."""
-        return [one for one in self.hardware if one.is_available] if claimed or released else []
+        return [component for component in self.hardware if component.is_available] if claimed or released else []
 
     def _activate(self, one: Loaded) -> bool:
         one.controller.now_ns = self.now_ns
@@ -212,40 +217,40 @@ class Manager:
         with self.lock:
             self.now_ns = now_ns
             self._exchange("read", dt)
-            for one in list(self.loaded.values()):
-                if one.state == "active":
-                    one.controller.now_ns = now_ns
-                    one.controller.update(now_ns, dt)
+            for loaded in list(self.loaded.values()):
+                if loaded.state == "active":
+                    loaded.controller.now_ns = now_ns
+                    loaded.controller.update(now_ns, dt)
             self._exchange("write", dt)
 
     def _exchange(self, what: str, dt: float) -> None:
         """Read from or write to all hardware; controllers of hardware with an error are deactivated."""
-        for hardware in [one for one in self.hardware if one.is_available]:
+        for hardware in [component for component in self.hardware if component.is_available]:
             hardware.now_ns = self.now_ns
             if getattr(hardware, what)(dt) is False:
                 self._deactivate_users(hardware)
 
     def _deactivate_users(self, hardware: Hardware) -> None:
         names = {*hardware.commands, *hardware.states}
-        for one in list(self.loaded.values()):
-            if one.state == "active" and names & {*one.claimed, *one.controller.state_names()}:
-                self._deactivate(one)
+        for loaded in list(self.loaded.values()):
+            if loaded.state == "active" and names & {*loaded.claimed, *loaded.controller.state_names()}:
+                self._deactivate(loaded)
 
     def restart(self, now_ns: int) -> None:
         """Restart the active controllers after a reset of time."""
         with self.lock:
             self.now_ns = now_ns
-            for one in [each for each in self.loaded.values() if each.state == "active"]:
-                self._deactivate(one)
-                self._activate(one)
+            for loaded in [each for each in self.loaded.values() if each.state == "active"]:
+                self._deactivate(loaded)
+                self._activate(loaded)
 
     def close(self) -> None:
         """Remove all nodes from the graph."""
         with self.lock:
-            for one in list(self.loaded.values()):
-                if one.state == "active":
-                    one.controller.deactivate()
-                one.controller.leave(self.executor)
+            for loaded in list(self.loaded.values()):
+                if loaded.state == "active":
+                    loaded.controller.deactivate()
+                loaded.controller.leave(self.executor)
             self.loaded.clear()
             self.executor.remove_node(self.node)
             self.node.destroy_node()

@@ -94,7 +94,7 @@ class ManagerServices:
         return answer
 
     def _told(self, hardware: Hardware, names: list[str]) -> list[HardwareInterface]:
-        claimed = {name for one in self._manager.loaded.values() for name in one.claimed}
+        claimed = {name for loaded in self._manager.loaded.values() for name in loaded.claimed}
         there = hardware.is_available
         return [HardwareInterface(name=name, is_available=there, is_claimed=name in claimed) for name in names]
 

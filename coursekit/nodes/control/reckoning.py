@@ -34,7 +34,7 @@ class Reckoning:
         self._frames, self._out, self._tf, self._period_ns = frames, out, tf, period_ns
         self._x = self._y = self._theta = 0.0
         self._told_ns = 0
-        self._covariances = [np.diag(one).ravel() if len(one) else np.zeros(36) for one in spreads]
+        self._covariances = [np.diag(spread).ravel() if len(spread) else np.zeros(36) for spread in spreads]
         self._speeds: deque[tuple[float, float]] = deque(maxlen=max(window, 1))
 
     def go(self, now_ns: int, dt: float, way: float, bend: float) -> None:

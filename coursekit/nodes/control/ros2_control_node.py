@@ -98,8 +98,8 @@ class ControlNode:
 
         As on Humble, hardware is destroyed as it is: a driver that has to stop its motors does that in its destructor.
         """
-        for one in self.manager.loaded.values():
-            one.controller.leave(self.executor)
+        for loaded in self.manager.loaded.values():
+            loaded.controller.leave(self.executor)
         for hardware in self.manager.hardware:
             hardware.close()
 

@@ -67,7 +67,7 @@ class Spawner:
 
     def _wait(self) -> bool:
         begun, said = self.node.get_clock().now().nanoseconds, -2e9
-        while not any(self._full(one) == self.manager for one in self.node.get_node_names_and_namespaces()):
+        while not any(self._full(namespace) == self.manager for namespace in self.node.get_node_names_and_namespaces()):
             waited = self.node.get_clock().now().nanoseconds - begun
             if waited - said >= 2e9:
                 said = waited
@@ -87,7 +87,7 @@ class Spawner:
         return f"{space.rstrip('/')}/{name}"
 
     def _bring(self, name: str) -> bool:
-        if any(one.name == name for one in self.asker.controllers()):
+        if any(controller.name == name for controller in self.asker.controllers()):
             self.log.warning("Controller already loaded, skipping load_controller")
         else:
             if not self._set_parameters(name):

@@ -108,7 +108,7 @@ class SteeringController(Controller):
         angles = [self.interfaces.state(f"{joint}/position") for joint in self._felt[1]]
         if any(map(math.isnan, (*wheels, *angles))):
             return 0.0, 0.0
-        turned = [one * dt for one in wheels]
+        turned = [wheel * dt for wheel in wheels]
         if self._kind == "position":
             turned = [one - before for one, before in zip(wheels, self._last or wheels, strict=True)]
             self._last = wheels

@@ -37,7 +37,7 @@ class Switching:
         starting = self._fitting(start, "inactive", "activate")
         if stopping is None or starting is None:
             return None
-        held = {name for one in self._loaded.values() if one not in stopping for name in one.claimed}
+        held = {name for loaded in self._loaded.values() if loaded not in stopping for name in loaded.claimed}
         free = self._free(starting, held)
         return None if free is None else (free, stopping)
 
@@ -58,12 +58,12 @@ class Switching:
     def _free(self, starting: list[Loaded], held: set[str]) -> list[Loaded] | None:
         """Return those whose interfaces exist and are free."""
         found = []
-        for one in starting:
-            wanted = one.controller.command_names()
-            fault = self._missing(one, wanted, held)
+        for loaded in starting:
+            wanted = loaded.controller.command_names()
+            fault = self._missing(loaded, wanted, held)
             if not fault:
                 held |= set(wanted)
-                found.append(one)
+                found.append(loaded)
                 continue
             self._log.error(fault)
             if self._strict:

@@ -40,11 +40,11 @@ class Tolerances:
         for told, positions, speeds in (
             (goal.path_tolerance, made.path, made.path_speed), (goal.goal_tolerance, made.goal, made.stopped),
         ):  # fmt: skip
-            for one in told:
-                if one.name in joints:
-                    place = list(joints).index(one.name)
-                    _set(positions, place, one.position)
-                    _set(speeds, place, one.velocity)
+            for tolerance in told:
+                if tolerance.name in joints:
+                    place = list(joints).index(tolerance.name)
+                    _set(positions, place, tolerance.position)
+                    _set(speeds, place, tolerance.velocity)
         time = seconds(goal.goal_time_tolerance)
         made.goal_time = made.goal_time if time == 0 else max(time, 0.0)
         return made

@@ -59,8 +59,8 @@ def _derivative(power: int, order: int, at: float) -> float:
     if power < order:
         return 0.0
     factor = 1.0
-    for one in range(power, power - order, -1):
-        factor *= one
+    for exponent in range(power, power - order, -1):
+        factor *= exponent
     return factor * float(at ** (power - order))
 
 

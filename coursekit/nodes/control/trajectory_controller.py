@@ -41,7 +41,7 @@ class JointTrajectoryController(Controller):
         node = self.node
         node.create_subscription(JointTrajectory, "~/joint_trajectory", self._hear, 10)
         kind = JointTrajectoryControllerState
-        self._out = [node.create_publisher(kind, f"~/{one}", 10) for one in ("state", "controller_state")]
+        self._out = [node.create_publisher(kind, f"~/{topic}", 10) for topic in ("state", "controller_state")]
         node.create_service(QueryTrajectoryState, "~/query_state", self._query)
         self._server = ActionServer(
             node, FollowJointTrajectory, "~/follow_joint_trajectory", self._execute,
@@ -197,17 +197,19 @@ class JointTrajectoryController(Controller):
         if self._goal is not None:
             feedback = FollowJointTrajectory.Feedback(joint_names=self.joints)
             feedback.header.stamp = stamp(now_ns)
-            feedback.desired, feedback.actual, feedback.error = (message_of(one) for one in (desired, actual, error))
+            feedback.desired, feedback.actual, feedback.error = (message_of(point) for point in (desired, actual, error))
             self._goal.publish_feedback(feedback)
-        if now_ns - self._told_ns < self.told.period_ns or not any(one.get_subscription_count() for one in self._out):
+        if now_ns - self._told_ns < self.told.period_ns or not any(
+            publisher.get_subscription_count() for publisher in self._out
+        ):
             return
         self._told_ns = now_ns
         msg = JointTrajectoryControllerState(joint_names=self.joints)
         msg.header.stamp = stamp(now_ns)
-        msg.reference, msg.feedback, msg.error = (message_of(one) for one in (desired, actual, error))
+        msg.reference, msg.feedback, msg.error = (message_of(point) for point in (desired, actual, error))
         msg.desired, msg.actual = msg.reference, msg.feedback
-        for one in self._out:
-            one.publish(msg)
+        for publisher in self._out:
+            publisher.publish(msg)
 
     def _query(self, request: Any, answer: Any) -> Any:
         if not self.active or self.trajectory is None:

@@ -42,7 +42,7 @@ class TrajectoryParameters:
         _check(joints, names, commands, states)
         told("action_monitor_rate", 20.0)
         rate = float(told("state_publish_rate", 50.0))
-        gains = tuple(tuple(float(told(f"gains.{joint}.{one}", 0.0)) for one in GAINS) for joint in joints)
+        gains = tuple(tuple(float(told(f"gains.{joint}.{gain}", 0.0)) for gain in GAINS) for joint in joints)
         return cls(
             joints, names, commands, states, _tolerances(controller, joints), gains,
             bool(told("allow_partial_joints_goal", False)),
@@ -60,7 +60,7 @@ def _check(joints: tuple[str, ...], names: tuple[str, ...], commands: tuple[str,
         raise ControlError("'command_interfaces' parameter is empty: it is for example [position]")
     if "position" not in states:
         raise ControlError("'state_interfaces' must have at least 'position'")
-    wrong = [one for one in (*commands, *states) if one not in KINDS]
+    wrong = [kind for kind in (*commands, *states) if kind not in KINDS]
     if wrong:
         raise ControlError(f"interface '{wrong[0]}' is not known; there are {', '.join(KINDS)}")
     if commands == ("velocity",) and "velocity" not in states:

@@ -46,9 +46,10 @@ class TricycleController(Controller):
     def _reckoner(self) -> Reckoning:
         frames = self.parameter("odom_frame_id", "odom"), self.parameter("base_frame_id", "base_link")
         spreads = [
-            [float(one) for one in self.parameter(f"{kind}_covariance_diagonal", [0.0] * 6)] for kind in ("pose", "twist")
+            [float(number) for number in self.parameter(f"{kind}_covariance_diagonal", [0.0] * 6)]
+            for kind in ("pose", "twist")
         ]
-        if any(len(one) not in (0, 6) for one in spreads):
+        if any(len(spread) not in (0, 6) for spread in spreads):
             raise ControlError("pose_covariance_diagonal and twist_covariance_diagonal have 6 numbers each")
         tf = self.node.create_publisher(TFMessage, "/tf", 100) if self.parameter("enable_odom_tf", False) else None
         window = 1 if self._open_loop else int(self.parameter("velocity_rolling_window_size", 10))
@@ -82,7 +83,7 @@ class TricycleController(Controller):
         if (now_ns - self._heard_ns) * 1e-9 > self._patience:
             self._wish = (0.0, 0.0)
         felt, turned = (self.interfaces.state(name) for name in self.state_names())
-        self._reckoning.go(now_ns, dt, *(one * dt for one in self._way(felt, turned)))
+        self._reckoning.go(now_ns, dt, *(speed * dt for speed in self._way(felt, turned)))
         speed, angle = self._asked()
         speed = self._speed.limit(speed * _share(abs(angle - turned)), dt)
         angle = self._angle.limit(angle, dt)

@@ -27,7 +27,7 @@ def in_cpp(value: Any) -> str:
     ['2', '1.450000', 'true', '[true, false]', '[0xff]']
     """
     if isinstance(value, (list, tuple)):
-        return f"[{', '.join(in_cpp(one) for one in value)}]"
+        return f"[{', '.join(in_cpp(item) for item in value)}]"
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, bytes):
@@ -66,8 +66,8 @@ def _list(name: str, args: list[str] | None) -> int:
         asking.set()
         log.info("Listing parameters...")
         found = asking.answer(asking.client.list_parameters(["foo", "bar"], 10)).result
-        lines = ["", "Parameter names:", *(f" {one}" for one in sorted(found.names))]
-        log.info("\n".join([*lines, "Parameter prefixes:", *(f" {one}" for one in found.prefixes)]))
+        lines = ["", "Parameter names:", *(f" {parameter}" for parameter in sorted(found.names))]
+        log.info("\n".join([*lines, "Parameter prefixes:", *(f" {prefix}" for prefix in found.prefixes)]))
     return 0
 
 
@@ -77,8 +77,10 @@ def _set_and_get(name: str, args: list[str] | None) -> int:
     with to_the_end(asking.node):
         asking.set()
         told = ""
-        for one in asking.node.get_parameters(["foo", "baz", "foobarbaz", "toto"]):
-            told += f"\nParameter name: {one.name}\nParameter value ({_TYPES[one.type_]}): {in_cpp(one.value)}"
+        for parameter in asking.node.get_parameters(["foo", "baz", "foobarbaz", "toto"]):
+            told += (
+                f"\nParameter name: {parameter.name}\nParameter value ({_TYPES[parameter.type_]}): {in_cpp(parameter.value)}"
+            )
         asking.node.get_logger().info(told)
     return 0
 

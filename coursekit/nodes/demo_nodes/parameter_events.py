@@ -36,7 +36,7 @@ class EventsNode(CppNode):
         kinds = (("new", event.new_parameters), ("changed", event.changed_parameters), ("deleted", event.deleted_parameters))
         lines = ["", "Parameter event:"]
         for kind, parameters in kinds:
-            lines += [f" {kind} parameters:", *(f"  {one.name}" for one in parameters)]
+            lines += [f" {kind} parameters:", *(f"  {parameter.name}" for parameter in parameters)]
         self.get_logger().info("\n".join(lines) + "\n")
         self.heard += 1
 

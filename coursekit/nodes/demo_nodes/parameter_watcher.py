@@ -39,8 +39,8 @@ class Watcher(CppNode):
         super().__init__(NODE)
         self.declare_parameter(OWN, 0)
         self._handler = ParameterEventHandler(self)
-        self._handler.add_parameter_callback(OWN, NODE, lambda one: self._tell("cb1", one, " of type"))
-        self._handler.add_parameter_callback(THEIRS, REMOTE, lambda one: self._tell("cb2", one, " of type:"))
+        self._handler.add_parameter_callback(OWN, NODE, lambda parameter: self._tell("cb1", parameter, " of type"))
+        self._handler.add_parameter_callback(THEIRS, REMOTE, lambda parameter: self._tell("cb2", parameter, " of type:"))
         self._handler.add_parameter_event_callback(self._hear)
 
     def _hear(self, event: Any) -> None:

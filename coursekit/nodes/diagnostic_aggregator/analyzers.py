@@ -73,13 +73,13 @@ class GenericAnalyzer(Analyzer):
         )  # fmt: skip
         self._begin = [*_texts(given, "find_and_remove_prefix"), *_texts(given, "startswith")]
         prefixes = [*_texts(given, "find_and_remove_prefix"), *_texts(given, "remove_prefix")]
-        self._prefixes = [output_name(one) for one in prefixes]
+        self._prefixes = [output_name(prefix) for prefix in prefixes]
         self._whole, self._contain, self._expected = (_texts(given, key) for key in ("name", "contains", "expected"))
         self._patterns = list(_patterns(_texts(given, "regex"), complain))
         if not (self._begin or self._whole or self._contain or self._expected or self._patterns):
             raise Unfit(f"GenericAnalyzer '{name}' was not initialized with any way of checking diagnostics.")
-        for one in self._expected:
-            self.take(Item(one, now_ns))
+        for pattern in self._expected:
+            self.take(Item(pattern, now_ns))
 
     def matches(self, name: str) -> bool:
         """Whether it takes statuses of this name."""
@@ -168,7 +168,7 @@ def joined(base: str, name: str) -> str:
 def _texts(given: Settings, key: str) -> list[str]:
     """Return a parameter that is a text or several."""
     value = given.get(key, [])
-    return [value] if isinstance(value, str) else [str(one) for one in value]
+    return [value] if isinstance(value, str) else [str(item) for item in value]
 
 
 def _patterns(texts: list[str], complain: Callable[[str], Any]) -> list[re.Pattern[str]]:

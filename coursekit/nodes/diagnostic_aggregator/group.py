@@ -51,14 +51,14 @@ class AnalyzerGroup:
 
     def take(self, item: Item) -> bool:
         """Hand a status to all its analyzers; return whether one of them matches it."""
-        taken = [one.take(item) for one in self._analyzers]
+        taken = [analyzer.take(item) for analyzer in self._analyzers]
         return any(taken)
 
     def report(self, now_ns: int) -> list[DiagnosticStatus]:
         """Return the statuses of all analyzers, then its own, unless it has no path."""
         if not self._analyzers:
             return [status_of(self.path if self.path != "/" else "/AnalyzerGroup", ERROR, "No analyzers")]
-        reports = [(one, one.report(now_ns)) for one in self._analyzers]
+        reports = [(analyzer, analyzer.report(now_ns)) for analyzer in self._analyzers]
         heads = [(one.name, status) for one, report in reports for status in report if status.name == one.path]
         made = [status for _, report in reports for status in report]
         if self.path != "/" and heads:

@@ -92,7 +92,7 @@ class Explore(Node):
 
     def _pursue(self, found: list[Frontier]) -> None:
         """Continue to the best frontier that was not abandoned."""
-        best = next((one for one in found if not self._lost(one.centroid)), None)
+        best = next((frontier for frontier in found if not self._lost(frontier.centroid)), None)
         if best is None:
             self._stop("All frontiers traversed/tried out, stopping.")
             return
@@ -119,7 +119,7 @@ class Explore(Node):
     def _show(self, found: list[Frontier]) -> None:
         if not self._given["visualize"]:
             return
-        stamp, lost = self.get_clock().now().to_msg(), [self._lost(one.centroid) for one in found]
+        stamp, lost = self.get_clock().now().to_msg(), [self._lost(frontier.centroid) for frontier in found]
         self._markers.publish(markers(found, lost, self._costmap.frame, stamp, self._shown))
         self._shown = 2 * len(found)
 

@@ -39,7 +39,7 @@ def _walk(element: Element) -> Walk | None:
     poses: list[Pose2D] = []
     for trajectory in script.all("trajectory"):
         begin = times[-1] if times else 0.0
-        for point in sorted(trajectory.all("waypoint"), key=lambda one: number(one, "time", 0.0)):
+        for point in sorted(trajectory.all("waypoint"), key=lambda point: number(point, "time", 0.0)):
             time = number(point, "time", 0.0)
             if time < 0.0:
                 raise point.error(f"has a time of {time:g}", "Give seconds from the beginning of the trajectory.")

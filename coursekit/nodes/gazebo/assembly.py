@@ -68,7 +68,9 @@ def assemble(made: Blueprint, namespace: str = "") -> Assembly:
             devices += devices_of(sensor, link, made, floor) if newer else sensed(sensor, link, made, namespace, floor)
     done = Assembly(made.name, None, devices, [], made.notes, place=place)
     done.joints = tuple(name for name, kind in made.joints.items() if kind not in ("fixed", ""))
-    if made.robot is not None and any(isinstance(one, (ControlDevice, MotorDevice, TrajectoryDevice)) for one in devices):
+    if made.robot is not None and any(
+        isinstance(device, (ControlDevice, MotorDevice, TrajectoryDevice)) for device in devices
+    ):
         done.articulated = Articulated(made.robot, made, 0.0 if made.root == "world" else floor)
     done.systems, done.description = frozenset(made.systems), made.robot
     done.frames = {name: link.pose for name, link in made.links.items()}
@@ -107,9 +109,11 @@ def _robot(made: Blueprint, drive: Drive | None, devices: list[Device], parts: l
         made.notes.append(f"{made.name} has no <collision> that can be met: it is simulated as a disc of 0.1 m")
         parts = [Disc(0.0, 0.0, 0.1, 0.0, 0.2)]
     drives = ("drive", "ros2_control")
-    source = next((one for one in made.plugins if any(word in (one.get("filename") or "") for word in drives)), None)
+    source = next(
+        (plugin for plugin in made.plugins if any(word in (plugin.get("filename") or "") for word in drives)), None
+    )
     told = [*devices, *(one for each in devices if isinstance(each, ControlDevice) for _, one in each.odometry)]
-    odometer = next((one for one in told if isinstance(one, OdometryDevice) and one.command_topic), None)
+    odometer = next((device for device in told if isinstance(device, OdometryDevice) and device.command_topic), None)
     encoder = odometer is not None and not odometer.exact
     drift = drift_of(source, encoder) if source is not None else EXACT
     return RobotModel(made.name, tuple(parts), max(made.mass(), LIGHTEST), drive, drift, reach=made.reach)

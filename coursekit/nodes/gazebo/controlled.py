@@ -41,10 +41,10 @@ class SimulatedHardware(Hardware):
 
     def begin(self) -> None:
         """Set the joints to the initial positions of the description."""
-        for name, one in self.info.interfaces("states").items():
+        for name, interface in self.info.interfaces("states").items():
             joint, _, kind = name.partition("/")
-            if kind == "position" and not math.isnan(one.initial):
-                self.robot.motors.put(joint, one.initial)
+            if kind == "position" and not math.isnan(interface.initial):
+                self.robot.motors.put(joint, interface.initial)
 
     def read(self, dt: float) -> None:
         """Update positions and speeds of joints, and sensor values."""
@@ -106,7 +106,7 @@ class SimulatedHardware(Hardware):
 
     def _sum(self, joints: tuple[str, ...], kind: str) -> float:
         values = [self.commands.get(f"{joint}/{kind}", 0.0) for joint in joints]
-        return sum(0.0 if math.isnan(one) else one for one in values)
+        return sum(0.0 if math.isnan(value) else value for value in values)
 
 
 class SimulatedDrive(Controller):
@@ -173,8 +173,8 @@ class ControlPublisher(SensorPublisher):
         self.manager = Manager(self.node, self.node.executor, device.arguments(), makers)
         self.services = ManagerServices(self.manager)
         self.hardware = [SimulatedHardware(info, self.robot, self.simulation) for info in device.hardware]
-        for one in self.hardware:
-            self.manager.add(one)
+        for hardware in self.hardware:
+            self.manager.add(hardware)
         if not self.hardware:
             self.manager.log.error("The robot description has no <ros2_control>: there are no joints to control.")
 
@@ -189,9 +189,9 @@ class ControlPublisher(SensorPublisher):
         """Restart at a time; trajectories end."""
         super().restart(begin_ns)
         if begin_ns < self.manager.now_ns:
-            for one in self.hardware:
-                one.begin()
-                one.read(0.0)
+            for hardware in self.hardware:
+                hardware.begin()
+                hardware.read(0.0)
             self.manager.restart(begin_ns)
 
     def close(self) -> None:

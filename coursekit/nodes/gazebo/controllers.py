@@ -94,7 +94,11 @@ def _flat(data: dict[str, Any]) -> dict[str, Any]:
     """Return the nodes by name, including those below a namespace."""
     found = {}
     for name, node in data.items():
-        if isinstance(node, dict) and "ros__parameters" not in node and all(isinstance(one, dict) for one in node.values()):
+        if (
+            isinstance(node, dict)
+            and "ros__parameters" not in node
+            and all(isinstance(setting, dict) for setting in node.values())
+        ):
             below = {key: one for key, one in node.items() if "ros__parameters" in one}
             if below:
                 found.update(below)
@@ -107,7 +111,7 @@ def _rolling(hardware: Any, model: Blueprint) -> Drive | None:
     """Return the drive of wheels commanded only by speed; their poses give their separation and radius."""
     wheels = [
         part.name for info in hardware for part in info.components
-        if any(one.name == "velocity" for one in part.commands) and model.joints.get(part.name) == "continuous"
+        if any(command.name == "velocity" for command in part.commands) and model.joints.get(part.name) == "continuous"
         and part.name in model.axles
     ]  # fmt: skip
     sides: tuple[list[str], list[str]] = ([], [])
@@ -136,7 +140,7 @@ def _drive(plugin: Element, model: Blueprint, name: str, told: dict[str, Any], p
         limits = _limits(told)
         spreads = tuple(tuple(map(float, told.get(f"{kind}_covariance_diagonal", [0] * 6))) for kind in ("pose", "twist"))
         rate, patience = float(told.get("publish_rate", 50.0)), float(told.get("cmd_vel_timeout", 0.5))
-        if min(separation, radius, rate) <= 0 or any(len(one) not in (0, 6) for one in spreads):
+        if min(separation, radius, rate) <= 0 or any(len(spread) not in (0, 6) for spread in spreads):
             raise ValueError
     except (KeyError, TypeError, ValueError):
         cure = "Give wheel_separation and wheel_radius in metres, more than 0, and 6 numbers for each covariance diagonal."

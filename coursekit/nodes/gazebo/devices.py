@@ -142,7 +142,7 @@ class ControlDevice(Device):
     def arguments(self) -> list[str]:
         """Return the arguments of its nodes: parameter files and remappings."""
         words = [word for file in self.files for word in ("--params-file", file)]
-        return words + [word for one in self.remappings for word in ("-r", one)]
+        return words + [word for remapping in self.remappings for word in ("-r", remapping)]
 
 
 @dataclass(frozen=True)

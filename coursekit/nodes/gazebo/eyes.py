@@ -17,7 +17,7 @@ def picture_of(simulator: Simulator, width: int, height: int) -> Any:
     """Return the current image of the first robot's first camera in BGR order; None without a camera."""
     for name, model in list(simulator.assemblies.items()):
         robot = simulator.simulation.robots.get(name)
-        camera = next((one for one in model.devices if isinstance(one, CameraDevice)), None)
+        camera = next((device for device in model.devices if isinstance(device, CameraDevice)), None)
         if robot is not None and camera is not None:
             return _view(simulator, camera, name, width, height).render(simulator.simulation, robot.place, without=robot)
     return None

@@ -48,7 +48,7 @@ def resource_paths() -> list[Path]:
 
 def told_by(*variables: str) -> list[Path]:
     """Return the folders in environment variables."""
-    return [Path(one).expanduser() for name in variables for one in split_folders(os.environ.get(name, ""))]
+    return [Path(folder).expanduser() for name in variables for folder in split_folders(os.environ.get(name, ""))]
 
 
 def exported(attribute: str) -> list[Path]:
@@ -61,7 +61,7 @@ def exported(attribute: str) -> list[Path]:
 def _exported(attribute: str, shares: tuple[tuple[Path, int], ...]) -> tuple[Path, ...]:
     """Cached until a package is added to or removed from a folder: a world calls this for each of its meshes."""
     found: list[Path] = []
-    for file in (one for share, _ in shares for one in sorted(share.glob("*/package.xml"))):
+    for file in (path for share, _ in shares for path in sorted(share.glob("*/package.xml"))):
         try:
             text = read_text(file, errors="replace")
         except OSError:
@@ -72,7 +72,7 @@ def _exported(attribute: str, shares: tuple[tuple[Path, int], ...]) -> tuple[Pat
             continue
         for element in export.all("gazebo_ros") if export is not None else ():
             told = (element.get(attribute) or "").replace("${prefix}", str(file.parent))
-            found += [Path(one) for one in split_folders(told)]
+            found += [Path(folder) for folder in split_folders(told)]
     return tuple(found)
 
 
@@ -92,7 +92,7 @@ def find_model(uri: str, near: Path | None = None) -> Path:
         what = f"model '{uri}' is on the web, and nothing is fetched from there"
         cure = f"Download it, and name its folder: <uri>model://{name.rpartition('/')[2]}</uri>."
         raise MissingModel(what, file=str(near or "SDF"), cure=cure)
-    there = sorted({one.parent.name for folder in folders if folder.is_dir() for one in folder.glob("*/model.config")})
+    there = sorted({path.parent.name for folder in folders if folder.is_dir() for path in folder.glob("*/model.config")})
     searched = "\n".join(f"  {folder}" for folder in folders) or "  (none)"
     raise MissingModel(
         f"model '{uri}' not found; is its folder in {PATH}?", file=str(near or "SDF"),
@@ -103,7 +103,7 @@ def find_model(uri: str, near: Path | None = None) -> Path:
 def _sdf_in(folder: Path) -> Path:
     config = folder / "model.config"
     if config.is_file():
-        rows = [one.text.strip() for one in read(_text_of(config), str(config)).all("sdf")]
+        rows = [element.text.strip() for element in read(_text_of(config), str(config)).all("sdf")]
         for name in reversed(rows):
             if is_file(folder / name):
                 return folder / name

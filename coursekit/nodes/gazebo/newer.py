@@ -79,13 +79,13 @@ def read_system(system: str, plugin: Element, model: Blueprint) -> tuple[Drive |
     if system in readers:
         return readers[system](plugin, model, GzNames(model.newer or "default", model.name))
     if system not in QUIET:
-        known = ", ".join(f"gz-sim-{one}-system" for one in readers)
+        known = ", ".join(f"gz-sim-{reader}-system" for reader in readers)
         model.note(plugin, f"of file '{plugin.get('filename')}' is not simulated; simulated are {known}")
     return None, []
 
 
 def _joints(plugin: Element, model: Blueprint, *tags: str) -> tuple[str, ...]:
-    found = tuple(one.text.strip() for tag in tags for one in plugin.all(tag))
+    found = tuple(element.text.strip() for tag in tags for element in plugin.all(tag))
     for name in found:
         if name not in model.joints:
             known = ", ".join(model.joints) or "none"
@@ -176,8 +176,8 @@ def _poses(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | N
     links = tuple((name, tuple(link.pose.ravel().tolist())) for name, link in model.links.items())
     links = links if flag(plugin, "publish_link_pose", True) else ()
     apart = flag(plugin, "static_publisher", False)
-    still = tuple(one for one in links if apart and one[0] in model.held)
-    moving = tuple(one for one in links if one not in still)
+    still = tuple(link for link in links if apart and link[0] in model.held)
+    moving = tuple(link for link in links if link not in still)
     topic, world = names.topic(plugin.tell("topic"), "pose"), names.world if whole else ""
     rate, seldom = (number(plugin, key, 60.0) for key in ("update_frequency", "static_update_frequency"))
     made: list[Device] = [PoseDevice(topic, "", min(rate, 100.0) if rate > 0 else 60.0, NODE, model.name, world, moving)]

@@ -47,14 +47,14 @@ def transform_of(pose: Array) -> TransformStamped:
     """Convert a 4x4 matrix to a message without header."""
     msg = TransformStamped()
     at, turned = msg.transform.translation, msg.transform.rotation
-    at.x, at.y, at.z = (float(one) for one in pose[:3, 3])
+    at.x, at.y, at.z = (float(number) for number in pose[:3, 3])
     w = math.sqrt(max(0.0, 1.0 + float(np.trace(pose[:3, :3])))) / 2
     if w < 1e-6:  # a half turn about an axis
         turned.x, turned.y, turned.z = (math.sqrt(max(0.0, (1.0 + float(pose[i, i])) / 2)) for i in range(3))
         turned.w = 0.0
         return msg
     skew = (pose[2, 1] - pose[1, 2], pose[0, 2] - pose[2, 0], pose[1, 0] - pose[0, 1])
-    turned.x, turned.y, turned.z, turned.w = (*(float(one) / (4 * w) for one in skew), w)
+    turned.x, turned.y, turned.z, turned.w = (*(float(number) / (4 * w) for number in skew), w)
     return msg
 
 

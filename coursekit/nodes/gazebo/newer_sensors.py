@@ -36,7 +36,7 @@ def devices_of(sensor: Element, link: BlueLink, model: Blueprint, floor: float) 
     if kind == "contact":
         topic = sensor.tell("contact/topic").strip("/") or told
         return [TouchDevice(f"/{topic}" if topic else f"{usual}/contact", frame, rate, NODE, link.name)]
-    known = ", ".join(("gpu_lidar", "imu", "camera", "depth_camera", "contact", *(one for one in EARTH if one != "gps")))
+    known = ", ".join(("gpu_lidar", "imu", "camera", "depth_camera", "contact", *(name for name in EARTH if name != "gps")))
     model.note(sensor, f"of type '{kind}' is not simulated; simulated are {known}")
     return []
 

@@ -62,7 +62,7 @@ def view_of(device: CameraDevice, width: int = 0, height: int = 0) -> View:
     made = device.pose
     turn = float(np.arctan2(made[1, 0], made[0, 0]))
     tilt = float(np.arcsin(np.clip(-made[2, 0], -1.0, 1.0)))
-    x, y, z = (float(one) for one in made[:3, 3])
+    x, y, z = (float(number) for number in made[:3, 3])
     return View((x, y, turn), max(z, 0.02), tilt, device.fov, width or device.width, height or device.height, device.far)
 
 

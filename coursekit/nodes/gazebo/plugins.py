@@ -54,7 +54,7 @@ def read_plugin(plugin: Element, model: Blueprint, namespace: str) -> Found:
 
 
 def _all(plugin: Element, *tags: str) -> tuple[str, ...]:
-    return tuple(one.text.strip() for tag in tags for one in plugin.all(tag))
+    return tuple(element.text.strip() for tag in tags for element in plugin.all(tag))
 
 
 def _check_joints(plugin: Element, model: Blueprint, joints: tuple[str, ...]) -> None:

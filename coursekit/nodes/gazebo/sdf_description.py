@@ -135,7 +135,7 @@ def _origin(made: Xml, pose: Array) -> None:
     roll = math.atan2(pose[2, 1], pose[2, 2])
     pitch = math.atan2(-pose[2, 0], math.hypot(pose[0, 0], pose[1, 0]))
     yaw = math.atan2(pose[1, 0], pose[0, 0])
-    xyz = " ".join(repr(float(one)) for one in pose[:3, 3])
+    xyz = " ".join(repr(float(number)) for number in pose[:3, 3])
     SubElement(made, "origin", xyz=xyz, rpy=f"{roll!r} {pitch!r} {yaw!r}")
 
 

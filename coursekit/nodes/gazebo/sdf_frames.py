@@ -46,7 +46,7 @@ def frames_of(model: Element, file: Path | None = None, depth: int = 0) -> Calla
     """Return a function from a name in a model or world to its pose; `a::b` is b in the model a."""
     if depth > DEEPEST:
         raise model.error(f"holds more than {DEEPEST} models inside each other", "Does it include itself?")
-    named = {one.get("name") or one.tell("name"): one for one in model.children if one.tag in TAGS}
+    named = {child.get("name") or child.tell("name"): child for child in model.children if child.tag in TAGS}
 
     def within(one: Element) -> Callable[[str], Array]:
         """Return the frames of a nested or included model."""
@@ -56,11 +56,11 @@ def frames_of(model: Element, file: Path | None = None, depth: int = 0) -> Calla
         return frames_of(inner, path, depth + 1)
 
     def merged(name: str, above: tuple[str, ...]) -> Array | None:
-        for one in model.children:
-            if one.tag == "include" and is_merged(one):
-                inner, path = _try(one, file)
+        for child in model.children:
+            if child.tag == "include" and is_merged(child):
+                inner, path = _try(child, file)
                 if inner is not None and any((each.get("name") or each.tell("name")) == name for each in inner.children):
-                    return placed(one, above) @ frames_of(inner, path, depth + 1)(name)
+                    return placed(child, above) @ frames_of(inner, path, depth + 1)(name)
         return None
 
     def placed(one: Element, above: tuple[str, ...]) -> Array:

@@ -82,7 +82,7 @@ def _read_world(element: Element, file: Path, newer: bool) -> SdfWorld:
     state = element.first("state")
     if state is not None:
         _restore(state, blueprints)
-    plugins = [state_plugin(one) for one in element.all("plugin")]
+    plugins = [state_plugin(plugin) for plugin in element.all("plugin")]
     for child in element.children:
         told = child.tag == "plugin" and (state_plugin(child) is not None or (newer and system_of(child) in SYSTEMS))
         if child.tag not in QUIET and not told:
@@ -100,15 +100,15 @@ def _read_world(element: Element, file: Path, newer: bool) -> SdfWorld:
         things += done.things
         models.append(done)
     actors = [actor(one) for one in element.all("actor")]
-    places = {one.name: one.place for one in (*map(_placed, blueprints), *actors)}
+    places = {model.name: model.place for model in (*map(_placed, blueprints), *actors)}
     field = element.first("magnetic_field")
     x, y, z = numbers(field, 3) if field is not None else World("").magnetism
     world = World(
         name, (*settled(things), *actors), file=str(file), notes=tuple(notes), models=places, globe=_globe(element, newer),
         magnetism=(x, y, z),
     )  # fmt: skip
-    systems = frozenset(system_of(one) for one in element.all("plugin"))
-    return SdfWorld(world, models, next((one for one in plugins if one is not None), None), systems)
+    systems = frozenset(system_of(plugin) for plugin in element.all("plugin"))
+    return SdfWorld(world, models, next((plugin for plugin in plugins if plugin is not None), None), systems)
 
 
 def _globe(world: Element, newer: bool) -> Globe | None:
@@ -142,7 +142,7 @@ def _models(element: Element, file: Path, notes: list[str]) -> Iterator[Blueprin
 
 def _restore(state: Element, blueprints: list[Blueprint]) -> None:
     """Move models to the poses of a saved state, including links moved inside them."""
-    saved = {one.get("name"): one for one in state.all("model")}
+    saved = {model.get("name"): model for model in state.all("model")}
     for made in blueprints:
         one = saved.get(made.name)
         if one is None or one.first("pose") is None:

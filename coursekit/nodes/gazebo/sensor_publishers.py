@@ -90,8 +90,8 @@ class SensorPublisher:
 
     def close(self) -> None:
         """Destroy publishers and subscriptions."""
-        for one in self.publishers:
-            self.node.destroy_publisher(one)
+        for publisher in self.publishers:
+            self.node.destroy_publisher(publisher)
 
 
 class ScanPublisher(SensorPublisher):

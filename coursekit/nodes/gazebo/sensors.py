@@ -41,8 +41,8 @@ def sensed(sensor: Element, link: BlueLink, model: Blueprint, namespace: str, fl
         return [_camera(sensor, sensor.first("camera"), "", names, frame, rate, where, model)]
     if kind == "multicamera":
         return [
-            _camera(sensor, one, f"/{one.get('name') or 'camera'}", names, frame, rate, where, model)
-            for one in sensor.all("camera")
+            _camera(sensor, camera, f"/{camera.get('name') or 'camera'}", names, frame, rate, where, model)
+            for camera in sensor.all("camera")
         ]
     if kind == "contact":
         topic = plugin.tell("bumperTopicName") or "bumper_states"
@@ -87,7 +87,7 @@ def _camera(
     name = plugin.tell("camera_name") or plugin.tell("cameraName") or sensor.get("name") or "camera"
     name += eye
     width, height, fov = picture_of(sensor, camera)
-    image, info = (names.topic(f"{name}/{one}") for one in ("image_raw", "camera_info"))
+    image, info = (names.topic(f"{name}/{topic}") for topic in ("image_raw", "camera_info"))
     told = camera.tell("image/format") if camera is not None else ""
     if told and told not in ENCODINGS:
         model.note(sensor, f"has pictures of format {told}, which is not simulated: R8G8B8 is published")
@@ -98,7 +98,7 @@ def _camera(
     if "depth" not in (sensor.get("type") or "") and sensor.get("type") != "rgbd_camera":
         return made
     depth, depth_info, cloud = (
-        names.topic(f"{name}/{one}") for one in ("depth/image_raw", "depth/camera_info", "points")
+        names.topic(f"{name}/{topic}") for topic in ("depth/image_raw", "depth/camera_info", "points")
     )
     reach = number(plugin, "min_depth", 0.4), number(plugin, "max_depth", 3.0)
     return DepthDevice(**vars(made), reach=reach, depth_topic=depth, depth_info_topic=depth_info, cloud_topic=cloud)

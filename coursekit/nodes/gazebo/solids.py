@@ -31,7 +31,7 @@ def part_of(shape: Shape, made: Array, near: Path | None = None) -> Part:
     """Return a shape at a pose (4x4). Upright boxes and cylinders stay exact; tilted ones become triangles. Raises
     MeshError.
     """
-    x, y, z = (float(one) for one in made[:3, 3])
+    x, y, z = (float(number) for number in made[:3, 3])
     upright = 1.0 - abs(made[2, 2]) < UPRIGHT
     if isinstance(shape, Sphere):
         return Ball(x, y, z, shape.radius)

@@ -189,7 +189,7 @@ class SpawnEntityNode(Node):
     def _put_joints(self) -> bool:
         names, positions = zip(*self.args.joints, strict=True)
         request = SetModelConfiguration.Request(model_name=self.args.entity, joint_names=list(names))
-        request.joint_positions = [float(one) for one in positions]
+        request.joint_positions = [float(position) for position in positions]
         answer = self._ask(SetModelConfiguration, "set_joint_positions", request, 5.0, "GazeboRosState")
         if answer is None:
             return False
@@ -213,7 +213,7 @@ class SpawnEntityNode(Node):
 
 def pose_of(args: argparse.Namespace) -> Pose:
     """Return the pose given by the options -x to -Y."""
-    (sr, cr), (sp, cp), (sy, cy) = ((math.sin(one / 2), math.cos(one / 2)) for one in (args.R, args.P, args.Y))
+    (sr, cr), (sp, cp), (sy, cy) = ((math.sin(angle / 2), math.cos(angle / 2)) for angle in (args.R, args.P, args.Y))
     pose = Pose()
     pose.position.x, pose.position.y, pose.position.z = args.x, args.y, args.z
     pose.orientation.x, pose.orientation.y = sr * cp * cy - cr * sp * sy, cr * sp * cy + sr * cp * sy

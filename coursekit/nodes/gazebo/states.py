@@ -87,7 +87,7 @@ class States:
         self._gazebo.advance()
         now = map(self._around.where, names)
         states = [_state(name, place, speed, "") for name, (place, speed) in zip(names, now, strict=True)]
-        publisher.publish(kind(name=names, pose=[one.pose for one in states], twist=[one.twist for one in states]))
+        publisher.publish(kind(name=names, pose=[state.pose for state in states], twist=[state.twist for state in states]))
 
 
 def _turned(speed: Sequence[float], theta: float) -> Speed:

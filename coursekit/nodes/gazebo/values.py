@@ -19,7 +19,7 @@ def numbers(element: Element, count: int) -> list[float]:
         found = [float(word) for word in words]
     except ValueError:
         found = []
-    if len(found) != count or not all(math.isfinite(one) for one in found):
+    if len(found) != count or not all(math.isfinite(number) for number in found):
         what = f"'{element.text.strip()}' is not {count} finite number{'s' if count > 1 else ''}"
         raise element.error(what, "Write numbers with spaces between them.")
     return found

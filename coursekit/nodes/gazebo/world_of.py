@@ -30,7 +30,7 @@ def find_world(name: str) -> Path:
     ours = COURSE / f"{path.stem}.yaml"
     if str(path.parent) in (".", "worlds") and is_file(ours):
         return ours
-    worlds = [one.stem for one in COURSE.glob("*.yaml")]
+    worlds = [file.stem for file in COURSE.glob("*.yaml")]
     cure = f"Give a file, or a name. {known(path.stem, worlds)}"
     raise WorldError(f"there is no world '{name}'", file=str(path), cure=cure)
 

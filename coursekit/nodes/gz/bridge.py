@@ -91,8 +91,8 @@ class RosGzBridge(Node):
         made, faults = of_file(file) if file else ([], [])
         for fault in faults:
             self.get_logger().error(fault)
-        for one in [*words, *made]:
-            self.add(one)
+        for word in [*words, *made]:
+            self.add(word)
 
     def _follow(self) -> None:
         for way in self._lazy_ways:
@@ -193,11 +193,11 @@ def main(args: list[str] | None = None) -> Any:
     """Bridge what the command line and the parameter `config_file` name. Returns 255 if that cannot be read."""
     told = list(args if args is not None else sys.argv)
     words = remove_ros_args(told)[1:]
-    if len(told) < 2 or any(one in ("-h", "--help") for one in words):
+    if len(told) < 2 or any(word in ("-h", "--help") for word in words):
         print(USAGE)
         return 255
     try:
-        bridged = [of_word(one) for one in words]
+        bridged = [of_word(word) for word in words]
     except ValueError as error:
         print(USAGE)
         print(error, file=sys.stderr)

@@ -41,7 +41,7 @@ def of_word(word: str, lazy: bool = False) -> Bridged:
     'GZ_TO_ROS'
     """
     topic, _, rest = word.partition("@")
-    sign = next((one for one in SIGNS if one in rest), "@")
+    sign = next((mark for mark in SIGNS if mark in rest), "@")
     (ros_type, _, gz_type), direction = rest.partition(sign), SIGNS[sign]
     if "/srv/" in ros_type:
         if direction != "BIDIRECTIONAL":

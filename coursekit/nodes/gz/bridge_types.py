@@ -69,7 +69,7 @@ def carried_by(ros_type: str, gz_type: str) -> str:
     >>> carried_by("geometry_msgs/msg/TwistStamped", "ignition.msgs.Twist")
     'geometry_msgs/msg/Twist'
     """
-    prefix = next((one for one in PREFIXES if gz_type.startswith(one)), None)
+    prefix = next((start for start in PREFIXES if gz_type.startswith(start)), None)
     row = PAIRS.get(gz_type.removeprefix(prefix)) if prefix else None
     if row is not None and full_name(ros_type) in row:
         return row[0]
@@ -90,9 +90,9 @@ def _same(msg: Any) -> Any:
 
 def _poses(msg: TFMessage) -> PoseArray:
     made = PoseArray()
-    for one in msg.transforms:
-        made.header = one.header
-        made.poses.append(_pose(one.transform))
+    for transform in msg.transforms:
+        made.header = transform.header
+        made.poses.append(_pose(transform.transform))
     return made
 
 

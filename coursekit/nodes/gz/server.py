@@ -52,7 +52,9 @@ class GzSim(Gazebo):
         super().__init__(world, paused=paused, seed=seed, verbose=verbose)
         name = self.newer or "default"
         self._world_clock = self.create_publisher(Clock, f"/world/{name}/clock", QoSProfile(depth=10))
-        self._poses = [self.create_publisher(TFMessage, f"/world/{name}/{one}/info", 10) for one in ("pose", "dynamic_pose")]
+        self._poses = [
+            self.create_publisher(TFMessage, f"/world/{name}/{topic}/info", 10) for topic in ("pose", "dynamic_pose")
+        ]
         self._gz_services = GzServices(self, name)
         self.create_timer(1 / 60, self._tell_poses)
 
@@ -61,8 +63,8 @@ class GzSim(Gazebo):
         if self.systems is None:
             return list(model.devices)
         there = self.systems | model.systems | {""}
-        working = [one for one in model.devices if system_for(one) in there]
-        idle = [system_for(one) for one in model.devices if system_for(one) not in there]
+        working = [device for device in model.devices if system_for(device) in there]
+        idle = [system_for(device) for device in model.devices if system_for(device) not in there]
         for system in dict.fromkeys(idle):
             self.get_logger().warning(
                 f"{model.name}: {idle.count(system)} sensors publish nothing, as in Gazebo: add to the <world> "
@@ -97,11 +99,11 @@ class GzSim(Gazebo):
             self._ros.try_shutdown()
 
     def _tell_poses(self) -> None:
-        if any(one.get_subscription_count() for one in self._poses):
+        if any(pose.get_subscription_count() for pose in self._poses):
             self.advance()
             msg = self._gz_services.poses()
-            for one in self._poses:
-                one.publish(msg)
+            for pose in self._poses:
+                pose.publish(msg)
 
     def tell_clock(self, msg: Clock) -> None:
         """Publish the simulated time on both of its topics."""

@@ -41,7 +41,7 @@ def cloud_of(depth: Image, info: CameraInfo, colors: Any = None) -> PointCloud2:
     points["x"], points["y"] = (columns - model.cx()) * z / model.fx(), (rows - model.cy()) * z / model.fy()
     points["z"] = z
     if colors is not None:
-        red, green, blue = (colors[..., one].astype(np.uint32) for one in range(3))
+        red, green, blue = (colors[..., channel].astype(np.uint32) for channel in range(3))
         points["rgb"] = (red << 16) | (green << 8) | blue
     return _message(depth, points)
 

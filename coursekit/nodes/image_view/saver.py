@@ -95,7 +95,7 @@ def calibration(info: CameraInfo, camera: str = "camera") -> str:
     """Return a calibration as text, in the form of .ini files of camera_calibration_parsers."""
     text = f"# Camera intrinsics\n\n[image]\n\nwidth\n{info.width}\n\nheight\n{info.height}\n\n[{camera}]\n"
     for title, field, columns in _MATRICES:
-        values = [f"{float(one):.5f}" for one in getattr(info, field)]
+        values = [f"{float(number):.5f}" for number in getattr(info, field)]
         rows = [" ".join(values[k : k + columns]) for k in range(0, len(values), columns)]
         text += "\n" + "\n".join([title, *rows]) + "\n"
     return text

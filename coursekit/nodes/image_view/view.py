@@ -55,7 +55,7 @@ class ImageViewNode(Node):
             cv2.destroyWindow(self._window)
 
     def _asked(self, parameters: list[Parameter]) -> SetParametersResult:
-        self._given |= {one.name: one.value for one in parameters if one.name in _DEFAULTS}
+        self._given |= {parameter.name: parameter.value for parameter in parameters if parameter.name in _DEFAULTS}
         return SetParametersResult(successful=True)
 
     def _take(self, msg: Any) -> None:

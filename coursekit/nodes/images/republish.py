@@ -22,9 +22,9 @@ class Republisher(Node):
     def __init__(self, source: str, target: str | None) -> None:
         super().__init__("image_republisher")
         self._outputs = {
-            one: self.create_publisher(TRANSPORTS[one], topic_of("out", one), 1)
-            for one in TRANSPORTS
-            if target in (None, one)
+            transport: self.create_publisher(TRANSPORTS[transport], topic_of("out", transport), 1)
+            for transport in TRANSPORTS
+            if target in (None, transport)
         }
         base = self.resolve_topic_name("out").strip("/").replace("/", ".")
         self._format = self.declare_parameter(f"{base}.format", "jpeg")
@@ -43,13 +43,13 @@ class Republisher(Node):
                 publisher.publish(compress(raw, *self._options()))
 
     def _options(self) -> tuple[str, int, int]:
-        return tuple(self.get_parameter(one.name).value for one in (self._format, self._quality, self._level))
+        return tuple(self.get_parameter(parameter.name).value for parameter in (self._format, self._quality, self._level))
 
 
 def main(args: list[str] | None = None) -> int:
     """Republish until Ctrl-C."""
     wanted = remove_ros_args(sys.argv if args is None else args)[1:]
-    if not 1 <= len(wanted) <= 2 or any(one not in TRANSPORTS for one in wanted):
+    if not 1 <= len(wanted) <= 2 or any(transport not in TRANSPORTS for transport in wanted):
         print(USAGE, file=sys.stderr)
         return 1
     rclpy.init(args=args)

@@ -29,7 +29,7 @@ class ImageViewer(Node):
 
     def _look(self) -> None:
         for name, types in self.get_topic_names_and_types():
-            kind = next((_BY_NAME[one] for one in types if one in _BY_NAME), None)
+            kind = next((_BY_NAME[type_name] for type_name in types if type_name in _BY_NAME), None)
             if kind is None or self._wanted not in (None, name) or not self.count_publishers(name):
                 continue
             self._search.cancel()

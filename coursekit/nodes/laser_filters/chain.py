@@ -45,7 +45,7 @@ class FilterChain(Node):
         kind = full.removeprefix("laser_filters/")
         if kind not in KINDS:
             raise ValueError(no_such_plugin("filter", name, full, "filters::FilterBase<sensor_msgs::msg::LaserScan>",
-                                            (f"laser_filters/{one}" for one in KINDS)))  # fmt: skip
+                                            (f"laser_filters/{name}" for name in KINDS)))  # fmt: skip
         work, wanted = KINDS[kind]
         given = {key: values.get(f"params.{key}", default) for key, default in wanted.items()}
         missing = [key for key, value in given.items() if isinstance(value, type)]

@@ -86,8 +86,8 @@ def _usage(name: str, required: str, *options: str) -> bool:
 
 
 def _tell_usage(name: str, required: str, *options: str) -> None:
-    print(f"Usage for {name}:\n{name} {required} {' '.join(f'[{one}]' for one in (*options, '-h'))}")
-    if any(one.startswith("--") for one in options):
+    print(f"Usage for {name}:\n{name} {required} {' '.join(f'[{word}]' for word in (*options, '-h'))}")
+    if any(word.startswith("--") for word in options):
         print("Durations are in milliseconds.")
 
 
@@ -120,7 +120,7 @@ def lifespan(args: list[str] | None = None) -> int:
         return 0
     try:
         lasting, after = seconds(sys.argv[1]), seconds(option("--subscribe-after", "5000"))
-        depth, count = (round(seconds(option(*one)) * 1000) for one in (("--history", "10"), ("--publish-count", "5")))
+        depth, count = (round(seconds(option(*pair)) * 1000) for pair in (("--history", "10"), ("--publish-count", "5")))
     except NotANumber as fault:
         return terminate(str(fault), "std::invalid_argument")
     rclpy.init(args=args)

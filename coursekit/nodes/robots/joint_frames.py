@@ -38,10 +38,10 @@ class JointFrames:
 
     def __init__(self, robot: Robot, prefix: str) -> None:
         joints = [robot.joints[name] for name in sorted(robot.joints)]
-        self._moving = [one for one in joints if one.moves]
-        self._still = [one for one in joints if one.type in ("fixed", "planar")]  # other nodes publish floating joints
-        self._mimics = [one for one in robot.joints.values() if one.mimic is not None]
-        self._motions = {one.name: joint_motion(one) for one in (*self._moving, *self._still)}
+        self._moving = [joint for joint in joints if joint.moves]
+        self._still = [joint for joint in joints if joint.type in ("fixed", "planar")]  # other nodes publish floating joints
+        self._mimics = [joint for joint in robot.joints.values() if joint.mimic is not None]
+        self._motions = {joint.name: joint_motion(joint) for joint in (*self._moving, *self._still)}
         self._plans: dict[tuple[str, ...], list[tuple[Edge, Source]]] = {}
         self.prefix = prefix
 

@@ -146,6 +146,6 @@ def followers(parameters: Mapping[str, Any]) -> dict[str, Follower]:
                 f"Invalid dependent_joint name '{key}' (allowed values are 'parent', 'factor', 'offset')"
             )
         found.setdefault(joint, {})[key] = value
-    if any("parent" not in one for one in found.values()):
+    if any("parent" not in element for element in found.values()):
         raise ValueError("All dependent_joints must at least have a parent")
     return {name: Follower(one["parent"], one.get("factor", 1.0), one.get("offset", 0.0)) for name, one in found.items()}

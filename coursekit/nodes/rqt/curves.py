@@ -22,11 +22,11 @@ def paths(words: Sequence[str]) -> list[str]:
     ['/odom.twist.twist.linear.x', '/odom.twist.twist.linear.y']
     """
     found = []
-    for word in (one for one in words if one.strip(";")):
+    for word in (word for word in words if word.strip(";")):
         first, *others = word.strip(";").split(":")
         before = first[: max(first.rfind("/"), first.rfind(".")) + 1]
-        found += [first, *(f"{before}{one}" for one in others)]
-    return [one if one.startswith("/") else f"/{one}" for one in found]
+        found += [first, *(f"{before}{other}" for other in others)]
+    return [path if path.startswith("/") else f"/{path}" for path in found]
 
 
 def topic_of(path: str, topics: Iterable[str]) -> str:
@@ -35,7 +35,7 @@ def topic_of(path: str, topics: Iterable[str]) -> str:
     >>> topic_of("/odom.twist.twist.linear.x", ["/odom", "/od"])
     '/odom'
     """
-    fitting = [one for one in topics if path == one or (path.startswith(one) and path[len(one)] in "/.[")]
+    fitting = [topic for topic in topics if path == topic or (path.startswith(topic) and path[len(topic)] in "/.[")]
     return max(fitting, key=len, default="")
 
 
@@ -106,7 +106,7 @@ class Curves:
 
     def span(self) -> tuple[float, float]:
         """The times of the first and the last value [s]."""
-        ends = [(one.times[0], one.times[-1]) for one in self.curves.values() if one.times]
+        ends = [(curve.times[0], curve.times[-1]) for curve in self.curves.values() if curve.times]
         return (min(start for start, _ in ends), max(end for _, end in ends)) if ends else (0.0, 0.0)
 
 

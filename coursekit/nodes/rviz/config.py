@@ -94,7 +94,7 @@ def _fits(like: Any, value: Any) -> bool:
         return isinstance(value, int | float) and math.isfinite(value)
     if isinstance(like, list):
         numbers = isinstance(value, list | tuple) and len(value) == 3
-        return numbers and all(isinstance(one, int | float) and 0 <= one <= 255 for one in value)
+        return numbers and all(isinstance(number, int | float) and 0 <= number <= 255 for number in value)
     return isinstance(value, str)
 
 
@@ -106,7 +106,7 @@ def make_config(
 ) -> Config:
     """A view from its parts; raises ValueError."""
     saved = {str(name): one for name, given in (views or {}).items() if (one := make_view(given))}
-    return Config(str(fixed_frame or ""), [display_config(one) for one in displays], make_view(view), views=saved)
+    return Config(str(fixed_frame or ""), [display_config(display) for display in displays], make_view(view), views=saved)
 
 
 def make_view(given: Any) -> dict[str, Any] | None:
@@ -116,7 +116,7 @@ def make_view(given: Any) -> dict[str, Any] | None:
     if not isinstance(given, Mapping) or any(key not in VIEWS for key in given):
         raise ValueError(f"view: {given!r} cannot be read; it may have {', '.join(VIEWS)}.")
     made: dict[str, Any] = {**VIEW, **given}
-    made["target"] = [float(one) for one in made["target"]]
+    made["target"] = [float(number) for number in made["target"]]
     if len(made["target"]) != 3 or not all(map(math.isfinite, made["target"])):
         raise ValueError(f"view: target {given['target']!r} is no point; write three numbers [m].")
     if made.get("type", "Orbit") not in VIEW_TYPES:

@@ -27,8 +27,9 @@ def read(path: str | Path, rooted: bool = True) -> Config:
             raise ValueError("it holds no mapping with 'displays:'")
         if "Visualization Manager" in data:
             config = from_rviz(data)
-            for one in config.displays if rooted else ():
-                one.topic = one.topic if one.topic.startswith("/") or not KINDS[one.kind].type else f"/{one.topic}"
+            for display in config.displays if rooted else ():
+                if KINDS[display.kind].type and not display.topic.startswith("/"):
+                    display.topic = f"/{display.topic}"
             return config
         unknown = [key for key in data if key not in ("fixed_frame", "displays", "view", "views")]
         if unknown:
@@ -43,7 +44,7 @@ def save(config: Config, path: str | Path) -> None:
     if Path(path).suffix == ".rviz":
         write_whole(path, yaml.safe_dump(to_rviz(config), sort_keys=False))
         return
-    data: dict[str, Any] = {"fixed_frame": config.fixed_frame, "displays": [_small(one) for one in config.displays]}
+    data: dict[str, Any] = {"fixed_frame": config.fixed_frame, "displays": [_small(display) for display in config.displays]}
     if config.view:
         data["view"] = config.view
     if config.views:

@@ -40,8 +40,8 @@ class Rviz(Node):
         self.config = config
         self.running = True
         self.full_name = self.get_fully_qualified_name()
-        for one in config.displays:
-            self._settle_topic(one)
+        for display in config.displays:
+            self._settle_topic(display)
         for skipped in config.skipped:
             LOG.warning(f"Not known here, left out: {skipped}")
         if windows.add(self):
@@ -64,7 +64,7 @@ class Rviz(Node):
 
     def _listen(self) -> None:
         """Subscribe to the shown topics, for the graph only; the pictures are made from the viewer's own subscriptions."""
-        shown = [(one.topic, KINDS[one.kind].type) for one in self.config.displays if one.enabled]
+        shown = [(display.topic, KINDS[display.kind].type) for display in self.config.displays if display.enabled]
         frames = [("/tf", "tf2_msgs/msg/TFMessage"), ("/tf_static", "tf2_msgs/msg/TFMessage")]
         for topic, kind in dict.fromkeys([*frames, *shown]):
             if kind:
@@ -73,14 +73,14 @@ class Rviz(Node):
     def _tell(self) -> None:
         frame = self.config.fixed_frame or "the root of the tree"
         LOG.info(f"No notebook shows this window. Fixed frame: {frame}. Displays:")
-        for one in self.config.displays:
-            LOG.info(f"  {describe(one)}")
+        for display in self.config.displays:
+            LOG.info(f"  {describe(display)}")
 
     def _complain(self) -> None:
         self._look.cancel()
-        for one in self.config.displays:
-            if one.enabled and KINDS[one.kind].type and not self.count_publishers(one.topic):
-                LOG.warning(f"{one.name}: no node publishes {one.topic}")
+        for display in self.config.displays:
+            if display.enabled and KINDS[display.kind].type and not self.count_publishers(display.topic):
+                LOG.warning(f"{display.name}: no node publishes {display.topic}")
 
     def destroy_node(self) -> None:
         """Close the window."""

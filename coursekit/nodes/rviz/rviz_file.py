@@ -45,7 +45,7 @@ def _flat(entries: Any) -> list[Mapping[str, Any]]:
             continue
         on = on and bool(entry.get("Enabled", True))
         if str(entry.get("Class", "")).endswith("/Group"):
-            waiting += [(one, on) for one in reversed(entry.get("Displays") or [])]
+            waiting += [(display, on) for display in reversed(entry.get("Displays") or [])]
         else:
             found.append({**entry, "Enabled": on})
     return found
@@ -97,7 +97,7 @@ def _take(given: dict[str, Any], kind: str, key: str, value: Any) -> None:
     if like is None or value is None:
         return
     if isinstance(like, list) and isinstance(value, str):
-        value = [int(one) for one in value.split(";") if one.strip().isdigit()]
+        value = [int(word) for word in value.split(";") if word.strip().isdigit()]
     if key == "reference_frame" and value == "<Fixed Frame>":
         value = ""
     try:

@@ -26,11 +26,11 @@ def to_rviz(config: Config) -> dict[str, Any]:
              "Saved": [_view(view, name) for name, view in config.views.items()] or None}  # fmt: skip
     manager = {
         "Class": "",
-        "Displays": [_display(one) for one in config.displays],
+        "Displays": [_display(display) for display in config.displays],
         "Enabled": True,
         "Global Options": frame,
         "Name": "root",
-        "Tools": [{"Class": f"rviz_default_plugins/{one}"} for one in _TOOLS],
+        "Tools": [{"Class": f"rviz_default_plugins/{tool}"} for tool in _TOOLS],
         "Value": True,
         "Views": views,
     }
@@ -77,7 +77,7 @@ def _topic(one: DisplayConfig) -> dict[str, Any]:
 
 def _value(value: Any) -> Any:
     """A colour in RViz's format: three numbers in a text; other values unchanged."""
-    return "; ".join(f"{round(one)}" for one in value) if isinstance(value, list | tuple) else value
+    return "; ".join(f"{round(number)}" for number in value) if isinstance(value, list | tuple) else value
 
 
 def _view(view: Mapping[str, Any], name: str) -> dict[str, Any]:

@@ -40,7 +40,7 @@ def to_pose(pose: Pose2D) -> Pose:
 
 def points_of(path: Any) -> Array:
     """The positions of a nav_msgs/Path, shape (n, 2) [m]."""
-    return np.array([(one.pose.position.x, one.pose.position.y) for one in path.poses]).reshape(-1, 2)
+    return np.array([(pose.pose.position.x, pose.pose.position.y) for pose in path.poses]).reshape(-1, 2)
 
 
 def ends_of(ranges: Array, angles: Any) -> Array:

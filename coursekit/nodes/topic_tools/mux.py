@@ -22,7 +22,7 @@ class Mux(Node):
         super().__init__("mux")
         topics = [""] if len(words) < 2 else words[1:]
         given = declare(self, {"output_topic": words[0] if words else "~/selected_topic", "input_topics": topics})
-        self.topics = [self.resolve_topic_name(one) for one in given["input_topics"] if one]
+        self.topics = [self.resolve_topic_name(topic) for topic in given["input_topics"] if topic]
         if not self.topics:
             raise ValueError("mux needs topics: ros2 run topic_tools mux OUTTOPIC INTOPIC1 [INTOPIC2...]")
         first = declare(self, {"initial_topic": "", "lazy": False})["initial_topic"]

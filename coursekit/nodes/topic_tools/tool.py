@@ -72,11 +72,11 @@ def source_of(node: Node, topic: str) -> tuple[Any, QoSProfile] | None:
     about = node.get_publishers_info_by_topic(node.resolve_topic_name(topic))
     if not about:
         return None
-    profiles = [one.qos_profile for one in about]
-    reliable = all(one.reliability == ReliabilityPolicy.RELIABLE for one in profiles)
-    kept = all(one.durability == DurabilityPolicy.TRANSIENT_LOCAL for one in profiles)
+    profiles = [info.qos_profile for info in about]
+    reliable = all(profile.reliability == ReliabilityPolicy.RELIABLE for profile in profiles)
+    kept = all(profile.durability == DurabilityPolicy.TRANSIENT_LOCAL for profile in profiles)
     qos = QoSProfile(
-        depth=max(*(one.depth for one in profiles), 10),
+        depth=max(*(profile.depth for profile in profiles), 10),
         reliability=ReliabilityPolicy.RELIABLE if reliable else ReliabilityPolicy.BEST_EFFORT,
         durability=DurabilityPolicy.TRANSIENT_LOCAL if kept else DurabilityPolicy.VOLATILE,
     )

@@ -56,7 +56,7 @@ class TurtleSim(CppNode):
 
     def background(self) -> tuple[int, int, int]:
         """The parameters background_r, background_g and background_b."""
-        red, green, blue = (int(self.get_parameter(f"background_{one}").value) for one in BACKGROUND)
+        red, green, blue = (int(self.get_parameter(f"background_{channel}").value) for channel in BACKGROUND)
         return red, green, blue
 
     def close(self) -> None:

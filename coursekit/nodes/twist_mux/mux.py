@@ -89,8 +89,8 @@ class TwistMux(Node):
     def leader(self) -> str:
         """The name of the active input of highest priority; empty if there is none."""
         least = self.lock_priority()
-        able = [one for one in self.inputs if not one.silent and one.priority >= least and one.priority > 0]
-        return max(able, key=lambda one: one.priority).name if able else ""
+        able = [entry for entry in self.inputs if not entry.silent and entry.priority >= least and entry.priority > 0]
+        return max(able, key=lambda entry: entry.priority).name if able else ""
 
     def _hear(self, name: str, msg: Any) -> None:
         if self.leader() == name:
@@ -99,10 +99,10 @@ class TwistMux(Node):
     def _tell(self, status: DiagnosticStatusWrapper) -> DiagnosticStatusWrapper:
         status.summary(DiagnosticStatus.OK, "ok")
         least = self.lock_priority()
-        for one in self.inputs:
-            self._tell_input(status, "velocity", one, "masked" if one.silent or one.priority < least else "unmasked")
-        for one in self.locks:
-            self._tell_input(status, "lock", one, "locked" if one.locked else "free")
+        for entry in self.inputs:
+            self._tell_input(status, "velocity", entry, "masked" if entry.silent or entry.priority < least else "unmasked")
+        for lock in self.locks:
+            self._tell_input(status, "lock", lock, "locked" if lock.locked else "free")
         status.add("current priority", least)
         return status
 

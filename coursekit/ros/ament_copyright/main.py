@@ -25,7 +25,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         print("\n".join(f"{name}: {title}" for name, title in sorted(LICENSES.items())))
         return 0
     excluded = {os.path.abspath(one) for one in asked.exclude}
-    found = {one for word in asked.paths for one in _sources(Path(word)) if os.path.abspath(one) not in excluded}
+    found = {source for word in asked.paths for source in _sources(Path(word)) if os.path.abspath(source) not in excluded}
     if not found:
         print("No repository roots and files found")
     cases = []
@@ -79,6 +79,6 @@ def _sources(path: Path) -> Iterator[Path]:
         if "AMENT_IGNORE" in (*folders, *files):
             folders.clear()
             continue
-        folders[:] = [one for one in folders if one[0] not in "._"]
+        folders[:] = [folder for folder in folders if folder[0] not in "._"]
         left_out = {"setup.py"} if "package.xml" in files else set()
         yield from (Path(place, one) for one in set(files) - left_out if Path(one).suffix in _SUFFIXES)

@@ -48,7 +48,7 @@ def notice_of(text: str) -> Notice | None:
     holders, license_ = [], UNKNOWN
     for comment in _comments(text):
         found = list(_COPYRIGHT.finditer(comment))
-        holders += [f"{one[2]} ({one[1]})" for one in found]
+        holders += [f"{notice[2]} ({notice[1]})" for notice in found]
         if license_ == UNKNOWN:
             license_ = license_of(comment[found[-1].end() :] if found else comment)
     return Notice(holders, license_) if holders else None
@@ -58,7 +58,7 @@ def license_of(text: str) -> str:
     """The short name of the license that a text contains."""
     words = _words(text)
     for name, sections in _sections().items():
-        places = [words.find(one) for one in sections]
+        places = [words.find(section) for section in sections]
         if -1 not in places and places == sorted(places):
             return name
     return UNKNOWN
@@ -92,4 +92,4 @@ def _sections() -> dict[str, list[str]]:
     texts["gplv3"] = "This program is free software" + gnu
     texts["lgplv3"] = texts["gplv3"].replace("GNU General", "GNU Lesser General")
     texts |= {name: _text(file) for name, file in _FILES.items()}
-    return {name: [one for one in map(_words, _HOLDER.split(text)) if one] for name, text in texts.items()}
+    return {name: [holder for holder in map(_words, _HOLDER.split(text)) if holder] for name, text in texts.items()}

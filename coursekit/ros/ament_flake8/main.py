@@ -35,10 +35,10 @@ def main(argv: Sequence[str] | None = None) -> int:
     for line in lines:
         print(f"\n{line}" if _FINDING.fullmatch(line) else line)
     found = [(one[1], one[2], one[3]) for line in lines if (one := _FINDING.fullmatch(line))]
-    found.sort(key=lambda one: one[0].partition(":")[0])
-    excluded = {os.path.abspath(one) for one in asked.exclude}
-    files = {one for path in asked.paths for one in _python_files(path) if os.path.basename(one) not in asked.exclude}
-    checked = sorted(one for one in files if os.path.abspath(one) not in excluded)
+    found.sort(key=lambda finding: finding[0].partition(":")[0])
+    excluded = {os.path.abspath(path) for path in asked.exclude}
+    files = {file for path in asked.paths for file in _python_files(path) if os.path.basename(file) not in asked.exclude}
+    checked = sorted(file for file in files if os.path.abspath(file) not in excluded)
     _summarize(found, checked)
     if asked.xunit_file:
         write_results(asked.xunit_file, _cases(lines) or [("flake8", "")], checked, time.monotonic() - began)
@@ -57,7 +57,7 @@ def _parser() -> argparse.ArgumentParser:
 
 def _words(asked: argparse.Namespace) -> list[str]:
     """The arguments of flake8."""
-    ignored = [str(one.parent) for path in asked.paths for one in Path(path).rglob("AMENT_IGNORE")]
+    ignored = [str(marker.parent) for path in asked.paths for marker in Path(path).rglob("AMENT_IGNORE")]
     words = [f"--config={asked.config}", f"--extend-exclude={','.join([*_LEFT_OUT, *asked.exclude, *ignored])}"]
     return [*words, *([f"--max-line-length={asked.linelength}"] if asked.linelength else []), *asked.paths]
 
@@ -81,11 +81,11 @@ def _python_files(path: str) -> Iterator[str]:
     if os.path.isfile(path):
         yield path
     for place, folders, files in os.walk(path):
-        folders[:] = [one for one in folders if one not in _LEFT_OUT and one[0] != "."]
+        folders[:] = [folder for folder in folders if folder not in _LEFT_OUT and folder[0] != "."]
         if "AMENT_IGNORE" in files:
             folders.clear()
         else:
-            yield from (os.path.join(place, one) for one in files if one.endswith(".py"))
+            yield from (os.path.join(place, file) for file in files if file.endswith(".py"))
 
 
 def _summarize(found: Sequence[tuple[str, str, str]], files: list[str]) -> None:
@@ -98,4 +98,4 @@ def _summarize(found: Sequence[tuple[str, str, str]], files: list[str]) -> None:
     for letter, count in sorted(Counter(code[0] for _, code, _ in found).items()):
         print(f"'{letter}'-type errors: {count}")
     print("\n" * bool(found), end="")
-    print("Checked files:\n" + "".join(f"\n* {one}" for one in files))
+    print("Checked files:\n" + "".join(f"\n* {file}" for file in files))

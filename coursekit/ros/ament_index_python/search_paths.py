@@ -20,5 +20,5 @@ def get_search_paths() -> list[str]:
     sourced = os.environ.get(AMENT_PREFIX_PATH_ENV_VAR)
     if not sourced:
         raise OSError(f"Environment variable '{AMENT_PREFIX_PATH_ENV_VAR}' is not set or empty: source a workspace first")
-    paths = [Path(one) for one in sourced.split(os.pathsep) if one]
+    paths = [Path(folder) for folder in sourced.split(os.pathsep) if folder]
     return [str(path) for path in (prefixes() if UNDERLAY in paths else paths) if path.exists()]

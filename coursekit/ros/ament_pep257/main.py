@@ -37,12 +37,12 @@ def main(argv: Sequence[str] | None = None) -> int:
     began = time.monotonic()
     asked = _parser().parse_args(argv)
     excluded = {os.path.abspath(name) for name in asked.exclude}
-    files = sorted({one for path in asked.paths for one in _sources(path) if os.path.abspath(one) not in excluded})
+    files = sorted({source for path in asked.paths for source in _sources(path) if os.path.abspath(source) not in excluded})
     for file in files:
         print(f"checking {file}")
     found = _findings(files, _chosen(asked)) if files else []
-    for one in found:
-        print(f"{one.place}: {one.what}", file=sys.stderr)
+    for finding in found:
+        print(f"{finding.place}: {finding.what}", file=sys.stderr)
     print(f"{len(found)} errors" if found else "No problems found", file=sys.stderr if found else sys.stdout)
     if asked.xunit_file:
         write_results(asked.xunit_file, _cases(files, found), files, time.monotonic() - began)
@@ -71,7 +71,7 @@ def _chosen(asked: argparse.Namespace) -> list[str]:
     if asked.convention != "ament":
         more = {"--add-select": asked.add_select, "--add-ignore": asked.add_ignore}
         return [f"--convention={asked.convention}", *(f"{word}={','.join(codes)}" for word, codes in more.items() if codes)]
-    ignored = [one for one in (*(asked.ignore or _IGNORED), *asked.add_ignore) if one not in asked.add_select]
+    ignored = [code for code in (*(asked.ignore or _IGNORED), *asked.add_ignore) if code not in asked.add_select]
     return [f"--ignore={','.join(ignored)}"]
 
 
@@ -80,15 +80,15 @@ def _sources(path: str) -> Iterator[str]:
     if os.path.isfile(path):
         yield path
     for place, folders, files in os.walk(path):
-        folders[:] = [one for one in folders if one[0] not in "._"]
-        yield from (os.path.join(place, one) for one in files if one.endswith(".py"))
+        folders[:] = [folder for folder in folders if folder[0] not in "._"]
+        yield from (os.path.join(place, file) for file in files if file.endswith(".py"))
 
 
 def _cases(files: list[str], found: list[_Finding]) -> list[tuple[str, str]]:
     """Each finding as a case, and each file without findings."""
     by_file: dict[str, list[tuple[str, str]]] = {file: [] for file in files}
-    for one in found:
-        by_file.setdefault(one.file, []).append((one.name, one.what))
+    for finding in found:
+        by_file.setdefault(finding.file, []).append((finding.name, finding.what))
     return [case for file, own in by_file.items() for case in own or [(file, "")]]
 
 
@@ -97,7 +97,7 @@ def _findings(files: list[str], chosen: list[str]) -> list[_Finding]:
     result = subprocess.run(command, capture_output=True, encoding="utf-8", errors="replace", check=False)
     print(result.stderr.replace("WARNING: ", ""), end="", file=sys.stderr)
     found = [
-        _Finding(one["file"], one["place"], one["what"], f"{one['code']} ({one['file']}:{one['line']})")
-        for one in _FINDING.finditer(result.stdout)
+        _Finding(match["file"], match["place"], match["what"], f"{match['code']} ({match['file']}:{match['line']})")
+        for match in _FINDING.finditer(result.stdout)
     ]
     return found + [_Finding(file, file, why, file) for file, why in _UNREADABLE.findall(result.stderr)]

@@ -75,9 +75,9 @@ def calibration_of(text: str) -> tuple[str, CameraInfo]:
 def _info_of(told: dict[str, Any]) -> CameraInfo:
     info = CameraInfo(width=int(told["image_width"]), height=int(told["image_height"]))
     info.distortion_model = str(told["distortion_model"])
-    info.d = [float(one) for one in told["distortion_coefficients"]["data"]]
+    info.d = [float(number) for number in told["distortion_coefficients"]["data"]]
     for name, (field, _, _) in _MATRICES.items():
-        setattr(info, field, [float(one) for one in told[name]["data"]])
+        setattr(info, field, [float(number) for number in told[name]["data"]])
     return info
 
 
@@ -85,9 +85,9 @@ def calibration_text(ci: CameraInfo, cname: str) -> str:
     """A calibration as YAML, in the format of the calibrator."""
     told: dict[str, Any] = {"image_width": ci.width, "image_height": ci.height, "camera_name": cname}
     told["distortion_model"] = ci.distortion_model
-    told["distortion_coefficients"] = {"data": [float(one) for one in ci.d], "rows": 1, "cols": len(ci.d)}
+    told["distortion_coefficients"] = {"data": [float(number) for number in ci.d], "rows": 1, "cols": len(ci.d)}
     for name, (field, rows, columns) in _MATRICES.items():
-        told[name] = {"data": [float(one) for one in getattr(ci, field)], "rows": rows, "cols": columns}
+        told[name] = {"data": [float(number) for number in getattr(ci, field)], "rows": rows, "cols": columns}
     return yaml.safe_dump(told, sort_keys=False)  # type: ignore[no-any-return]
 
 
@@ -137,7 +137,7 @@ class CameraInfoManager:
 
     def setCameraName(self, cname: str) -> bool:
         """Set the name. Return False if it is empty or contains characters other than letters, digits and _."""
-        if not cname or not all(one.isalnum() or one == "_" for one in cname):
+        if not cname or not all(letter.isalnum() or letter == "_" for letter in cname):
             return False
         if cname != self.cname:
             self.cname, self.camera_info = cname, None

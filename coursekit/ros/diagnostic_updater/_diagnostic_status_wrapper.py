@@ -34,7 +34,7 @@ class DiagnosticStatusWrapper(DiagnosticStatus):
         """Take the worse of two levels. Join the messages if both levels are OK or neither is."""
         level, message = _level_and_message(args)
         if (level > OK) == (self.level > OK):
-            self.message = "; ".join(one for one in (self.message, message) if one)
+            self.message = "; ".join(text for text in (self.message, message) if text)
         elif level > self.level:
             self.message = message
         self.level = max(self.level, level)

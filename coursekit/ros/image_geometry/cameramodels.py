@@ -63,7 +63,7 @@ class PinholeCameraModel:
     def project3dToPixel(self, point: Any) -> tuple[float, float]:
         """The pixel (u, v) of the rectified image of a point (x, y, z) [m]; NaN in the camera's plane."""
         assert self.P is not None
-        x, y, w = (float(one) for one in self.P @ np.array([*point, 1.0], float))
+        x, y, w = (float(number) for number in self.P @ np.array([*point, 1.0], float))
         return (x / w, y / w) if w != 0 else (math.nan, math.nan)
 
     def projectPixelTo3dRay(self, uv: Any) -> tuple[float, float, float]:
@@ -201,7 +201,7 @@ class StereoCameraModel:
     def projectPixelTo3d(self, left_uv: Any, disparity: float) -> tuple[float, float, float]:
         """The point at a pixel of the left image with that disparity; (0, 0, 0) if it is infinitely far away."""
         assert self.Q is not None
-        x, y, z, w = (float(one) for one in self.Q @ np.array([left_uv[0], left_uv[1], disparity, 1.0]))
+        x, y, z, w = (float(number) for number in self.Q @ np.array([left_uv[0], left_uv[1], disparity, 1.0]))
         return (x / w, y / w, z / w) if w != 0 else (0.0, 0.0, 0.0)
 
     def getZ(self, disparity: float) -> float:

@@ -167,8 +167,8 @@ class LaunchContext:
         """The handlers that may accept events of this class about this action."""
         found = self.__handlers_by_event.get((kind, action))
         if found is None:
-            mine = [one for one in self._event_handlers if issubclass(kind, one._event_class)]
-            found = tuple(one for one in mine if one._action in (None, action))
+            mine = [handler for handler in self._event_handlers if issubclass(kind, handler._event_class)]
+            found = tuple(handler for handler in mine if handler._action in (None, action))
             self.__handlers_by_event[kind, action] = found
         return found
 

@@ -67,7 +67,7 @@ def _left_out(collector: Any, name: str) -> Any:
 
 def put_after(items: list[Any]) -> None:
     """Move each test that runs after a launch behind the last test that runs during the same launch."""
-    for item in [one for one in reversed(items) if _launch_of(one) is not None and getattr(one, ATTRIBUTE).shutdown]:
+    for item in [test for test in reversed(items) if _launch_of(test) is not None and getattr(test, ATTRIBUTE).shutdown]:
         at = items.index(item)
         beside = [
             number

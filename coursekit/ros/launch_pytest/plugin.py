@@ -60,7 +60,7 @@ def pytest_pycollect_makeitem(collector: Any, name: str, obj: Any) -> Any:
         return None
     marks = getattr(obj, "pytestmark", None)
     own = marks if isinstance(marks, list) else [marks]
-    mark = next((one for one in own if getattr(one, "name", "") == "launch"), None)
+    mark = next((mark for mark in own if getattr(mark, "name", "") == "launch"), None)
     mark = mark or collector.get_closest_marker("launch")
     if mark is None:
         return None

@@ -12,8 +12,8 @@ from typing import Any
 def iterate_tests(tests: Any) -> Iterator[Any]:
     """Yield each test of a suite and of the suites in it."""
     if isinstance(tests, Iterable):
-        for one in tests:
-            yield from iterate_tests(one)
+        for test in tests:
+            yield from iterate_tests(test)
     else:
         yield tests
 

@@ -148,5 +148,5 @@ class _Loader(unittest.TestLoader):
 def _suites(tests: Any) -> Iterator[unittest.TestSuite]:
     if isinstance(tests, unittest.TestSuite):
         yield tests
-        for one in tests:
-            yield from _suites(one)
+        for test in tests:
+            yield from _suites(test)

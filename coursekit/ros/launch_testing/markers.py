@@ -58,7 +58,7 @@ class _Failures:
         self.outcome = getattr(case, "_outcome", None)
         holders = (self.outcome, getattr(self.outcome, "result", None))  # the second since Python 3.11
         lists = (getattr(holder, name, None) for holder in holders for name in ("errors", "failures"))
-        self.lists = [(one, len(one)) for one in lists if one is not None]
+        self.lists = [(group, len(group)) for group in lists if group is not None]
 
     def check(self) -> None:
         """Raise AssertionError if a sub-test has failed."""

@@ -46,7 +46,7 @@ def build_text_match(expected_text: Any, *, strict: bool = False) -> Match:
 
         return of_pattern
     if isinstance(expected_text, Iterable):
-        of_all = _in_order([build_text_match(one) for one in expected_text], strict)
+        of_all = _in_order([build_text_match(text) for text in expected_text], strict)
         return lambda actual, start=0: of_all(normalize_lineseps(actual), start)
     raise ValueError("Unknown format for expected text")
 
@@ -69,7 +69,7 @@ def build_line_match(expected_lines: Any, *, strict: bool = False) -> Match:
     if hasattr(expected_lines, "match"):
         return _of_lines(expected_lines.match, strict)
     if isinstance(expected_lines, Iterable):
-        return _in_order([build_line_match(one) for one in expected_lines], strict)
+        return _in_order([build_line_match(text) for text in expected_lines], strict)
     raise ValueError("Unknown format for expected lines")
 
 
@@ -88,8 +88,8 @@ def _in_order(matches: list[Match], strict: bool) -> Match:
 
     def match(actual: Any, start: int = 0) -> Span | None:
         begin, end = None, start
-        for one in matches:
-            found = one(actual, end)
+        for find in matches:
+            found = find(actual, end)
             if found is None or (strict and found[0] != end):
                 return None
             begin = found[0] if begin is None else begin

@@ -138,7 +138,7 @@ class NodeGraph:
         """
         name = topic_name if no_mangle else self._rclpy_resolved(topic_name, "topic")
         kind = TopicEndpointTypeEnum.PUBLISHER
-        return [_info(one, kind) for one in list(self._rclpy_graph.publishers.get(name, ()))]
+        return [_info(endpoint, kind) for endpoint in list(self._rclpy_graph.publishers.get(name, ()))]
 
     def get_subscriptions_info_by_topic(
         self, topic_name: str, no_mangle: bool = False
@@ -146,7 +146,7 @@ class NodeGraph:
         """The subscriptions to a topic."""
         name = topic_name if no_mangle else self._rclpy_resolved(topic_name, "topic")
         kind = TopicEndpointTypeEnum.SUBSCRIPTION
-        return [_info(one, kind) for one in list(self._rclpy_graph.subscriptions.get(name, ()))]
+        return [_info(endpoint, kind) for endpoint in list(self._rclpy_graph.subscriptions.get(name, ()))]
 
 
 def _info(endpoint: Any, kind: TopicEndpointTypeEnum) -> TopicEndpointInfo:

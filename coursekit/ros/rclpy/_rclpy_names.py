@@ -71,5 +71,5 @@ class SignalHandlerOptions(_Named):
     ALL = 3
 
 
-for _kind in [one for one in vars().values() if isinstance(one, type) and one.__module__ == __name__]:
+for _kind in [kind for kind in vars().values() if isinstance(kind, type) and kind.__module__ == __name__]:
     _kind.__module__ = "rclpy._rclpy_pybind11"  # as tracebacks name them

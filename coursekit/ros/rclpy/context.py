@@ -132,10 +132,10 @@ class Context:
     def remove_on_shutdown(self, callback: Callable[[], Any]) -> None:
         """Remove a shutdown callback."""
         with self._lock:
-            self._callbacks = [one for one in self._callbacks if _resolve(one) != callback]
+            self._callbacks = [known for known in self._callbacks if _resolve(known) != callback]
 
     def _forget(self, reference: Any) -> None:
-        self._callbacks = [one for one in self._callbacks if one is not reference]
+        self._callbacks = [callback for callback in self._callbacks if callback is not reference]
 
     def _call_on_shutdown_callbacks(self) -> None:
         contexts = _contexts_here()

@@ -78,7 +78,7 @@ class Subscription:
         0
         """
         with self.__subscription:
-            return sum(self._core in one.targets for one in self._core.graph.publishers.get(self._core.name, ()))
+            return sum(self._core in publisher.targets for publisher in self._core.graph.publishers.get(self._core.name, ()))
 
     @property
     def logger_name(self) -> str:
@@ -117,7 +117,7 @@ def _callback_type(callback: Callable[..., Any]) -> Subscription.CallbackType:
     except (TypeError, ValueError):
         return Subscription.CallbackType.MessageOnly
     positional = (inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD)
-    needed = [one for one in parameters if one.kind in positional and one.default is one.empty]
+    needed = [parameter for parameter in parameters if parameter.kind in positional and parameter.default is parameter.empty]
     if len(needed) >= 2:
         return Subscription.CallbackType.WithMessageInfo
     return Subscription.CallbackType.MessageOnly

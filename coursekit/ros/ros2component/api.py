@@ -37,7 +37,7 @@ def get_package_component_types(*, package_name: str | None = None) -> list[str]
 
 def find_container_node_names(*, node: Any, node_names: Iterable[NodeName]) -> list[NodeName]:
     """The nodes that are containers."""
-    return [one for one in node_names if _is_container(node, one)]
+    return [name for name in node_names if _is_container(node, name)]
 
 
 def _is_container(node: Any, name: NodeName) -> bool:
@@ -64,7 +64,7 @@ def get_components_in_container(*, node: Any, remote_container_node_name: str) -
         answer = _call(node, remote_container_node_name, "list_nodes", ListNodes.Request())
     except RuntimeError as error:
         return False, str(error)
-    return True, [ComponentInfo(*one) for one in zip(answer.unique_ids, answer.full_node_names, strict=True)]
+    return True, [ComponentInfo(*pair) for pair in zip(answer.unique_ids, answer.full_node_names, strict=True)]
 
 
 def get_components_in_containers(*, node: Any, remote_containers_node_names: Iterable[str]) -> dict[str, tuple[bool, Any]]:
@@ -74,7 +74,7 @@ def get_components_in_containers(*, node: Any, remote_containers_node_names: Ite
 
 
 def _parameters(assignments: Iterable[str] | None) -> list[Parameter]:
-    parts = [one.partition(":=") for one in assignments or ()]
+    parts = [assignment.partition(":=") for assignment in assignments or ()]
     return [Parameter(name=name, value=get_parameter_value(string_value=value)) for name, _, value in parts]
 
 
@@ -115,7 +115,7 @@ def unload_component_from_container(
 def container_node_name_completer(prefix: str, parsed_args: Any, **_: Any) -> list[str]:
     """Full names of containers, for argcomplete."""
     with NodeStrategy(parsed_args) as node:
-        return [one.full_name for one in get_container_names(node=node)]
+        return [name.full_name for name in get_container_names(node=node)]
 
 
 class ComponentTypeNameCompleter:

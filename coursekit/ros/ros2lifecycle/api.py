@@ -18,7 +18,7 @@ def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> list[Nod
     services = get_service_names_and_types(node=node, include_hidden_services=include_hidden_nodes)
     serving = {name for name, types in services if "lifecycle_msgs/srv/GetState" in types}
     nodes = get_all_node_names(node=node, include_hidden_nodes=include_hidden_nodes)
-    return [one for one in nodes if f"{one.full_name}/{_SERVICE}" in serving]
+    return [other for other in nodes if f"{other.full_name}/{_SERVICE}" in serving]
 
 
 def _call_all(node: Any, kind: Any, service: str, requests: dict[str, Any]) -> dict[str, Any]:

@@ -69,14 +69,14 @@ def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> list[Nod
         NodeName(name, namespace, f"{namespace.rstrip('/')}/{name}")
         for name, namespace, *_ in node.get_node_names_and_namespaces()
     ]
-    return [one for one in found if include_hidden_nodes or not _is_hidden_name(one.full_name)]
+    return [entry for entry in found if include_hidden_nodes or not _is_hidden_name(entry.full_name)]
 
 
 def get_topics(remote_node_name: str, func: Any, *, include_hidden_topics: bool = False) -> list[TopicInfo]:
     """The result of `func(name, namespace)` for a node, as TopicInfo."""
     remote = parse_node_name(remote_node_name)
     found = [TopicInfo(name, types) for name, types in func(remote.name, remote.namespace)]
-    return [one for one in found if include_hidden_topics or not topic_or_service_is_hidden(one.name)]
+    return [entry for entry in found if include_hidden_topics or not topic_or_service_is_hidden(entry.name)]
 
 
 def get_subscriber_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:
@@ -129,7 +129,7 @@ class NodeNameCompleter:
         key = self.include_hidden_nodes_key
         hidden = bool(key and getattr(parsed_args, key))
         with NodeStrategy(parsed_args) as node:
-            return [one.full_name for one in self._names(node, hidden)]
+            return [name.full_name for name in self._names(node, hidden)]
 
     @staticmethod
     def _names(node: Any, hidden: bool) -> list[NodeName]:

@@ -27,7 +27,7 @@ def get_executable_path(*, package_name: str, executable_name: str) -> str | Non
     ('demo_nodes_py', 'talker')
     """
     found = map(Path, get_executable_paths(package_name=package_name))
-    paths = [str(one) for one in found if executable_name in (one.name, executable_name_of(one))]
+    paths = [str(path) for path in found if executable_name in (path.name, executable_name_of(path))]
     if len(paths) > 1:
         raise MultipleExecutables(paths)
     return paths[0] if paths else None

@@ -56,9 +56,9 @@ def parse_offers(text: str) -> list[QoSProfile]:
     loaded = load_yaml(text, "offered_qos_profiles") if text else []
     if loaded is None:
         return []
-    if not isinstance(loaded, list) or not all(isinstance(one, dict) for one in loaded):
+    if not isinstance(loaded, list) or not all(isinstance(profile, dict) for profile in loaded):
         raise BagError("offered_qos_profiles is no list of QoS profiles")
-    return [_profile(one) for one in loaded]
+    return [_profile(profile) for profile in loaded]
 
 
 def _profile(values: dict[str, Any]) -> QoSProfile:
@@ -88,8 +88,8 @@ def _duration(value: Any) -> Duration:
 
 def request_for(topic: str, offers: list[QoSProfile], warn: Callable[[str], Any]) -> QoSProfile:
     """A recorder's request, compatible with all publishers of a topic."""
-    reliable = sum(one.reliability == ReliabilityPolicy.RELIABLE for one in offers)
-    latched = sum(one.durability == DurabilityPolicy.TRANSIENT_LOCAL for one in offers)
+    reliable = sum(offer.reliability == ReliabilityPolicy.RELIABLE for offer in offers)
+    latched = sum(offer.durability == DurabilityPolicy.TRANSIENT_LOCAL for offer in offers)
     if 0 < reliable < len(offers):
         warn(
             f'Some, but not all, publishers on topic "{topic}" are offering RMW_QOS_POLICY_RELIABILITY_RELIABLE. '
@@ -114,7 +114,7 @@ def offer_for(topic: str, recorded: list[QoSProfile], warn: Callable[[str], Any]
     if not recorded:
         return default_profile()
     first = recorded[0]
-    if all(getattr(one, name) == getattr(first, name) for one in recorded for name in _SAME):
+    if all(getattr(profile, name) == getattr(first, name) for profile in recorded for name in _SAME):
         return first
     warn(
         f"Not all original publishers on topic {topic} offered the same QoS profiles. Rosbag2 cannot yet choose an "

@@ -84,7 +84,7 @@ class SequentialReader:
     def set_filter(self, storage_filter: StorageFilter) -> None:
         """Read only these topics from now on."""
         bag = self._opened()
-        self._filter = _chosen(storage_filter, [one.name for one in bag.topics()])
+        self._filter = _chosen(storage_filter, [topic.name for topic in bag.topics()])
         bag.choose(self._filter)
 
     def reset_filter(self) -> None:
@@ -115,5 +115,5 @@ def _chosen(storage_filter: StorageFilter, names: list[str]) -> list[str] | None
     if not (storage_filter.topics or expression or hidden):
         return None
     some = storage_filter.topics or expression
-    found = [one for one in names if one in storage_filter.topics or (expression and re.search(expression, one))]
-    return [one for one in (found if some else names) if not (hidden and re.search(hidden, one))]
+    found = [name for name in names if name in storage_filter.topics or (expression and re.search(expression, name))]
+    return [name for name in (found if some else names) if not (hidden and re.search(hidden, name))]

@@ -142,7 +142,7 @@ class RecorderNode(Node):
             self.destroy_timer(self._discovery)
 
     def _subscribe(self, name: str, kind: str) -> None:
-        offers = [one.qos_profile for one in self.get_publishers_info_by_topic(name)]
+        offers = [info.qos_profile for info in self.get_publishers_info_by_topic(name)]
         assert self._bag is not None
         self._bag.create_topic(TopicMetadata(name, kind, "cdr", offers_text(offers)))
         profile = self._profile(name, offers)

@@ -45,9 +45,9 @@ def outputs_in(path: Path) -> list[Output]:
     if not isinstance(document, dict) or "output_bags" not in document:
         raise BagError("Output bag config YAML file must have top-level key 'output_bags'")
     bags = document["output_bags"]
-    if not isinstance(bags, list) or not all(isinstance(one, dict) for one in bags):
+    if not isinstance(bags, list) or not all(isinstance(bag, dict) for bag in bags):
         raise BagError("Top-level key 'output_bags' must contain a list of StorageOptions/RecordOptions dicts.")
-    return [_output(one, path) for one in bags]
+    return [_output(bag, path) for bag in bags]
 
 
 def _output(values: dict[str, Any], path: Path) -> Output:

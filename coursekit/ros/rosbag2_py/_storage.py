@@ -158,7 +158,7 @@ class BagMetadata(_Timed, BagFacts):
         """Convert the facts of a bag to ROS's class."""
         made = cls()
         vars(made).update(vars(facts))
-        made.files = [_file_information(one) for one in facts.files]
+        made.files = [_file_information(file) for file in facts.files]
         return made
 
     def __repr__(self) -> str:

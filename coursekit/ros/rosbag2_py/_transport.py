@@ -95,11 +95,11 @@ class _Runner:
     @classmethod
     def cancel(cls) -> None:
         """End the runs of the program's instances of this class, also runs about to start in another thread."""
-        for one in list(cls._made):
-            if one._process is current_process():
-                one._cancelled = True
-                if one._node is not None:
-                    one._node.end()
+        for transport in list(cls._made):
+            if transport._process is current_process():
+                transport._cancelled = True
+                if transport._node is not None:
+                    transport._node.end()
 
     @contextlib.contextmanager
     def _running(self, node: Any) -> Iterator[None]:
@@ -146,7 +146,7 @@ def bag_rewrite(input_options: Sequence[StorageOptions], output_config_file: str
     from rosbag2_py._rewrite_options import outputs_in
 
     outputs = outputs_in(Path(output_config_file))
-    readers = [BagReader(one.uri, one.storage_id, say_opened) for one in input_options]
+    readers = [BagReader(option.uri, option.storage_id, say_opened) for option in input_options]
     try:
         rewrite(readers, outputs)
     finally:

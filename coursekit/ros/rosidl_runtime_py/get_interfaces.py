@@ -62,7 +62,7 @@ def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[s
 def _as_idl(package: str, path: Path) -> Path | None:
     """The IDL of a definition. ROS installs it beside the definition; here it is written on demand."""
     definitions = [path.with_suffix(suffix) for suffix in (".msg", ".srv", ".action")]
-    found = next((one for one in definitions if one.exists()), None)
+    found = next((definition for definition in definitions if definition.exists()), None)
     return idl_file(package, found) if path.suffix == ".idl" and found is not None else None
 
 

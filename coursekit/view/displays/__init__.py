@@ -22,7 +22,7 @@ _CLASSES: tuple[type[Display], ...] = (
     Axes, Polygon, PointStamped, GridCells, Range, Wrench, TwistStamped, AccelStamped, PointCloud, ParticleCloud,
     PoseWithCovariance, Temperature, RelativeHumidity, FluidPressure, Illuminance,
 )  # fmt: skip
-BY_KIND: dict[str, type[Display]] = {one.kind: one for one in _CLASSES}
+BY_KIND: dict[str, type[Display]] = {display.kind: display for display in _CLASSES}
 
 
 def make_display(config: DisplayConfig, number: int) -> Display:

@@ -20,7 +20,7 @@ def point_text(point: Any) -> str:
     >>> point_text((1.0, -0.001, 0.25))
     '1.00, 0.00, 0.25 m'
     """
-    return ", ".join(f"{round(float(one), 2) + 0.0:.2f}" for one in point) + " m"
+    return ", ".join(f"{round(float(number), 2) + 0.0:.2f}" for number in point) + " m"
 
 
 def pose_facts(pose: Pose) -> list[Fact]:

@@ -41,7 +41,7 @@ def _colour(msg: Any) -> Colour:
 
 
 def _points(msg: Any, multiple: int = 1) -> np.ndarray:
-    points = np.array([(one.x, one.y, one.z) for one in msg.points], float).reshape(-1, 3)
+    points = np.array([(point.x, point.y, point.z) for point in msg.points], float).reshape(-1, 3)
     if len(points) % multiple:
         raise ValueError(f"{len(points)} points, not a multiple of {multiple}")
     return points
@@ -52,7 +52,7 @@ def _colours(msg: Any, count: int) -> np.ndarray | None:
         return None
     if len(msg.colors) != count:
         raise ValueError(f"{len(msg.colors)} colors for {count} points")
-    return np.array([(one.r, one.g, one.b, one.a) for one in msg.colors])
+    return np.array([(color.r, color.g, color.b, color.a) for color in msg.colors])
 
 
 def _scale(msg: Any) -> np.ndarray:
@@ -99,12 +99,12 @@ def _line(msg: Any, pairs: bool) -> list[Shape]:
         return [ribbon(points, msg.scale.x, _colour(msg))]
     bands = [ribbon(np.stack([a, b]), msg.scale.x, _colour(msg)) for a, b in zip(starts, ends, strict=True)]
     shifts = np.arange(len(bands))[:, None, None] * 4
-    faces = (np.stack([one.faces for one in bands]) + shifts).reshape(-1, 3)
+    faces = (np.stack([band.faces for band in bands]) + shifts).reshape(-1, 3)
     each = None if colours is None else np.repeat(colours[0::2] if pairs else colours[:-1], 2, axis=0)
-    ends = np.concatenate([one.ends for one in bands])
+    ends = np.concatenate([band.ends for band in bands])
     both = colours if pairs or colours is None else np.stack([colours[:-1], colours[1:]], axis=1).reshape(-1, 4)
     shades = None if both is None else both[:, :3]
-    vertices = np.concatenate([one.vertices for one in bands])
+    vertices = np.concatenate([band.vertices for band in bands])
     return [Band(vertices, faces, _colour(msg), each, ends, float(msg.scale.x), shades)]
 
 
@@ -131,10 +131,10 @@ def _text(msg: Any) -> list[Shape]:
 
 
 def _mesh(msg: Any) -> list[Shape]:
-    scale = tuple(float(one) for one in _scale(msg))
+    scale = tuple(float(size) for size in _scale(msg))
     surfaces = surfaces_of(Mesh(msg.mesh_resource, scale), Path.cwd())  # type: ignore[arg-type]
     own = msg.mesh_use_embedded_materials
-    return [Triangles(one.vertices, one.faces, one.colour if own else _colour(msg)) for one in surfaces]
+    return [Triangles(surface.vertices, surface.faces, surface.colour if own else _colour(msg)) for surface in surfaces]
 
 
 def _triangle_list(msg: Any) -> list[Shape]:
@@ -143,7 +143,7 @@ def _triangle_list(msg: Any) -> list[Shape]:
         return []
     each: np.ndarray | None
     if len(msg.colors) == len(points) // 3:
-        each = np.array([(one.r, one.g, one.b, one.a) for one in msg.colors])
+        each = np.array([(color.r, color.g, color.b, color.a) for color in msg.colors])
     else:
         every = _colours(msg, len(points))
         each = None if every is None else every.reshape(-1, 3, 4).mean(axis=1)

@@ -51,8 +51,8 @@ class Marker(Display):
     def redraw(self, scene: Scene) -> None:
         """Draw all live markers again."""
         super().redraw(scene)
-        for one in self.living.values():
-            one.drawn = False
+        for marker in self.living.values():
+            marker.drawn = False
 
     def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
         """Return namespace, id and type of a marker, and its pose."""
@@ -93,18 +93,18 @@ class Marker(Display):
 
     def _place(self, stage: Stage, scene: Scene) -> None:
         fault, missing = "", ""
-        for one in self.living.values():
+        for marker in self.living.values():
             try:
-                pose = self._pose(one.msg, stage)
-                if not one.drawn:
-                    scene.put(self.key, one.name, *shapes_of(one.msg), pose=pose)
-                    one.drawn = True
-                scene.place(self.key, one.name, pose)
+                pose = self._pose(marker.msg, stage)
+                if not marker.drawn:
+                    scene.put(self.key, marker.name, *shapes_of(marker.msg), pose=pose)
+                    marker.drawn = True
+                scene.place(self.key, marker.name, pose)
             except NoTransform as error:
-                missing = missing or f"{one.name}: {error}"
+                missing = missing or f"{marker.name}: {error}"
             except ValueError as error:
-                fault = fault or f"{one.name}: {error}"
-                scene.remove(self.key, one.name)
+                fault = fault or f"{marker.name}: {error}"
+                scene.remove(self.key, marker.name)
         self.unsay("Markers")
         self.unsay("Transform")
         if missing:

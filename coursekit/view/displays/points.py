@@ -137,8 +137,8 @@ class PointCloud(_Dots):
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw dots."""
-        points = np.array([(one.x, one.y, one.z) for one in msg.points], float).reshape(-1, 3)
-        bright = next((np.array(one.values, float) for one in msg.channels if one.name == "intensity"), None)
+        points = np.array([(point.x, point.y, point.z) for point in msg.points], float).reshape(-1, 3)
+        bright = next((np.array(channel.values, float) for channel in msg.channels if channel.name == "intensity"), None)
         shown = bright is not None and len(bright) == len(points) and self.options["color_transformer"] != "FlatColor"
         self.dots(points, rainbow(bright) if shown and bright is not None else None, pose, stage, scene)
 
@@ -161,7 +161,7 @@ class PointCloud2(_Dots):
 
     def _colours(self, table: np.ndarray, points: np.ndarray) -> np.ndarray | None:
         names, how = table.dtype.names or (), self.options["color_transformer"]
-        packed = next((one for one in ("rgb", "rgba") if one in names), None)
+        packed = next((field for field in ("rgb", "rgba") if field in names), None)
         if packed is not None and how in ("", "RGB8", "RGB"):
             word = np.ascontiguousarray(table[packed]).view("u4")
             return np.stack([(word >> shift) & 255 for shift in (16, 8, 0)], axis=1) / 255.0

@@ -107,7 +107,7 @@ class PoseArray(StampedDisplay):
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw arrows."""
-        poses = np.array([one for one in map(numbers, msg.poses) if finite(one)]).reshape(-1, 7)
+        poses = np.array([pose for pose in map(numbers, msg.poses) if finite(pose)]).reshape(-1, 7)
         self.say("Poses", "Ok", f"{len(poses)} poses")
         colour, length = colour_of(self.options["color"], self.options["alpha"]), float(self.options["arrow_length"])
         parts = [tube(0.0, 0.77 * length, 0.03 * length, sides=6), tube(0.77 * length, length, 0.1 * length, 0.0, sides=8)]
@@ -122,7 +122,7 @@ class ParticleCloud(StampedDisplay):
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw flat arrows."""
-        found = [(numbers(one.pose), one.weight) for one in msg.particles]
+        found = [(numbers(particle.pose), particle.weight) for particle in msg.particles]
         good = [(place, weight) for place, weight in found if finite(place) and math.isfinite(weight)]
         self.say("Particles", "Ok", f"{len(good)} particles")
         if not good:
@@ -221,7 +221,7 @@ class Path(KeptDisplay):
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw a ribbon through the poses."""
-        points = np.array([numbers(one.pose)[:3] for one in msg.poses]).reshape(-1, 3)
+        points = np.array([numbers(stamped.pose)[:3] for stamped in msg.poses]).reshape(-1, 3)
         points = points[np.isfinite(points).all(axis=1)]
         self.say("Path", "Ok", f"{len(points)} poses")
         shapes = [ribbon(points, self.options["line_width"], colour_of(self.options["color"], self.options["alpha"]))]

@@ -55,7 +55,7 @@ class RobotModel(Display):
     def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
         """Return the link, its joint and its pose."""
         joints = self.robot.joints.values() if self.robot is not None else ()
-        held = [("Joint", f"{one.name} ({one.type})") for one in joints if one.child == name]
+        held = [("Joint", f"{joint.name} ({joint.type})") for joint in joints if joint.child == name]
         return [("Link", name), *held, ("Frame", stage.fixed_frame), *pose_facts(thing.pose)]
 
     def _read(self, text: str, scene: Scene) -> None:
@@ -94,9 +94,9 @@ class RobotModel(Display):
             except MeshError as error:
                 fault = str(error)
                 continue
-            for one in surfaces:
-                colour = (*one.colour[:3], one.colour[3] * self.options["alpha"])
-                shapes.append(Triangles(*simpler((one.vertices, one.faces), MOST_FACES), colour))
+            for surface in surfaces:
+                colour = (*surface.colour[:3], surface.colour[3] * self.options["alpha"])
+                shapes.append(Triangles(*simpler((surface.vertices, surface.faces), MOST_FACES), colour))
         self._shapes = getattr(self, "_shapes", {})
         self._shapes[link] = tuple(shapes)
         return fault

@@ -30,7 +30,7 @@ class _Screw(KeptDisplay):
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw arrows of `..._arrow_scale` metres per unit."""
-        along, about = (np.array([one.x, one.y, one.z]) for one in self.vectors(msg))
+        along, about = (np.array([vector.x, vector.y, vector.z]) for vector in self.vectors(msg))
         if not (np.isfinite(along).all() and np.isfinite(about).all()):
             self.say("Message", "Error", "Message contained invalid floating point values (nans or infs)")
             scene.clear(self.key)
@@ -53,7 +53,7 @@ class _Screw(KeptDisplay):
         if ring:
             shapes.append(_ring(0.5 * length, 0.25 * length, radius / 2, colour))
         turn = towards(scaled).T
-        return [Triangles(one.vertices @ turn, one.faces, one.colour) for one in shapes]
+        return [Triangles(shape.vertices @ turn, shape.faces, shape.colour) for shape in shapes]
 
 
 def _ring(at: float, radius: float, thick: float, colour: Colour) -> Triangles:

@@ -15,7 +15,7 @@ def why_nothing(node: Any, display: Display) -> str:
     topic, wanted = display.config.topic, KINDS[display.kind].type
     resolved = dict(node.get_topic_names_and_types())
     if node.count_publishers(topic):
-        types = [one for one in resolved.get(topic, []) if one != wanted]
+        types = [type_name for type_name in resolved.get(topic, []) if type_name != wanted]
         if types:
             return f"{topic} has the type {types[0]}, not {wanted}"
         return _unfit(node, display) or _missed(node, display) or f"{topic} has a publisher that has not published yet"
@@ -27,10 +27,10 @@ def _unfit(node: Any, display: Display) -> str:
     """Name the publisher whose QoS is incompatible with the display's, in rclpy's words."""
     from rclpy.qos import QoSCompatibility, qos_check_compatible
 
-    for one in node.get_publishers_info_by_topic(display.config.topic):
-        verdict, reason = qos_check_compatible(one.qos_profile, display.quality)
+    for info in node.get_publishers_info_by_topic(display.config.topic):
+        verdict, reason = qos_check_compatible(info.qos_profile, display.quality)
         if verdict == QoSCompatibility.ERROR:
-            return f"The QoS of {one.node_name} on {display.config.topic} does not fit: {reason.strip(' ;')}"
+            return f"The QoS of {info.node_name} on {display.config.topic} does not fit: {reason.strip(' ;')}"
     return ""
 
 
@@ -39,7 +39,7 @@ def _missed(node: Any, display: Display) -> str:
     from rclpy.qos import DurabilityPolicy
 
     topic, lasting = display.config.topic, DurabilityPolicy.TRANSIENT_LOCAL
-    keepers = [one for one in node.get_publishers_info_by_topic(topic) if one.qos_profile.durability == lasting]
+    keepers = [info for info in node.get_publishers_info_by_topic(topic) if info.qos_profile.durability == lasting]
     if not keepers or display.quality.durability == lasting:
         return ""
     return (

@@ -120,7 +120,7 @@ class TF(Display):
 
 def _few(names: list[str]) -> str:
     more = f" and {len(names) - 3} more" if len(names) > 3 else ""
-    return ", ".join(f"[{one}]" for one in names[:3]) + more
+    return ", ".join(f"[{name}]" for name in names[:3]) + more
 
 
 def _unit_arrow(scale: float) -> Triangles:

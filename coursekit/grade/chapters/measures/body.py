@@ -42,7 +42,7 @@ def extent(robot: Robot, link: str, positions: dict[str, float]) -> tuple[float,
     if not parts:
         raise Wrong(f"{link} with a <visual>", "it has none", share=0.25, hint=1)
     points = np.concatenate(parts)
-    return tuple(float(one) for one in points.max(axis=0) - points.min(axis=0))
+    return tuple(float(length) for length in points.max(axis=0) - points.min(axis=0))
 
 
 def centre_of_mass(robot: Robot, positions: dict[str, float]) -> np.ndarray:

@@ -58,7 +58,7 @@ def cells_of(got: Any, told: str) -> list[Cell]:
     found = items(got, wanted)
     if len(found) > 2 * MOST_TICKS:
         raise Wrong(wanted, gave=f"{len(found)} cells", hint=NO_HINT)
-    pairs = [[whole(part, wanted) for part in items(one, wanted)] for one in found]
+    pairs = [[whole(part, wanted) for part in items(route, wanted)] for route in found]
     if any(len(pair) != 2 for pair in pairs):
         raise Wrong(wanted, gave=shown(got, 60), hint=NO_HINT)
     return [(row, column) for row, column in pairs]

@@ -37,7 +37,7 @@ def puzzle_in(world: Path, chance: Random) -> Puzzle:
         x, y, heading = puzzle.truth
         ways = [(far, k * math.pi / 8) for far in (0.06, 0.1, 0.15, 0.2, 0.3, 0.4) for k in range(16)]
         beside = [(x + far * math.cos(way), y + far * math.sin(way), heading) for far, way in ways]
-        if min(puzzle.misfit(one) for one in beside) > 1.5 * puzzle.misfit(puzzle.truth):
+        if min(puzzle.misfit(pose) for pose in beside) > 1.5 * puzzle.misfit(puzzle.truth):
             return puzzle
 
 

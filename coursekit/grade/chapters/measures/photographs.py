@@ -19,7 +19,7 @@ def judge_views(poses: list[tuple[Flat, float]], corners: list[Flat], name: str)
     inside = any(all(_height(place, *side) < 0 for side in sides) for place, _ in poses)
     if inside or not away >= 0.8 - 1e-6:
         got = "one stands in it" if inside else f"one is {away:.2f} m from a side"
-        nearest = min((place for place, _ in poses), key=lambda one: min(_away(one, *side) for side in sides))
+        nearest = min((place for place, _ in poses), key=lambda place: min(_away(place, *side) for side in sides))
         raise Wrong(f"0.8 m of room around {name}", gave=got, share=0.25, hint=NO_HINT, at=[nearest])
     for number, side in enumerate(sides, 1):
         faults = [fault for place, yaw in poses if (fault := _fault(place, yaw, *side))]

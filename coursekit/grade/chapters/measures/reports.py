@@ -20,7 +20,7 @@ def reports(seen: Seen, number: int) -> list[Report]:
     """Return the reports of a robot, as stage and pose, in order."""
     topic = f"/robot{number}/robot_status"
     told = (message for _, message in heard(seen, topic))
-    return [(field(one, "task_stage", int, topic), spot_of(field(one, "pose", dict, topic))) for one in told]
+    return [(field(message, "task_stage", int, topic), spot_of(field(message, "pose", dict, topic))) for message in told]
 
 
 def spot_of(pose: Any) -> Spot:

@@ -17,7 +17,7 @@ WHEELS = {f"{side}_{end}_joint" for side in ("left", "right") for end in ("front
 
 def judge_rolling(seen: Seen, radius: float) -> None:
     """Raise Wrong unless all wheels unroll the lengths of their paths on a circle of that radius [m]."""
-    frames = [one for _, message in heard(seen, "/tf") for one in field(message, "transforms", list, "/tf")]
+    frames = [transform for _, message in heard(seen, "/tf") for transform in field(message, "transforms", list, "/tf")]
     states = [message for _, message in heard(seen, "/joint_states")]
     if len(states) < 40 or len(frames) < 40:
         raise Wrong("joint states and frames at 30 Hz", f"{len(states)} and {len(frames)} in 1.5 s", hint=NO_HINT)

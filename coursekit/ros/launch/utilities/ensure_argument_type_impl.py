@@ -19,7 +19,7 @@ def ensure_argument_type(
     TypeError: Node 'name' expected to be '<class 'str'>', but got '1' of type '<class 'int'>'
     """
     wanted = list(types) if isinstance(types, Iterable) and not isinstance(types, type) else [types]
-    if not all(isinstance(one, type) for one in wanted):
+    if not all(isinstance(kind, type) for kind in wanted):
         expected = "type, collections.abc.Iterable of type"
         raise TypeError(f"'ensure_argument_type()' expected 'types' to be one of [{expected}], but got '{types}'")
     if isinstance(argument, tuple(wanted)):

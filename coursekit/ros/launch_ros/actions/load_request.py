@@ -69,4 +69,4 @@ def _parameters_for_all(context: LaunchContext) -> list[Any]:
 
 def _messages(context: LaunchContext, name: str, namespace: str | None, parameters: Sequence[Any]) -> list[Any]:
     evaluated = evaluate_parameters(context, tuple(parameters))
-    return [one.to_parameter_msg() for one in to_parameters_list(context, name, namespace, evaluated)]
+    return [parameter.to_parameter_msg() for parameter in to_parameters_list(context, name, namespace, evaluated)]

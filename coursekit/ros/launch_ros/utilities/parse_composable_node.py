@@ -33,7 +33,7 @@ def parse_composable_node(entity: Entity, parser: Parser) -> dict[str, Any]:
         kwargs["parameters"] = parse_parameters(parameters, parser)
     extra = entity.get_attr("extra_arg", data_type=list[Entity], optional=True)
     if extra:
-        kwargs["extra_arguments"] = [_extra_argument(one, parser) for one in extra]
+        kwargs["extra_arguments"] = [_extra_argument(entity, parser) for entity in extra]
     return {**kwargs, **_condition(entity, parser)}
 
 
@@ -45,7 +45,7 @@ def _extra_argument(entity: Entity, parser: Parser) -> dict[Any, Any]:
 
 
 def _condition(entity: Entity, parser: Parser) -> dict[str, Any]:
-    wanted, unwanted = (entity.get_attr(one, optional=True) for one in ("if", "unless"))
+    wanted, unwanted = (entity.get_attr(name, optional=True) for name in ("if", "unless"))
     if wanted is not None and unwanted is not None:
         raise RuntimeError("if and unless conditions can't be used simultaneously")
     if wanted is not None:

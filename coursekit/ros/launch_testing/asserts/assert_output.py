@@ -39,7 +39,7 @@ def assertInStream(
     if stream not in _ATTRIBUTES:
         raise ValueError("Invalid value for stream; must be 'stdout' or 'stderr'")
     for action in meant:
-        pieces = [one.text.decode() for one in proc_output[action] if getattr(one, _ATTRIBUTES[stream])]
+        pieces = [event.text.decode() for event in proc_output[action] if getattr(event, _ATTRIBUTES[stream])]
         text = "".join(pieces)
         if strip_ansi_escape_sequences:
             text = remove_ansi_escape_sequences(text)

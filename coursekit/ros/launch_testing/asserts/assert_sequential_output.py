@@ -62,4 +62,4 @@ def assertSequentialStdout(proc_output: Any, process: Any, cmd_args: Any = None)
         checker.assertInStdout("Loop 2")
     """
     (action,) = resolveProcesses(proc_output, process=process, cmd_args=cmd_args)
-    yield SequentialTextChecker([one.text.decode() for one in proc_output[action]])
+    yield SequentialTextChecker([event.text.decode() for event in proc_output[action]])

@@ -132,11 +132,11 @@ def marked_module(
 ) -> LaunchTestModule | None:
     """Return a collector of the kind, with the description's marks; None if `mark` is not among the marks."""
     marks = getattr(entrypoint, "pytestmark", [])
-    if not any(one.name == mark for one in marks):
+    if not any(given.name == mark for given in marks):
         return None
     module = kind.from_parent(parent, path=module_path)
-    for one in marks:
-        module.add_marker(getattr(pytest.mark, one.name).with_args(*one.args, **one.kwargs))
+    for given in marks:
+        module.add_marker(getattr(pytest.mark, given.name).with_args(*given.args, **given.kwargs))
     return module  # type: ignore[no-any-return]
 
 

@@ -42,7 +42,7 @@ def resolveProcesses(
         raise TypeError(f"proc argument must be 'ExecuteProcess' or 'str' not {type(process)}")
     if isinstance(cmd_args, str):
         cmd_args = [cmd_args]
-    found = [one for one in known if _is_meant(one, process, cmd_args)]
+    found = [event for event in known if _is_meant(event, process, cmd_args)]
     names = ", ".join(sorted(map(_name_and_args, known)))
     if not found:
         raise NoMatchingProcessException(
@@ -60,7 +60,7 @@ def _is_meant(action: ExecuteLocal, name: str, cmd_args: Sequence[str] | object 
     given = details["cmd"][1:]
     if cmd_args is None or cmd_args is NO_CMD_ARGS:
         return cmd_args is None or not given
-    return all(one in given for one in cmd_args)  # type: ignore[attr-defined]
+    return all(arg in given for arg in cmd_args)  # type: ignore[attr-defined]
 
 
 def _name_and_args(action: ExecuteLocal) -> str:
@@ -69,7 +69,7 @@ def _name_and_args(action: ExecuteLocal) -> str:
         return " ".join([action.process_details["name"], *action.process_details["cmd"][1:]])
     nowhere = LaunchContext()
     try:
-        parts = ("".join(one.perform(nowhere) for one in part) for part in action.process_description.cmd)
+        parts = ("".join(substitution.perform(nowhere) for substitution in part) for part in action.process_description.cmd)
         return " ".join(parts)
     except Exception:  # a substitution that needs the launch
         return "Unknown - Process not launched yet"

@@ -72,7 +72,7 @@ class DoctorReport:
 def run_checks(*, include_warnings: bool = False) -> tuple[set[str], int, int]:
     """The names of the failed checks, the number of failed checks, and the number of all checks."""
     results = [*checks.run_all(), graph_report.compatibility(), graph_report.both_ends()]
-    bad = {one.name for one in results if one.fault and (include_warnings or not one.only_warning)}
+    bad = {result.name for result in results if result.fault and (include_warnings or not result.only_warning)}
     return bad, len(bad), len(results)
 
 

@@ -56,7 +56,7 @@ def is_launch_file(path: str) -> bool:
 def get_launch_file_paths(*, path: str) -> list[str]:
     """Return the launch files in a folder and below."""
     found = (os.path.join(root, name) for root, _, names in os.walk(path) for name in sorted(names))
-    return [one for one in found if is_launch_file(one)]
+    return [path for path in found if is_launch_file(path)]
 
 
 def print_a_launch_file(*, launch_file_path: str) -> None:

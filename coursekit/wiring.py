@@ -67,5 +67,5 @@ def command(name: str) -> Callable[..., int] | None:
     >>> command("ls") is None
     True
     """
-    found: Callable[..., int] | None = load(COMMANDS[name]) if name in COMMANDS else None
-    return found
+    command: Callable[..., int] | None = load(COMMANDS[name]) if name in COMMANDS else None
+    return command

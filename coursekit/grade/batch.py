@@ -127,9 +127,9 @@ class Class:
         collector = Collector(
             self.sources, scratch, roster=self.roster, copies=marks, policy=self.policy, answers=answers
         )
-        found = collector.collect(self.place, leave=self._written())
-        write_questions(asked, found.questions, answers, self.form)
-        return found
+        collection = collector.collect(self.place, leave=self._written())
+        write_questions(asked, collection.questions, answers, self.form)
+        return collection
 
     def _written(self) -> list[Path]:
         """Return the files of earlier runs, which may be beside the submissions."""
@@ -143,17 +143,17 @@ class Class:
         return found or sorted(self.sources), others
 
     def _record(self, handed: Handed, wanted: Mapping[str, Sequence[Verdict]]) -> Record:
-        made = Record(handed, wanted, tier=self._tier)
+        record = Record(handed, wanted, tier=self._tier)
         for chapter in [name for name in handed.chosen if name not in wanted]:
             handed.concerns.append(f"{chapter} was handed in too; it is not marked here")
-        made.late = lateness_of(handed, list(wanted), self.policy)
-        before, now = made.key, self._codes.key(made)
+        record.late = lateness_of(handed, list(wanted), self.policy)
+        before, now = record.key, self._codes.key(record)
         if self.anonymity is None:
             before, now = now, before
         self.table.by_hand.move(before, now)
-        made.by_hand = self.table.by_hand.points_of(now, list(wanted))
-        made.extra = dict(self.table.by_hand.extra.get(now, {}))
-        return made
+        record.by_hand = self.table.by_hand.points_of(now, list(wanted))
+        record.extra = dict(self.table.by_hand.extra.get(now, {}))
+        return record
 
     def _mark(self, records: Sequence[Record], jobs: int, tell: Tell) -> None:
         """Mark the work without a valid stored result; the table is complete after each submission."""
@@ -291,9 +291,9 @@ def _form_of(out: Path, roster: Roster | None) -> Form:
 
 
 def _sources(notebooks: Path) -> dict[str, Any]:
-    found = {}
+    sources = {}
     for file in sorted(notebooks.glob("*.ipynb")):
-        found[file.name] = json.loads(file.read_text(encoding="utf-8"))
-    if not found:
+        sources[file.name] = json.loads(file.read_text(encoding="utf-8"))
+    if not sources:
         raise SystemExit(f"There are no notebooks in {notebooks}: say with --notebooks where the course's are.")
-    return found
+    return sources

@@ -88,19 +88,19 @@ def bundle_faults(data: bytes) -> list[str]:
 
 def _faults(data: bytes) -> list[str]:
     manifest, files = read_bundle(data)
-    found = [f"{name}: is missing" for name in manifest["files"] if name not in files]
+    faults = [f"{name}: is missing" for name in manifest["files"] if name not in files]
     for name, content in files.items():
         if name not in manifest["files"]:
-            found.append(f"{name}: was put in afterwards")
+            faults.append(f"{name}: was put in afterwards")
         elif digest_of(content) != manifest["files"][name]:
-            found.append(f"{name}: was changed")
+            faults.append(f"{name}: was changed")
     if events.digest({key: value for key, value in manifest.items() if key != "seal"}) != manifest.get("seal"):
-        found.append(f"{MANIFEST}: was changed")
-    found += events.faults(_lines(files))
-    found += [] if found else _untold(files)
-    if not found and _zipped({MANIFEST: _text(manifest), **{name: files[name] for name in manifest["files"]}}) != data:
-        found.append("the zip was packed again")
-    return found
+        faults.append(f"{MANIFEST}: was changed")
+    faults += events.faults(_lines(files))
+    faults += [] if faults else _untold(files)
+    if not faults and _zipped({MANIFEST: _text(manifest), **{name: files[name] for name in manifest["files"]}}) != data:
+        faults.append("the zip was packed again")
+    return faults
 
 
 def _lines(files: Mapping[str, bytes]) -> list[str]:
@@ -168,10 +168,10 @@ def recorded(manifest: Mapping[str, Any]) -> dict[str, Any]:
 def traces(data: bytes) -> dict[str, str]:
     """Return the parts unique to a student: digests of pictures and log lines, with their names."""
     _, files = read_bundle(data)
-    found = {digest_of(content): name for name, content in files.items() if name.startswith("evidence/")}
+    traces = {digest_of(content): name for name, content in files.items() if name.startswith("evidence/")}
     for number, line in enumerate(_lines(files), 1):
-        found[digest_of(_happened(line))] = f"line {number} of {EVENTS}"
-    return found
+        traces[digest_of(_happened(line))] = f"line {number} of {EVENTS}"
+    return traces
 
 
 def _happened(line: str) -> bytes:

@@ -21,12 +21,12 @@ def translated(notebook: dict[str, Any], catalogue: Path) -> dict[str, Any]:
     read = _read(catalogue)
     words = {entry.msgid: entry.msgstr for entry in read.translated_entries()}
     warning = read.metadata.get(UNTRANSLATED, "")
-    made: dict[str, Any] = json.loads(json.dumps(notebook))
-    for cell in text_cells(made):
+    translated: dict[str, Any] = json.loads(json.dumps(notebook))
+    for cell in text_cells(translated):
         text = "".join(cell["source"])
         other = words.get(text) or (f"*{warning}*\n\n{text}" if warning else text)
         cell["source"] = other.splitlines(keepends=True)
-    return made
+    return translated
 
 
 def text_cells(notebook: dict[str, Any]) -> list[dict[str, Any]]:

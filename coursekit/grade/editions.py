@@ -51,10 +51,10 @@ def chapters(notebooks: Path, language: str = ENGLISH) -> list[Path]:
     known = languages(notebooks)
     if language not in known:
         raise ValueError(f"No chapter is translated into '{language}'. There are: {', '.join(known)}.")
-    found = sorted(notebooks.glob("*.ipynb"))
+    paths = sorted(notebooks.glob("*.ipynb"))
     if language == ENGLISH:
-        return found
-    return [other if (other := notebooks / language / file.name).exists() else file for file in found]
+        return paths
+    return [other if (other := notebooks / language / file.name).exists() else file for file in paths]
 
 
 def read(chapter: Path, language: str = ENGLISH) -> dict[str, Any]:

@@ -83,16 +83,18 @@ def examine(task: Task, limits: sandbox.Limits) -> Examined:
     timer.start()
     try:
         out = running.answer(as_json(task).encode(), MOST)
-        found = checked(Examined, out)
+        examined = checked(Examined, out)
     except ValueError:
         return Examined(failed=running.stopped or "it could not be marked: what marks it was ended by it")
     finally:
         timer.cancel()
         running.end()
     known = {name: find(name) for name in task.exercises}
-    if any(verdict.name not in known or not 0 <= verdict.points <= known[verdict.name].points for verdict in found.verdicts):
+    if any(
+        verdict.name not in known or not 0 <= verdict.points <= known[verdict.name].points for verdict in examined.verdicts
+    ):
         return Examined(failed="it could not be marked: the marks are none that there are")
-    return found
+    return examined
 
 
 def unjudged(exercise: Exercise, why: str) -> Verdict:
@@ -131,7 +133,7 @@ def _limit_memory() -> None:
 
 def _examined(task: Task) -> Examined:
     repaired = repair(task.source, read_notebook(Path(task.file)))
-    found = Examined(notes=repaired.notes, answers=repaired.answers())
+    examined = Examined(notes=repaired.notes, answers=repaired.answers())
     limits = sandbox.Limits(**task.limits)
     workspace = Path(task.folder) / "course" / "ros2_ws"
     (workspace / "src").mkdir(parents=True)
@@ -140,10 +142,10 @@ def _examined(task: Task) -> Examined:
     work = RemoteWork(running, workspace, env, limits, task.variants, bytes.fromhex(task.secret))
     try:
         exercises = {name: find(name) for name in task.exercises}
-        found.verdicts = _run_and_judge(repaired, work, exercises, limits)
+        examined.verdicts = _run_and_judge(repaired, work, exercises, limits)
     finally:
         work.end()
-    return found
+    return examined
 
 
 def environment(workspace: Path) -> dict[str, str]:

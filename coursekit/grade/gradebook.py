@@ -52,11 +52,11 @@ def _of_run(one: Record) -> dict[str, float]:
 
 def _earlier(one: Record, results: Results) -> dict[str, float]:
     """Return the points of the chapters outside this run."""
-    found = {}
+    earlier = {}
     for name, kept in results.chapters(one.key).items():
         if name not in one.wanted:
-            found[name] = _points(kept, one)
-    return found
+            earlier[name] = _points(kept, one)
+    return earlier
 
 
 def _points(kept: dict[str, Any], one: Record) -> float:

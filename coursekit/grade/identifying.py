@@ -156,11 +156,11 @@ class Identifier:
 
 
 def _table(pairs: Iterable[tuple[str, Person]]) -> dict[str, set[Person]]:
-    found: dict[str, set[Person]] = {}
+    table: dict[str, set[Person]] = {}
     for key, person in pairs:
         if key:
-            found.setdefault(key, set()).add(person)
-    return found
+            table.setdefault(key, set()).add(person)
+    return table
 
 
 def _letters(text: str) -> str:

@@ -65,34 +65,34 @@ def mark(
     `secret` seeds the judges' random choices, which are unpredictable without it.
     """
     limits = replace(limits, tier=sandbox.tier())  # the tier named in the result, also in other processes
-    made = Marked(submission.student, submission.digest(), tier=limits.tier, variants=values_of(sources.values()))
+    marked = Marked(submission.student, submission.digest(), tier=limits.tier, variants=values_of(sources.values()))
     bundles: list[bytes] = []
     scratch = Path(tempfile.mkdtemp(prefix="grade-"))
     try:
         bundles = submission.bundles()
         for bundle in bundles:
-            made.concerns += _faults(bundle, submission.student)
+            marked.concerns += _faults(bundle, submission.student)
         files = submission.notebooks(scratch / "unpacked")
         own = sorted({str(source.parent) for source in own_files(exercises.values())})
-        for name, file in _chosen(files, sources, made.notes).items():
+        for name, file in _chosen(files, sources, marked.notes).items():
             folder, names = str(scratch / name), list(exercises)
-            task = Task(sources[name], str(file), folder, names, made.variants, asdict(limits), secret.hex(), own)
-            _add(made, name, examine(task, limits))
+            task = Task(sources[name], str(file), folder, names, marked.variants, asdict(limits), secret.hex(), own)
+            _add(marked, name, examine(task, limits))
     except ValueError as error:
-        made.status, made.notes = "unreadable", [*made.notes, str(error)]
+        marked.status, marked.notes = "unreadable", [*marked.notes, str(error)]
     except Exception as error:  # one bad submission must never stop the class
-        made.status, made.notes = "error", [*made.notes, f"{type(error).__name__}: {error}"]
+        marked.status, marked.notes = "error", [*marked.notes, f"{type(error).__name__}: {error}"]
     finally:
         folders.remove(scratch)
-    judged = {verdict.name for verdict in made.verdicts}
-    missing = "what was handed in could not be read" if made.status == "unreadable" else "nothing was handed in"
-    made.verdicts += [unjudged(exercise, missing) for name, exercise in exercises.items() if name not in judged]
-    made.verdicts.sort(key=lambda verdict: verdict.name)
+    judged = {verdict.name for verdict in marked.verdicts}
+    missing = "what was handed in could not be read" if marked.status == "unreadable" else "nothing was handed in"
+    marked.verdicts += [unjudged(exercise, missing) for name, exercise in exercises.items() if name not in judged]
+    marked.verdicts.sort(key=lambda verdict: verdict.name)
     for bundle in bundles:
-        _compare(bundle, made)
-    if not judged and made.status == "graded":
-        made.status = "empty"
-    return made
+        _compare(bundle, marked)
+    if not judged and marked.status == "graded":
+        marked.status = "empty"
+    return marked
 
 
 def _add(made: Marked, name: str, examined: Examined) -> None:
@@ -107,10 +107,10 @@ def _add(made: Marked, name: str, examined: Examined) -> None:
 
 def _faults(bundle: bytes, name: str) -> list[str]:
     """Return signs that a file made by `hand_in()` was changed, or belongs to another student."""
-    found = bundle_faults(bundle)
+    faults = bundle_faults(bundle)
     with contextlib.suppress(ValueError):
-        found += other_hands(bundle, name)
-    return found
+        faults += other_hands(bundle, name)
+    return faults
 
 
 def _compare(bundle: bytes, made: Marked) -> None:
@@ -125,14 +125,14 @@ def _compare(bundle: bytes, made: Marked) -> None:
 
 def _chosen(files: list[Path], sources: Mapping[str, Any], notes: list[str]) -> dict[str, Path]:
     """Assign files to the course's notebooks by name, preferring the newest."""
-    found: dict[str, Path] = {}
+    chosen: dict[str, Path] = {}
     for file in sorted(files, key=lambda file: file.stat().st_mtime):
         names = [name for name in sources if file.name == name or file.stem.startswith(Path(name).stem)]
         if not names and len(sources) == 1:
             names = list(sources)
             notes.append(f"{file.name}: taken as {names[0]}")
         for name in names:
-            if name in found:
+            if name in chosen:
                 notes.append(f"{name}: handed in more than once; {file.name} counts")
-            found[name] = file
-    return found
+            chosen[name] = file
+    return chosen

@@ -29,9 +29,9 @@ def exception_in(output: str) -> str:
     launched = re.findall(r"\[launch\]: Caught exception in launch \(see debug for traceback\): (.*)", output)
     starts = [place for place, line in enumerate(lines) if line.startswith("Traceback (most recent call last)")]
     for start in reversed(starts):
-        found = _told(lines[start + 1 :])
-        if found and not found.startswith(_NO_FAULT):
-            return found
+        exception = _told(lines[start + 1 :])
+        if exception and not exception.startswith(_NO_FAULT):
+            return exception
     return _short(launched[-1]) if launched else ""
 
 
@@ -140,10 +140,10 @@ def course_said(seen: Any, topic: str) -> list[tuple[float, Any]]:
 
 def way_of(seen: Any, topic: str) -> list[tuple[float, ...]]:
     """Return a turtle's positions as published by turtlesim, as x, y and theta in order; Wrong when there are none."""
-    found = [fields(pose, ("x", "y", "theta"), topic) for _, pose in course_said(seen, topic)]
-    if not found:
+    way = [fields(pose, ("x", "y", "theta"), topic) for _, pose in course_said(seen, topic)]
+    if not way:
         raise Wrong(f"poses on {topic}", "there are none", hint=NO_HINT)
-    return found
+    return way
 
 
 def heard(seen: Any, topic: str) -> list[tuple[float, Any]]:

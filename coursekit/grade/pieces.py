@@ -103,22 +103,22 @@ class Gatherer:
 
     def entry(self, name: str, files: Iterable[Raw]) -> Entry:
         """Read all files of an entry; a faulty file is reported and does not stop the others."""
-        made = Entry(name)
+        entry = Entry(name)
         for raw in files:
             if _is_left_out(raw.parts):
                 continue
             where = shown("/".join(raw.parts))
             if raw.fault:
-                made.faults.append(f"{where} {raw.fault}")
+                entry.faults.append(f"{where} {raw.fault}")
                 continue
             try:
-                self._file(made, raw, where, nested=0)
+                self._file(entry, raw, where, nested=0)
             except (OSError, ValueError, MemoryError) as error:
-                made.faults.append(f"{where}: {shown(str(error)) or 'cannot be read'}")
+                entry.faults.append(f"{where}: {shown(str(error)) or 'cannot be read'}")
         told = platform_name(name)
         if told is not None:
-            made.pieces = [_of_platform(piece, told.when, told.late) for piece in made.pieces]
-        return made
+            entry.pieces = [_of_platform(piece, told.when, told.late) for piece in entry.pieces]
+        return entry
 
     def _file(self, made: Entry, raw: Raw, where: str, nested: int, bundle: _Bundle | None = None) -> None:
         name, begin = raw.parts[-1].casefold(), _beginning(raw)

@@ -199,17 +199,17 @@ def field(message: Any, path: str, kind: type[T], where: str = "a message") -> T
     >>> field({"pose": {"x": 1.5}}, "pose.x", float)
     1.5
     """
-    found = message
+    value = message
     for name in path.split("."):
-        if not isinstance(found, Mapping) or name not in found:
+        if not isinstance(value, Mapping) or name not in value:
             raise Wrong(f"{where} with the field {path}", "it has none", "Is the message's type the right one?")
-        found = found[name]
+        value = value[name]
     if kind is float:
-        return number(found, f"{where} whose {path} is a finite number")  # type: ignore[return-value]
-    if type(found) is not kind:
+        return number(value, f"{where} whose {path} is a finite number")  # type: ignore[return-value]
+    if type(value) is not kind:
         name = {str: "a text", bool: "true or false", int: "an integer", list: "a list"}.get(kind, kind.__name__)
-        raise Wrong(f"{where} whose {path} is {name}", shown(found), "Is the message's type the right one?")
-    return found
+        raise Wrong(f"{where} whose {path} is {name}", shown(value), "Is the message's type the right one?")
+    return value
 
 
 def fields(message: Any, paths: Sequence[str], where: str = "a message") -> tuple[float, ...]:

@@ -70,16 +70,16 @@ class Progress:
 
         A completed voluntary exercise has 1 of 0 points.
         """
-        found: dict[str, Any] = {}
+        chapters: dict[str, Any] = {}
         for name, exercise in all_exercises().items():
             if not name.startswith(self.only):
                 continue
-            points, of, rows = found.get(name.partition(".")[0], (0.0, 0.0, []))
+            points, of, rows = chapters.get(name.partition(".")[0], (0.0, 0.0, []))
             got = self.points(name)
             done = float(self._kept.get(name, {}).get("done", 0))
             rows.append((name, exercise.title, got if exercise.points else done, exercise.points))
-            found[name.partition(".")[0]] = (points + got, of + exercise.points, rows)
-        return found
+            chapters[name.partition(".")[0]] = (points + got, of + exercise.points, rows)
+        return chapters
 
     def __repr__(self) -> str:
         lines = [gettext("chapter  points")]
@@ -118,6 +118,6 @@ def _colour(got: float, most: float) -> str:
 
 def progress(chapter: str = "") -> Progress:
     """Show the student's progress over the whole course, or over one chapter ("ch02")."""
-    found = Progress.of_course()
-    found.only = chapter
-    return found
+    progress = Progress.of_course()
+    progress.only = chapter
+    return progress

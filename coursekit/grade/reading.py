@@ -78,12 +78,12 @@ def message(workspace: Path, path: str) -> Message:
     file = _file(workspace, path)
     _bytes(file)
     try:
-        found = parse_file(file.parent.parent.name, file)
+        message = parse_file(file.parent.parent.name, file)
     except InterfaceError as error:
         raise Wrong(f"{file.name} that can be read", str(error).replace(str(workspace), "~/ros2_ws"), hint=NO_HINT) from None
-    if not isinstance(found, Message):
+    if not isinstance(message, Message):
         raise Wrong("a message definition", file.name, hint=NO_HINT)
-    return found
+    return message
 
 
 def _cause_in_yaml(said: str) -> str:

@@ -122,11 +122,11 @@ class Chapter:
     @cached_property
     def stubs(self) -> dict[str, set[str]]:
         """The digests of its solution cells as handed out, by name."""
-        found: dict[str, set[str]] = {}
+        stubs: dict[str, set[str]] = {}
         for cell in self.source["cells"]:
             if cell.get("metadata", {}).get("nbgrader", {}).get("solution"):
-                found.setdefault(grade_id(cell), set()).add(given_digest(without_solution(text_of(cell))))
-        return found
+                stubs.setdefault(grade_id(cell), set()).add(given_digest(without_solution(text_of(cell))))
+        return stubs
 
     @cached_property
     def texts(self) -> frozenset[str]:
@@ -178,11 +178,11 @@ def _as_given(text: str, stubs: set[str], given: Any) -> bool:
 
 
 def _marks(notebook: Mapping[str, Any]) -> set[str]:
-    found = {grade_id(cell) for cell in notebook["cells"]} - {""}
+    marks = {grade_id(cell) for cell in notebook["cells"]} - {""}
     for cell in notebook["cells"]:
         if isinstance(cell, dict) and cell.get("cell_type") == "code":
-            found |= {f"check {match['name']}" for match in CHECK.finditer(text_of(cell))}
-    return found
+            marks |= {f"check {match['name']}" for match in CHECK.finditer(text_of(cell))}
+    return marks
 
 
 class Recogniser:

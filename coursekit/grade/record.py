@@ -69,19 +69,19 @@ class Record:
     def marked(self) -> Marked:
         """Return the marks of all chapters as one, including points by hand."""
         marks = [self.marks[name] for name in self.wanted if name in self.marks]
-        made = Marked(self.label, "".join(mark.digest for mark in marks), tier=next((mark.tier for mark in marks), ""))
-        made.status = _together([mark.status for mark in marks])
+        marked = Marked(self.label, "".join(mark.digest for mark in marks), tier=next((mark.tier for mark in marks), ""))
+        marked.status = _together([mark.status for mark in marks])
         for chapter, verdicts in self.wanted.items():
             found = self.marks[chapter].verdicts if chapter in self.marks else verdicts
-            made.verdicts += [self._by_hand(verdict) for verdict in found]
+            marked.verdicts += [self._by_hand(verdict) for verdict in found]
         for mark in marks:
-            made.answers += mark.answers
-            made.variants |= mark.variants
-            made.traces |= mark.traces
-        made.notes = unique([*self.handed.notes, *(note for mark in marks for note in mark.notes)])
-        made.concerns = unique([*self.handed.concerns, *(said for mark in marks for said in mark.concerns)])
-        made.minutes_late = max((lateness.minutes for lateness in self.late.values()), default=0.0)
-        return made
+            marked.answers += mark.answers
+            marked.variants |= mark.variants
+            marked.traces |= mark.traces
+        marked.notes = unique([*self.handed.notes, *(note for mark in marks for note in mark.notes)])
+        marked.concerns = unique([*self.handed.concerns, *(said for mark in marks for said in mark.concerns)])
+        marked.minutes_late = max((lateness.minutes for lateness in self.late.values()), default=0.0)
+        return marked
 
     def _by_hand(self, verdict: Verdict) -> Verdict:
         points = self.by_hand.get(verdict.name)
@@ -166,7 +166,7 @@ def _together(statuses: Sequence[str]) -> str:
 
 def lateness_of(handed: Handed, chapters: Sequence[str], policy: Policy) -> dict[str, Late]:
     """Return the lateness of each chapter; contradictions between times are reported to the teacher."""
-    found = {}
+    lateness = {}
     for chapter in chapters:
         piece = handed.chosen.get(chapter)
         if piece is None:
@@ -180,5 +180,5 @@ def lateness_of(handed: Handed, chapters: Sequence[str], policy: Policy) -> dict
         if piece.late_said and not minutes:
             handed.concerns.append(f"the platform says that {piece.where} was late; the file's time does not say how much")
             minutes = 1.0
-        found[chapter] = Late(minutes, piece.when, piece.when_from, policy.percent_off(minutes))
-    return found
+        lateness[chapter] = Late(minutes, piece.when, piece.when_from, policy.percent_off(minutes))
+    return lateness

@@ -27,10 +27,10 @@ WHEEL = "ADDRESS-OF-THE-WHEEL"
 
 def released(notebook: dict[str, Any]) -> dict[str, Any]:
     """Return a notebook as handed out: stubs, no outputs, a plain kernel, valid nbgrader metadata."""
-    made = student_notebook(notebook)
-    facts = made["metadata"]["coursekit"]
-    made["metadata"] = {"kernelspec": KERNEL, "language_info": {"name": "python"}, "coursekit": facts}
-    return made
+    released = student_notebook(notebook)
+    facts = released["metadata"]["coursekit"]
+    released["metadata"] = {"kernelspec": KERNEL, "language_info": {"name": "python"}, "coursekit": facts}
+    return released
 
 
 def with_points(notebook: dict[str, Any]) -> dict[str, Any]:
@@ -109,10 +109,10 @@ def _written(notebooks: Mapping[str, Any], folder: Path, name: str, beside: Sequ
 
 def _copied(file: Path, folder: Path) -> Path:
     """Copy a file needed by the notebooks: a picture, or a teacher's own check."""
-    made = folder / (OWN if file.suffix == ".py" else IMAGES) / file.name
-    made.parent.mkdir(exist_ok=True)
-    made.write_bytes(file.read_bytes())
-    return made
+    path = folder / (OWN if file.suffix == ".py" else IMAGES) / file.name
+    path.parent.mkdir(exist_ok=True)
+    path.write_bytes(file.read_bytes())
+    return path
 
 
 def _zipped(files: Sequence[Path], out: Path) -> Path:

@@ -45,9 +45,9 @@ class Repaired:
 
 def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
     """Insert the student's answers and added cells into the course's notebook."""
-    made = Repaired()
+    repaired = Repaired()
     theirs = [cell for cell in submitted.get("cells", []) if isinstance(cell, dict)]
-    by_id = _by_id(theirs, {_id(cell) for cell in source["cells"]}, made.notes)
+    by_id = _by_id(theirs, {_id(cell) for cell in source["cells"]}, repaired.notes)
     own = _own_cells(source, theirs)
     known = {"".join(cell["source"]).strip() for cell in source["cells"]}
     unknown = [cell for cell in theirs if CHECK.search(_text(cell)) or _text(cell).strip() not in known]
@@ -58,20 +58,20 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
         if cell["cell_type"] != "code" or LIVE in cell.get("metadata", {}).get("tags", []):
             continue
         if grading.get("solution"):
-            answer = _answer(name, text, by_id, unknown, made.notes)
+            answer = _answer(name, text, by_id, unknown, repaired.notes)
             added = own.pop(name, [])
-            made.steps += [Step(source, solution=True) for source in added]
-            made.steps.append(Step(answer, solution=True, given=without_solution(text)))
+            repaired.steps += [Step(source, solution=True) for source in added]
+            repaired.steps.append(Step(answer, solution=True, given=without_solution(text)))
             exercise = ".".join(name.split("-")[:2])
             as_given = answer.strip() == without_solution(text).strip() and "YOUR CODE HERE" in answer
             written = bool(added or own.get("")) or not as_given
-            made.begun[exercise] = made.begun.get(exercise, False) or written
+            repaired.begun[exercise] = repaired.begun.get(exercise, False) or written
             continue
         found = CHECK.search(text)
-        made.steps.append(Step("" if found else text, found["name"] if found else ""))
-    made.steps = [Step(source, solution=True) for left in own.values() for source in left] + made.steps
-    made.notes = unique(made.notes)
-    return made
+        repaired.steps.append(Step("" if found else text, found["name"] if found else ""))
+    repaired.steps = [Step(source, solution=True) for left in own.values() for source in left] + repaired.steps
+    repaired.notes = unique(repaired.notes)
+    return repaired
 
 
 def _own_lines(answer: str, given: str) -> str:

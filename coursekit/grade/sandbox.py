@@ -271,10 +271,10 @@ def _family(pid: int) -> list[tuple[int, int]]:
             with contextlib.suppress(OSError, ValueError, IndexError):
                 fields = Path(entry.path, "stat").read_text(encoding="utf-8", errors="replace").rpartition(")")[2].split()
                 started.setdefault(int(fields[1]), []).append((int(entry.name), int(fields[21]) * page))
-    found: list[tuple[int, int]] = []
+    family: list[tuple[int, int]] = []
     waiting = [pid]
     while waiting:
         for child in started.get(waiting.pop(), ()):
-            found.append(child)
+            family.append(child)
             waiting.append(child[0])
-    return found
+    return family

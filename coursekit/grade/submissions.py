@@ -66,29 +66,29 @@ class Submission:
         """Return the zips with the manifest of `hand_in()`."""
         if self.chosen or self.bundle_files:
             return [_bytes(file, LARGEST_BUNDLE) for file in self.bundle_files]
-        found = []
+        bundles = []
         for path in walk(self.place):
             data = _zip(path)
             if data is not None and _says_bundle(path):
-                found.append(data)
-        return found
+                bundles.append(data)
+        return bundles
 
     def notebooks(self, scratch: Path) -> list[Path]:
         """Return plain copies of the notebooks, including those in a zip; ValueError for an invalid or huge one."""
         if self.chosen:
             counts = enumerate(self.chosen.items())
             return [_copy(_bytes(file, LARGEST), scratch / str(at) / name) for at, (name, file) in counts]
-        found = []
+        paths = []
         for number, path in enumerate(walk(self.place)):
             name = path.parts[-1]
             if path.open is None or name.startswith("._") or ".ipynb_checkpoints" in path.parts:
                 continue
             if name.endswith(".ipynb"):
                 with path.open() as data:
-                    found.append(_copy(_whole(data.read(LARGEST + 1), name), scratch / str(number) / name[:120]))
+                    paths.append(_copy(_whole(data.read(LARGEST + 1), name), scratch / str(number) / name[:120]))
             elif name.endswith(".zip"):
-                found += _unpacked(path, scratch / str(number))
-        return found
+                paths += _unpacked(path, scratch / str(number))
+        return paths
 
 
 def _bytes(file: Path, most: int) -> bytes:
@@ -127,17 +127,17 @@ def _says_bundle(one: Walked) -> bool:
 
 def _unpacked(one: Walked, scratch: Path) -> list[Path]:
     assert one.open is not None
-    found = []
+    paths = []
     try:
         with Archive(one.open()) as opened:
             for number, member in enumerate(opened.members()):
                 name = member.parts[-1]
                 left = name.startswith("._") or ".ipynb_checkpoints" in member.parts
                 if name.endswith(".ipynb") and not left:
-                    found.append(_copy(opened.read(member, LARGEST), scratch / str(number) / name[-120:]))
+                    paths.append(_copy(opened.read(member, LARGEST), scratch / str(number) / name[-120:]))
     except BadArchive as error:
         raise ValueError(f"{one.parts[-1]} is no zip that can be opened: {error}") from None
-    return found
+    return paths
 
 
 def read_notebook(file: Path) -> dict[str, Any]:

@@ -33,11 +33,11 @@ def checks_in(notebook: Mapping[str, Any]) -> dict[str, int]:
     >>> checks_in({"cells": [{"cell_type": "markdown"}, {"cell_type": "code", "source": ['check("relay")']}]})
     {'relay': 1}
     """
-    found: dict[str, int] = {}
+    checks: dict[str, int] = {}
     for place, cell in enumerate(notebook.get("cells", [])):
         for match in CHECK.finditer("".join(cell.get("source", ""))) if cell.get("cell_type") == "code" else ():
-            found.setdefault(match["name"], place)
-    return found
+            checks.setdefault(match["name"], place)
+    return checks
 
 
 def told(notebook: Mapping[str, Any]) -> Values:
@@ -46,15 +46,15 @@ def told(notebook: Mapping[str, Any]) -> Values:
     >>> told({"cells": [{"cell_type": "code", "source": ['check("relay", topic="/upper", depth=3)']}]})
     {'relay': {'topic': '/upper', 'depth': 3}}
     """
-    found: Values = {}
+    values: Values = {}
     for name, place in checks_in(notebook).items():
         line = CHECK.search("".join(notebook["cells"][place]["source"]))
         try:
             call: Any = ast.parse(line[0].strip(), mode="eval").body if line else None
-            found[name] = {keyword.arg: ast.literal_eval(keyword.value) for keyword in call.keywords if keyword.arg}
+            values[name] = {keyword.arg: ast.literal_eval(keyword.value) for keyword in call.keywords if keyword.arg}
         except (ValueError, SyntaxError, AttributeError):
-            found[name] = {}
-    return found
+            values[name] = {}
+    return values
 
 
 def values_of(notebooks: Iterable[Mapping[str, Any]]) -> Values:
@@ -64,12 +64,12 @@ def values_of(notebooks: Iterable[Mapping[str, Any]]) -> Values:
 
 def declared(notebook: Mapping[str, Any]) -> dict[str, dict[str, list[Any]]]:
     """Return the choices by exercise and name, first the one in the notebook."""
-    found = {}
+    declared = {}
     for name, place in checks_in(notebook).items():
         said = notebook["cells"][place].get("metadata", {}).get("coursekit", {}).get("variants", {})
         if said:
-            found[name] = {value: _choices(told_value) for value, told_value in said.items()}
-    return found
+            declared[name] = {value: _choices(told_value) for value, told_value in said.items()}
+    return declared
 
 
 def _choices(said: Any) -> list[Any]:
@@ -81,18 +81,18 @@ def _choices(said: Any) -> list[Any]:
 
 def personal(notebook: Mapping[str, Any], values: Values) -> dict[str, Any]:
     """Return the notebook with these values in place of its own."""
-    made: dict[str, Any] = json.loads(json.dumps(notebook))
+    personal: dict[str, Any] = json.loads(json.dumps(notebook))
     places, known = checks_in(notebook), declared(notebook)
     for name, chosen in values.items():
         own = {_written(known[name][place][0]): _written(value) for place, value in chosen.items()}
-        for cell in made["cells"][_heading(made, places[name]) : places[name]]:
+        for cell in personal["cells"][_heading(personal, places[name]) : places[name]]:
             head, text, _ = _parted(cell)
             cell["source"] = (head + _exchanged(text, own)).splitlines(keepends=True)
-        check = made["cells"][places[name]]
+        check = personal["cells"][places[name]]
         line = ", ".join([f'"{name}"', *(f"{place}={value!r}" for place, value in chosen.items())])
         check["source"] = [f"check({line})"]
         del check["metadata"]["coursekit"]
-    return made
+    return personal
 
 
 def _heading(notebook: Mapping[str, Any], place: int) -> int:

@@ -77,21 +77,21 @@ class Work:
         """Return a variable of the notebook, of exactly that type."""
         if name not in self.variables:
             raise Wrong(f"a variable named `{name}`", NOTHING, "Was the cell above run, and is the name right?")
-        found = self.variables[name]
-        if type(found) is not kind:
-            raise Wrong(f"`{name}` as {_a(kind.__name__)}", gave=f"{_a(type(found).__name__)}: {found!r:.80}", hint=NO_HINT)
-        return found
+        value = self.variables[name]
+        if type(value) is not kind:
+            raise Wrong(f"`{name}` as {_a(kind.__name__)}", gave=f"{_a(type(value).__name__)}: {value!r:.80}", hint=NO_HINT)
+        return value
 
     def function(self, name: str) -> Any:
         """Return a function of the notebook."""
-        found = self.variables.get(name)
-        if not callable(found):
+        function = self.variables.get(name)
+        if not callable(function):
             cause = "Was the cell above run?"
             if name not in self.variables:
                 raise Wrong(f"a function named `{name}`", NOTHING, cause)
-            gave = f"{_a(type(found).__name__)}: {found!r:.80}"
+            gave = f"{_a(type(function).__name__)}: {function!r:.80}"
             raise Wrong(f"a function named `{name}`", cause=cause, gave=gave, hint=NO_HINT)
-        return found
+        return function
 
     # -- the workspace
 
@@ -138,13 +138,13 @@ class Work:
 
     def message(self, path: str) -> Message:
         """Return a message definition, src/PACKAGE/msg/NAME.msg; Wrong with the fault and its position."""
-        found: Message = self._read("message", path=path)
-        return found
+        message: Message = self._read("message", path=path)
+        return message
 
     def parameters(self, path: str, nodes: Sequence[str]) -> dict[str, dict[str, Any]]:
         """Return the parameters that a file sets for each of these nodes, as parsed by ROS."""
-        found: dict[str, dict[str, Any]] = self._read("parameters", path=path, nodes=list(nodes))
-        return found
+        parameters: dict[str, dict[str, Any]] = self._read("parameters", path=path, nodes=list(nodes))
+        return parameters
 
     def _read(self, what: str, **arguments: Any) -> Any:
         return reading.READINGS[what](self.workspace, **arguments)

@@ -43,12 +43,12 @@ def student(name: str = "") -> str:
     me = shell.user_ns.get("me", "") if shell is not None else ""
     if not name and file.exists():
         return str(json.loads(file.read_text(encoding="utf-8")))
-    found = name or (me if isinstance(me, str) else "")
-    if len(found.split()) < 2:
+    student = name or (me if isinstance(me, str) else "")
+    if len(student.split()) < 2:
         raise BadArgument('Whose is it? Write the name once, in the brackets: by="Firstname Lastname"')
     file.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(file, json.dumps(found))
-    return found
+    write_whole(file, json.dumps(student))
+    return student
 
 
 class Evidence:

@@ -139,10 +139,10 @@ def joint_sliders(node: str = "") -> JointPanel:
 
     In ROS 2: the window of `ros2 run joint_state_publisher_gui joint_state_publisher_gui`.
     """
-    made = JointPanel(node)
+    panel = JointPanel(node)
     for listener in shown:
-        listener(made.board)
-    return made
+        listener(panel.board)
+    return panel
 
 
 __all__ = ["JointPanel", "joint_sliders"]

@@ -200,14 +200,14 @@ def viewer(
         config = _chosen(file, fixed_frame, displays, view)
     except ValueError as error:
         raise BadArgument(str(error)) from None
-    made = Viewer(config, height)
+    viewer = Viewer(config, height)
     if file is not None or displays is None:
         if fixed_frame:
-            made.fixed_frame = fixed_frame
+            viewer.fixed_frame = fixed_frame
         if view:
-            made.stage.config.view = make_config(view=view).view
-            made.stage.looking.go_home()
-    return made
+            viewer.stage.config.view = make_config(view=view).view
+            viewer.stage.looking.go_home()
+    return viewer
 
 
 __all__ = ["Viewer", "viewer"]

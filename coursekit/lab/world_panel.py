@@ -51,10 +51,10 @@ class WorldView(ScenePanel):
         return running[-1] if running else None
 
     def _simulator(self) -> Simulator:
-        found = self._newest()
-        if found is None:
+        simulator = self._newest()
+        if simulator is None:
             raise BadArgument(NOTHING)
-        return found
+        return simulator
 
     # -- from code
 

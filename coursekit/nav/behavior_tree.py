@@ -142,9 +142,9 @@ class _Reader:
             known = ", ".join(sorted(self._kinds))
             raise TreeError(f"has a node '{kind}', which is not known here; known are: {known}")
         children = [self._node(child, depth + 1) for child in element]
-        made = self._kinds[kind](ports.pop("name", kind), ports, children, self._board)
-        low, high = made.arity
+        tree_node = self._kinds[kind](ports.pop("name", kind), ports, children, self._board)
+        low, high = tree_node.arity
         if not low <= len(children) <= high:
             wanted = low if low == high else f"{low} or more"
             raise TreeError(f"'{kind}' has {len(children)} children; it should have {wanted}")
-        return made
+        return tree_node

@@ -72,7 +72,7 @@ def score(cells, x0, y0, cell, outline, near, pose, speeds, turns, now, gains, h
     path, to the carrot, of both for a point ahead, of the worst cost, and the distance of that point ahead [m].
     A robot that already touches something may leave it, the sooner the better, but not drive into an obstacle itself.
     """
-    found = np.full((len(speeds), len(turns)), np.inf)
+    score = np.full((len(speeds), len(turns)), np.inf)
     steps = max(round(horizon / dt), 1)
     held = touches(cells, x0, y0, cell, pose[0], pose[1], pose[2], outline, near) == 255
     for a in range(len(speeds)):
@@ -97,7 +97,7 @@ def score(cells, x0, y0, cell, outline, near, pose, speeds, turns, now, gains, h
             if not free or inside:
                 continue
             ax, ay = x + weights[5] * math.cos(yaw), y + weights[5] * math.sin(yaw)
-            found[a, b] = (
+            score[a, b] = (
                 weights[0] * gap_to(path, x, y)
                 + weights[1] * math.hypot(carrot[0] - x, carrot[1] - y)
                 + weights[2] * gap_to(path, ax, ay)
@@ -105,4 +105,4 @@ def score(cells, x0, y0, cell, outline, near, pose, speeds, turns, now, gains, h
                 + weights[4] * worst
                 + 5.0 * late
             )
-    return found
+    return score

@@ -78,12 +78,12 @@ class Costmap:
         rows, columns = self.cells.shape
         down, right = round((y - self.y) / self.resolution), round((x - self.x) / self.resolution)
         corner = self.x + right * self.resolution, self.y + down * self.resolution
-        made = Costmap(np.full_like(self.cells, fill), self.resolution, *corner)
+        costmap = Costmap(np.full_like(self.cells, fill), self.resolution, *corner)
         if abs(down) < rows and abs(right) < columns:
             to_row, to_column = slice(max(-down, 0), rows - max(down, 0)), slice(max(-right, 0), columns - max(right, 0))
             of_row, of_column = slice(max(down, 0), rows - max(-down, 0)), slice(max(right, 0), columns - max(-right, 0))
-            made.cells[to_row, to_column] = self.cells[of_row, of_column]
-        return made
+            costmap.cells[to_row, to_column] = self.cells[of_row, of_column]
+        return costmap
 
 
 def static_costs(cells: NDArray[np.int8], *, lethal: int = 100, unknown: bool = True, trinary: bool = True) -> Cells:

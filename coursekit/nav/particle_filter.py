@@ -129,11 +129,11 @@ class ParticleFilter:
     def _likelihoods(self, particles: np.ndarray, ends: np.ndarray, range_max: float) -> np.ndarray:
         """Return (n,) the likelihood of a scan for each particle."""
         p, m = self.params, self.map
-        found: np.ndarray = scan_likelihoods(
+        likelihoods: np.ndarray = scan_likelihoods(
             particles, np.ascontiguousarray(ends, dtype=np.float64), m.distances, m.x, m.y, m.cell, m.farthest,
             p.z_hit, p.z_rand, p.sigma_hit, range_max,
         )  # fmt: skip
-        return found
+        return likelihoods
 
     def _choose_seeds(self, ends: np.ndarray, range_max: float) -> None:
         """Start with the poses that best explain the first scan, out of very many."""

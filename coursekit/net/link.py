@@ -55,12 +55,12 @@ class Link:
 
     def tokens(self) -> list[Token]:
         """Return the current announcements of the peers."""
-        found = []
+        tokens = []
         for reply in self.place.session.liveliness().get(self._key, timeout=SETTLE_SECONDS):
             if reply.ok is not None:
                 with contextlib.suppress(ValueError):
-                    found.append(read_token(str(reply.ok.key_expr)))
-        return found
+                    tokens.append(read_token(str(reply.ok.key_expr)))
+        return tokens
 
     @property
     def _key(self) -> str:

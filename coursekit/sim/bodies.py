@@ -26,7 +26,7 @@ SILL, FLOOR, FLAT = 0.02, 0.15, 0.05
 
 def shapes_of(parts: Iterable[Part], body: pymunk.Body, name: str, kind: int, friction: float = 0.6) -> list[Any]:
     """Return the shapes of an object's parts; each has the object's `name` and its lower and upper height (`span`)."""
-    found = []
+    shapes = []
     for part in parts:
         if kind == FIXED and is_floor(part):
             continue
@@ -34,8 +34,8 @@ def shapes_of(parts: Iterable[Part], body: pymunk.Body, name: str, kind: int, fr
         for shape in _shapes(part, body, kind == FIXED):
             shape.friction, shape.elasticity, shape.collision_type = friction, 0.0, kind
             shape.name, shape.span = name, span
-            found.append(shape)
-    return found
+            shapes.append(shape)
+    return shapes
 
 
 def _shapes(part: Part, body: pymunk.Body, fixed: bool) -> Iterator[Any]:

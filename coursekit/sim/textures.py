@@ -45,8 +45,8 @@ def _grey(name: str) -> Array:
 @lru_cache(maxsize=1)
 def all_textures() -> Array:
     """Return all textures (number, 64, 64, 3), with values from 0 to 255, row 0 at the floor."""
-    made = np.stack([np.repeat(_grey(name)[:, :, None] * 255.0, 3, axis=2) for name in TEXTURES])
-    return made
+    textures = np.stack([np.repeat(_grey(name)[:, :, None] * 255.0, 3, axis=2) for name in TEXTURES])
+    return textures
 
 
 def floor_of(name: str) -> Array:

@@ -61,10 +61,10 @@ class View:
         (2.5, 2.5)
         """
         scene, at = ViewScene.of(simulation), place @ self.mount
-        found = np.empty((self.height, self.width), np.float32)
+        depths = np.empty((self.height, self.width), np.float32)
         edges, _ = scene.edges(None if without is None else without.body)
-        measure(found, self._slopes, self._horizon, self.focal, self.above, self.far, *at, edges)
-        return found
+        measure(depths, self._slopes, self._horizon, self.focal, self.above, self.far, *at, edges)
+        return depths
 
 
 __all__ = ["View"]

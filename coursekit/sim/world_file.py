@@ -51,15 +51,15 @@ class _Loader(yaml.SafeLoader):
 
 
 def _mapping(loader: _Loader, node: yaml.MappingNode) -> Lines:
-    found = Lines()
-    found.line = node.start_mark.line + 1
+    lines = Lines()
+    lines.line = node.start_mark.line + 1
     for key_node, value_node in node.value:
         key = loader.construct_object(key_node, deep=True)
-        if not isinstance(key, str) or key in found:
-            what = "is there twice" if key in found else "is no word"
+        if not isinstance(key, str) or key in lines:
+            what = "is there twice" if key in lines else "is no word"
             raise yaml.constructor.ConstructorError(None, None, f"the key {key!r} {what}", key_node.start_mark)
-        found[key] = loader.construct_object(value_node, deep=True)
-    return found
+        lines[key] = loader.construct_object(value_node, deep=True)
+    return lines
 
 
 _Loader.add_constructor("tag:yaml.org,2002:map", _mapping)

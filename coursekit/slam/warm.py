@@ -33,5 +33,5 @@ def _room(angles: Array, x: float) -> Array:
     """Return the ranges from (x, 0) in a room from -2 to 4 m and from -2 to 2 m."""
     ahead, aside = np.cos(angles), np.sin(angles)
     ends = np.where(ahead > 0, 4.0 - x, 2.0 + x)
-    found: Array = np.minimum(ends / np.maximum(np.abs(ahead), 1e-9), 2.0 / np.maximum(np.abs(aside), 1e-9))
-    return found
+    ranges: Array = np.minimum(ends / np.maximum(np.abs(ahead), 1e-9), 2.0 / np.maximum(np.abs(aside), 1e-9))
+    return ranges

@@ -204,20 +204,20 @@ def _compile(robot: Robot, links: list[str]) -> Callable[[Mapping[str, float]], 
 def _positions(robot: Robot, writer: _Writer) -> dict[str, str]:
     """Return the variable of each joint's position: the given one, else that of the mimicked joint, else 0."""
     numbers = {name: number for number, name in enumerate(robot.joints)}
-    found: dict[str, str] = {}
+    positions: dict[str, str] = {}
 
     def of(name: str) -> str:
-        if name not in found:
+        if name not in positions:
             mimic, default = robot.joints[name].mimic, "0.0"
             if mimic is not None:
                 default = f"{of(mimic.joint)}*{mimic.multiplier!r}+{mimic.offset!r}"
-            found[name] = writer.keep(f"get(J{numbers[name]}, {default})")
-        return found[name]
+            positions[name] = writer.keep(f"get(J{numbers[name]}, {default})")
+        return positions[name]
 
     for joint in robot.joints.values():
         if joint.moves:
             of(joint.name)
-    return found
+    return positions
 
 
 def _joint_terms(writer: _Writer, joint: Joint, variables: Mapping[str, str]) -> list[Term]:

@@ -69,15 +69,15 @@ def _load(path: Path, _changed: int) -> MeshFile:
     token = _reading.set(True)
     try:
         with np.errstate(all="ignore"):
-            made = _read(path, kind)
+            mesh = _read(path, kind)
     except Exception as error:  # the readers of six formats raise all kinds of exceptions
         what = f"is no {kind[1:].upper()} mesh that can be read: {type(error).__name__}: {error}"
         raise MeshError(what[:500], file=str(path), cure="Export it again, or try another format.") from None
     finally:
         _reading.reset(token)
-    if not any(len(surface.faces) for surface in made.surfaces):
+    if not any(len(surface.faces) for surface in mesh.surfaces):
         raise MeshError("has no triangles", file=str(path), cure="Is the file complete? Export it again.")
-    return made
+    return mesh
 
 
 def _read(path: Path, kind: str) -> MeshFile:

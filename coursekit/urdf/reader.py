@@ -107,13 +107,13 @@ def _check_robot(root: Element) -> None:
 
 
 def _materials(root: Element) -> dict[str, Material]:
-    found: dict[str, Material] = {}
+    materials: dict[str, Material] = {}
     for element in root.all("material"):
         material = read_material(element)
-        if material.name in found:
+        if material.name in materials:
             raise element.error(f"material '{material.name}' is not unique.", "Give one of them another name.")
-        found[material.name] = material
-    return found
+        materials[material.name] = material
+    return materials
 
 
 def _coloured(link: Link, element: Element, materials: dict[str, Material], warnings: list[str]) -> Link:

@@ -105,15 +105,15 @@ def link_surfaces(robot: Robot, link: Link | str, *, collision: bool = False) ->
     [0.0, 1.0]
     """
     one = robot.link(link) if isinstance(link, str) else link
-    found: list[Surface] = []
+    surfaces: list[Surface] = []
     parts: Iterable[Visual | Collision] = one.collisions if collision else one.visuals
     for part in parts:
         matrix = matrix_of(part.origin)
         colour = part.material.colour if isinstance(part, Visual) and part.material is not None else None
         for surface in _part_surfaces(robot, one, part):
             vertices = surface.vertices @ matrix[:3, :3].T + matrix[:3, 3]
-            found.append(Surface(vertices, surface.faces, colour or surface.colour))
-    return found
+            surfaces.append(Surface(vertices, surface.faces, colour or surface.colour))
+    return surfaces
 
 
 def _part_surfaces(robot: Robot, link: Link, part: Visual | Collision) -> list[Surface]:

@@ -153,7 +153,7 @@ class Desk:
 def desk() -> Desk:
     """Return the current session's desk."""
     session = current()
-    found = getattr(session, "_desk", None)
-    if found is None:
-        found = session._desk = Desk(session)  # type: ignore[attr-defined]
-    return found  # type: ignore[no-any-return]
+    desk = getattr(session, "_desk", None)
+    if desk is None:
+        desk = session._desk = Desk(session)  # type: ignore[attr-defined]
+    return desk  # type: ignore[no-any-return]

@@ -162,12 +162,12 @@ def path_of(points: Sequence[Point]) -> str:
 
 def heads(curve: Curve) -> list[tuple[Point, Point, Point]]:
     """Return the triangles of a curve's arrow heads."""
-    found = []
+    heads = []
     if curve.heads in ("end", "both"):
-        found.append(_triangle(curve.points[-1], curve.points[-2]))
+        heads.append(_triangle(curve.points[-1], curve.points[-2]))
     if curve.heads == "both":
-        found.append(_triangle(curve.points[0], curve.points[1]))
-    return found
+        heads.append(_triangle(curve.points[0], curve.points[1]))
+    return heads
 
 
 def _triangle(tip: Point, before: Point) -> tuple[Point, Point, Point]:

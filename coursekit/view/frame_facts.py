@@ -77,13 +77,13 @@ def _faults(facts: FrameFacts):  # type: ignore[no-untyped-def]
 
 def reachable(facts: FrameFacts) -> set[str]:
     """Return the frames in trees with a root."""
-    found: set[str] = set()
+    reachable: set[str] = set()
     waiting = list(facts.roots)
     while waiting:
         name = waiting.pop()
-        found.add(name)
+        reachable.add(name)
         waiting += facts.children.get(name, [])
-    return found
+    return reachable
 
 
 def note(frame: Frame) -> str:

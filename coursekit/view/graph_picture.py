@@ -104,14 +104,14 @@ def _things(facts: Facts, view: str, services: bool, actions: bool) -> Iterator[
 
 
 def _kinds(facts: Facts, services: bool, actions: bool) -> list[tuple[str, list[str], Sequence[End], Sequence[End]]]:
-    found: list[tuple[str, list[str], Sequence[End], Sequence[End]]] = [
+    kinds: list[tuple[str, list[str], Sequence[End], Sequence[End]]] = [
         ("topic", facts.topics, facts.publishers, facts.subscriptions)
     ]
     if services:
-        found.append(("service", facts.services, facts.clients, facts.servers))
+        kinds.append(("service", facts.services, facts.clients, facts.servers))
     if actions:
-        found.append(("action", facts.actions, facts.action_clients, facts.action_servers))
-    return found
+        kinds.append(("action", facts.actions, facts.action_clients, facts.action_servers))
+    return kinds
 
 
 def _links(facts: Facts, view: str, things: dict[str, Thing], faults: Sequence[Fault]) -> Iterator[Link]:

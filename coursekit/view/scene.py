@@ -135,9 +135,9 @@ class Scene:
 
     def changes(self) -> Changes:
         """Return the changes since the last call."""
-        found = Changes(self._gone, list(self._made.values()), list(self._moved.values()))
+        changes = Changes(self._gone, list(self._made.values()), list(self._moved.values()))
         self._gone, self._made, self._moved = [], {}, {}
-        return found
+        return changes
 
     def whole(self) -> Changes:
         """Return the whole scene, for a page that shows nothing yet."""

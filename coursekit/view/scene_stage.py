@@ -52,10 +52,10 @@ class Stage:
         """Add a display."""
         with self.lock:
             self._count += 1
-            made = make_display(config, self._count)
-            made.connect(self.node)
-            self.displays.append(made)
-            return made
+            display = make_display(config, self._count)
+            display.connect(self.node)
+            self.displays.append(display)
+            return display
 
     def names(self) -> list[str]:
         """Return the names of the displays."""

@@ -110,9 +110,9 @@ def _band(path: str, shape: Band) -> dict[str, Any]:
 
 def _segments(path: str, attributes: dict[str, Any], paint: dict[str, Any], wide: dict[str, float]) -> dict[str, Any]:
     """Return line segments; `wide` tells the page how wide to draw them."""
-    made = _object(path, "LineSegments", attributes, {"type": "LineBasicMaterial", **paint})
-    made["object"]["userData"] = wide
-    return made
+    segments = _object(path, "LineSegments", attributes, {"type": "LineBasicMaterial", **paint})
+    segments["object"]["userData"] = wide
+    return segments
 
 
 def _points(path: str, shape: Points) -> dict[str, Any]:

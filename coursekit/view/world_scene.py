@@ -170,12 +170,12 @@ class WorldScene:
 
 def lidars(simulator: Simulator) -> dict[str, tuple[Robot, Lidar]]:
     """Return the robots' LiDARs with more than one beam, each with a unique name."""
-    found: dict[str, tuple[Robot, Lidar]] = {}
+    lidars: dict[str, tuple[Robot, Lidar]] = {}
     for name, robot in simulator.simulation.robots.items():
         devices = simulator.assemblies[name].devices if name in simulator.assemblies else []
         rays = [device for device in devices if isinstance(device, RayDevice) and device.lidar.beams > 1]
-        found |= {f"{name} {number}": (robot, one.lidar) for number, one in enumerate(rays)}
-    return found
+        lidars |= {f"{name} {number}": (robot, one.lidar) for number, one in enumerate(rays)}
+    return lidars
 
 
 def _steps(low: float, high: float) -> np.ndarray:

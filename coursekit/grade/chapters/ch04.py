@@ -27,7 +27,7 @@ METRES = re.compile(r"\b(m|met(re|er)s?|metros?|mètres?|metri)\b", re.I)
 def _message(work: Work, name: str) -> Message:
     """Return a message type from src/, which must be the same in install/."""
     source = f"src/{TYPES}/msg/{name}.msg"
-    found = work.message(source)
+    message = work.message(source)
     work.built(TYPES)
     places = [f"install/{folder}share/{TYPES}/msg/{name}.msg" for folder in (f"{TYPES}/", "")]
     installed = [work.text(place) for place in places if work.exists(place)]
@@ -35,7 +35,7 @@ def _message(work: Work, name: str) -> Message:
         build = f"%colcon build --packages-select {TYPES}"
         what = "an older one is in install/" if installed else "not in install/"
         raise Wrong(f"{name}.msg, built as it is in src/", what, f"Look at what this prints: {build}")
-    return found
+    return message
 
 
 @exercise(

@@ -187,12 +187,12 @@ def _moments(chance: Random) -> list[float]:
     """Return times of the scene at which the robot does not hide the ball."""
     from coursekit.sim.camera import Scene
 
-    found: list[float] = []
-    while len(found) < PICTURES:
+    moments: list[float] = []
+    while len(moments) < PICTURES:
         moment = chance.uniform(0.0, 10_000.0)
         if math.dist(Scene.robot(moment)[:2], Scene.balls(moment)[0].centre[:2]) > 0.7:
-            found.append(moment)
-    return found
+            moments.append(moment)
+    return moments
 
 
 def _picture(number: int, moment: float, width: int, height: int) -> dict[str, Any]:

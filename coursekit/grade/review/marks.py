@@ -94,9 +94,9 @@ class Marks:
 
 def _points(text: str) -> float:
     try:
-        found = float(text.strip().replace(",", "."))
+        points = float(text.strip().replace(",", "."))
     except ValueError:
-        found = math.nan
-    if not 0 <= found <= 1000:
+        points = math.nan
+    if not 0 <= points <= 1000:
         raise ValueError("points are a number from 0 on, such as 1.5")
-    return found
+    return points

@@ -37,7 +37,7 @@ class Control:
 
     def apply(self, state: Array, now_ns: int, seconds: float) -> Array:
         """Return the state after accelerating towards the commanded velocities."""
-        made, change = state.copy(), self.accelerations(state[TWIST], now_ns)
-        made[ANGULAR] += change[3:] * seconds
-        made[ACCELERATION] = np.where(self.used[:3], change[:3], made[ACCELERATION])
-        return made
+        moved, change = state.copy(), self.accelerations(state[TWIST], now_ns)
+        moved[ANGULAR] += change[3:] * seconds
+        moved[ACCELERATION] = np.where(self.used[:3], change[:3], moved[ACCELERATION])
+        return moved

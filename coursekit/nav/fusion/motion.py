@@ -53,13 +53,13 @@ def step(state: Array, seconds: float) -> Array:
     >>> step(state, 0.5)[:2].tolist()
     [1.0, 0.0]
     """
-    made = state.copy()
+    moved = state.copy()
     roll, pitch, yaw = state[ANGLES]
     way = state[LINEAR] * seconds + state[ACCELERATION] * (seconds * seconds / 2)
-    made[POSITION] += rotation(roll, pitch, yaw) @ way
-    made[ANGLES] += _rates(roll, pitch)[0] @ state[ANGULAR] * seconds
-    made[LINEAR] += state[ACCELERATION] * seconds
-    return made
+    moved[POSITION] += rotation(roll, pitch, yaw) @ way
+    moved[ANGLES] += _rates(roll, pitch)[0] @ state[ANGULAR] * seconds
+    moved[LINEAR] += state[ACCELERATION] * seconds
+    return moved
 
 
 def jacobian(state: Array, seconds: float) -> Array:
@@ -68,15 +68,15 @@ def jacobian(state: Array, seconds: float) -> Array:
     (about_x, d_roll), (about_y, d_pitch), (about_z, d_yaw) = _about_x(roll), _about_y(pitch), _about_z(yaw)
     turned = about_z @ about_y @ about_x
     way = state[LINEAR] * seconds + state[ACCELERATION] * (seconds * seconds / 2)
-    made = np.eye(SIZE)
-    made[POSITION, LINEAR] = turned * seconds
-    made[POSITION, ACCELERATION] = turned * (seconds * seconds / 2)
-    made[POSITION, ROLL] = about_z @ about_y @ d_roll @ way
-    made[POSITION, PITCH] = about_z @ d_pitch @ about_x @ way
-    made[POSITION, YAW] = d_yaw @ about_y @ about_x @ way
+    jacobian = np.eye(SIZE)
+    jacobian[POSITION, LINEAR] = turned * seconds
+    jacobian[POSITION, ACCELERATION] = turned * (seconds * seconds / 2)
+    jacobian[POSITION, ROLL] = about_z @ about_y @ d_roll @ way
+    jacobian[POSITION, PITCH] = about_z @ d_pitch @ about_x @ way
+    jacobian[POSITION, YAW] = d_yaw @ about_y @ about_x @ way
     rates, with_roll, with_pitch = _rates(roll, pitch)
-    made[ANGLES, ANGULAR] = rates * seconds
-    made[ANGLES, ROLL] += with_roll @ state[ANGULAR] * seconds
-    made[ANGLES, PITCH] += with_pitch @ state[ANGULAR] * seconds
-    made[LINEAR, ACCELERATION] = np.eye(3) * seconds
-    return made
+    jacobian[ANGLES, ANGULAR] = rates * seconds
+    jacobian[ANGLES, ROLL] += with_roll @ state[ANGULAR] * seconds
+    jacobian[ANGLES, PITCH] += with_pitch @ state[ANGULAR] * seconds
+    jacobian[LINEAR, ACCELERATION] = np.eye(3) * seconds
+    return jacobian

@@ -27,6 +27,6 @@ OUT_OF_PLANE = (Z, ROLL, PITCH, VZ, VROLL, VPITCH, AZ)
 
 def wrapped(state: Array) -> Array:
     """Return a state with its three angles within -π … π."""
-    made = state.copy()
-    made[ANGLES] = wrap(made[ANGLES])
-    return made
+    wrapped = state.copy()
+    wrapped[ANGLES] = wrap(wrapped[ANGLES])
+    return wrapped

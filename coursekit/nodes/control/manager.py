@@ -93,10 +93,10 @@ class Manager:
 
     def _make_foreign(self, name: str, kind: str, words: list[str]) -> Controller | None:
         try:
-            made = make_foreign(kind, self.node, name, words, self.interfaces, self.rate)
-            if made is None:
+            controller = make_foreign(kind, self.node, name, words, self.interfaces, self.rate)
+            if controller is None:
                 self.log.error(f"Loader for controller '{name}' (type '{kind}') not found. {close(kind, self.makers)}")
-            return made
+            return controller
         except ControlError as error:
             self.log.error(str(error))
         except (CppFault, PluginFault) as fault:

@@ -42,18 +42,18 @@ class Switching:
         return None if free is None else (free, stopping)
 
     def _fitting(self, names: Sequence[str], state: str, what: str) -> list[Loaded] | None:
-        found = []
+        fitting = []
         for name in names:
             one = self._loaded.get(name)
             if one is not None and one.state == state:
-                found.append(one)
+                fitting.append(one)
                 continue
             why = "no controller with this name exists" if one is None else f"it is not {state}"
             text = f"Could not '{what}' controller with name '{name}' because {why}"
             (self._log.error if self._strict else self._log.warning)(text)
             if self._strict:
                 return None
-        return found
+        return fitting
 
     def _free(self, starting: list[Loaded], held: set[str]) -> list[Loaded] | None:
         """Return those whose interfaces exist and are free."""

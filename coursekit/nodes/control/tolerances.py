@@ -36,9 +36,12 @@ class Tolerances:
 
     def asked(self, goal: Any, joints: Sequence[str]) -> Tolerances:
         """Return a copy with the tolerances of an action goal: 0 leaves a value unchanged, below 0 is unlimited."""
-        made = Tolerances(self.path.copy(), self.goal.copy(), self.stopped.copy(), self.path_speed.copy(), self.goal_time)
+        tolerances = Tolerances(
+            self.path.copy(), self.goal.copy(), self.stopped.copy(), self.path_speed.copy(), self.goal_time
+        )
         for told, positions, speeds in (
-            (goal.path_tolerance, made.path, made.path_speed), (goal.goal_tolerance, made.goal, made.stopped),
+            (goal.path_tolerance, tolerances.path, tolerances.path_speed),
+            (goal.goal_tolerance, tolerances.goal, tolerances.stopped),
         ):  # fmt: skip
             for tolerance in told:
                 if tolerance.name in joints:
@@ -46,8 +49,8 @@ class Tolerances:
                     _set(positions, place, tolerance.position)
                     _set(speeds, place, tolerance.velocity)
         time = seconds(goal.goal_time_tolerance)
-        made.goal_time = made.goal_time if time == 0 else max(time, 0.0)
-        return made
+        tolerances.goal_time = tolerances.goal_time if time == 0 else max(time, 0.0)
+        return tolerances
 
 
 def _set(values: Array, place: int, told: float) -> None:

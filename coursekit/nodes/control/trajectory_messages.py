@@ -71,9 +71,9 @@ def points_of(msg: JointTrajectory, joints: Sequence[str], at: Array) -> list[Po
     def sorted_(values: Any, usual: Array) -> Array | None:
         if not values:
             return None
-        made = usual.copy()
-        made[place] = values
-        return made
+        points = usual.copy()
+        points[place] = values
+        return points
 
     zeros = np.zeros(len(joints))
     return [

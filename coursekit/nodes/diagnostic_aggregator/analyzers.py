@@ -172,10 +172,10 @@ def _texts(given: Settings, key: str) -> list[str]:
 
 
 def _patterns(texts: list[str], complain: Callable[[str], Any]) -> list[re.Pattern[str]]:
-    made = []
+    patterns = []
     for text in texts:
         try:
-            made.append(re.compile(text))
+            patterns.append(re.compile(text))
         except re.error as fault:
             complain(f"Attempted to make regex from {text}. Caught exception, ignoring value. Exception: {fault}")
-    return made
+    return patterns

@@ -32,9 +32,9 @@ class Item:
 
     def to_status(self, path: str, *, stale: bool) -> DiagnosticStatus:
         """Return the message below a path."""
-        made = status_of(f"{path.rstrip('/')}/{output_name(self.name)}", STALE if stale else self.level, self.message)
-        made.hardware_id, made.values = self.hardware_id, self.values
-        return made
+        status = status_of(f"{path.rstrip('/')}/{output_name(self.name)}", STALE if stale else self.level, self.message)
+        status.hardware_id, status.values = self.hardware_id, self.values
+        return status
 
 
 def status_of(name: str, level: int, message: str = "") -> DiagnosticStatus:

@@ -76,7 +76,7 @@ def _reach(limit: Any) -> Reach:
 
 def _parameters(plugin: Element, files: list[Path]) -> dict[str, Any]:
     """Read the <parameters> files, node by node; UrdfError for missing or invalid files."""
-    found: dict[str, Any] = {}
+    parameters: dict[str, Any] = {}
     for file in files:
         try:
             data = yaml.safe_load(read_text(file))
@@ -86,13 +86,13 @@ def _parameters(plugin: Element, files: list[Path]) -> dict[str, Any]:
         except (TypeError, KeyError, AttributeError):
             raise plugin.error("<parameters> is no parameter file", "Write NODE: ros__parameters: ... into it.") from None
         for name, values in nodes.items():
-            found.setdefault(Path(name).name, {}).update(values)
-    return found
+            parameters.setdefault(Path(name).name, {}).update(values)
+    return parameters
 
 
 def _flat(data: dict[str, Any]) -> dict[str, Any]:
     """Return the nodes by name, including those below a namespace."""
-    found = {}
+    flat = {}
     for name, node in data.items():
         if (
             isinstance(node, dict)
@@ -101,10 +101,10 @@ def _flat(data: dict[str, Any]) -> dict[str, Any]:
         ):
             below = {key: one for key, one in node.items() if "ros__parameters" in one}
             if below:
-                found.update(below)
+                flat.update(below)
                 continue
-        found[name] = node
-    return found
+        flat[name] = node
+    return flat
 
 
 def _rolling(hardware: Any, model: Blueprint) -> Drive | None:
@@ -157,12 +157,12 @@ def _drive(plugin: Element, model: Blueprint, name: str, told: dict[str, Any], p
 
 def _limits(told: dict[str, Any]) -> dict[str, Any]:
     """Return the limits in the controller's parameters."""
-    found = {}
+    limits = {}
     for axis, kind, ours in LIMITS:
         value = _nested(told, f"{axis}.max_{kind}")
         if value is not None and _nested(told, f"{axis}.has_{kind}_limits") is True:
-            found[ours] = float(value)
-    return found
+            limits[ours] = float(value)
+    return limits
 
 
 def _nested(told: dict[str, Any], path: str) -> Any:

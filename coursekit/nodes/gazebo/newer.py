@@ -85,12 +85,12 @@ def read_system(system: str, plugin: Element, model: Blueprint) -> tuple[Drive |
 
 
 def _joints(plugin: Element, model: Blueprint, *tags: str) -> tuple[str, ...]:
-    found = tuple(element.text.strip() for tag in tags for element in plugin.all(tag))
-    for name in found:
+    joints = tuple(element.text.strip() for tag in tags for element in plugin.all(tag))
+    for name in joints:
         if name not in model.joints:
             known = ", ".join(model.joints) or "none"
             raise plugin.error(f"joint [{name}] not found", f"Joints of {model.name} are: {known}.")
-    return found
+    return joints
 
 
 def _limit(plugin: Element, *tags: str) -> float:

@@ -61,15 +61,15 @@ def _camera(sensor: Element, kind: str, told: str, usual: str, frame: str, rate:
     depths = f"{base}/depth_image" if both or not told else base
     info = f"{base}/camera_info" if both or not told else f"{base.rpartition('/')[0]}/camera_info"
     named = camera.tell("camera_info_topic").strip("/") if camera is not None else ""
-    made = CameraDevice(
+    device = CameraDevice(
         picture, frame, rate, NODE, f"/{named}" if named else info, width, height, fov, number(camera, "clip/far", 100.0),
         where @ pose(camera), "rgb8", number(camera, "noise/stddev", 0.0),
     )  # fmt: skip
     if not (both or depth):
-        return made
+        return device
     reach = number(camera, "clip/near", 0.1), number(camera, "clip/far", 100.0)
     cloud = f"{base}/points" if both else f"{depths}/points"
-    words = {**vars(made), "topic": "" if depth else made.topic}
+    words = {**vars(device), "topic": "" if depth else device.topic}
     return DepthDevice(**words, reach=reach, depth_topic=depths, depth_info_topic="", cloud_topic=cloud)
 
 
@@ -81,13 +81,13 @@ def lumped(parents: dict[str, tuple[str, str, str]], kept: frozenset[str] = froz
     >>> lumped({"base": ("a", "fixed", "foot"), "laser": ("b", "fixed", "base"), "wheel": ("c", "continuous", "base")})
     {'base': 'foot', 'laser': 'foot', 'wheel': 'wheel'}
     """
-    made: dict[str, str] = {}
+    lumped: dict[str, str] = {}
     for link in parents:
         at = link
         while at in parents and parents[at][1] == "fixed" and parents[at][0] not in kept and parents[at][2] != "world":
             at = parents[at][2]
-        made[link] = at
-    return made
+        lumped[link] = at
+    return lumped
 
 
 __all__ = ["devices_of", "lumped"]

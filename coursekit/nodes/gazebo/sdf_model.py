@@ -31,40 +31,40 @@ def read_model(element: Element, file: Path | None = None, depth: int = 0) -> Bl
     """Return the blueprint of a `<model>`; its parts are in the model's frame, the model's pose is in its parent's."""
     if depth > DEEPEST:
         raise element.error(f"holds more than {DEEPEST} models inside each other", "Does it include itself?")
-    made = Blueprint(element.get("name") or "model", file=file, static=flag(element, "static", False))
+    blueprint = Blueprint(element.get("name") or "model", file=file, static=flag(element, "static", False))
     frames = frames_of(element, file, depth)
-    made.pose = pose(element) @ np.linalg.inv(frames(element.get("placement_frame") or ""))
+    blueprint.pose = pose(element) @ np.linalg.inv(frames(element.get("placement_frame") or ""))
     for joint in element.all("joint"):
-        made.joints[joint.get("name") or "joint"] = joint.get("type") or ""
-        made.static |= joint.tell("parent") == "world" or joint.tell("child") == "world"
+        blueprint.joints[joint.get("name") or "joint"] = joint.get("type") or ""
+        blueprint.static |= joint.tell("parent") == "world" or joint.tell("child") == "world"
     for link in element.all("link"):
-        _read_link(link, frames, made)
+        _read_link(link, frames, blueprint)
     for joint in element.all("joint"):
-        if joint.tell("child") in made.links:
-            made.axles[joint.get("name") or "joint"] = made.links[joint.tell("child")].pose
-    made.held = {joint.tell("child") for joint in element.all("joint") if joint.get("type") == "fixed"}
-    made.plugins += list(element.all("plugin"))
+        if joint.tell("child") in blueprint.links:
+            blueprint.axles[joint.get("name") or "joint"] = blueprint.links[joint.tell("child")].pose
+    blueprint.held = {joint.tell("child") for joint in element.all("joint") if joint.get("type") == "fixed"}
+    blueprint.plugins += list(element.all("plugin"))
     for child in element.children:
         if child.tag in ("model", "include"):
-            _nest(child, made, file, depth, frames)
+            _nest(child, blueprint, file, depth, frames)
         elif child.tag not in QUIET:
-            made.note(child, "is not simulated")
-    made.root = next(iter(made.links), "")
-    made.look = made.look if made.look != PLAIN else look_of(element)
-    return made
+            blueprint.note(child, "is not simulated")
+    blueprint.root = next(iter(blueprint.links), "")
+    blueprint.look = blueprint.look if blueprint.look != PLAIN else look_of(element)
+    return blueprint
 
 
 def include(element: Element, file: Path | None, depth: int = 0) -> Blueprint:
     """Return the blueprint of an `<include>`, renamed and moved accordingly. Raises MeshError if the model is missing."""
     model, path = included(element, file)
-    made = read_model(model, path, depth + 1)
-    made.name = element.tell("name") or made.name
+    blueprint = read_model(model, path, depth + 1)
+    blueprint.name = element.tell("name") or blueprint.name
     if element.first("pose") is not None:
-        made.pose = pose(element) @ np.linalg.inv(frames_of(model, path, depth)(element.tell("placement_frame")))
+        blueprint.pose = pose(element) @ np.linalg.inv(frames_of(model, path, depth)(element.tell("placement_frame")))
     if element.first("static") is not None:
-        made.static = flag(element, "static", made.static)
-    made.plugins += element.all("plugin")
-    return made
+        blueprint.static = flag(element, "static", blueprint.static)
+    blueprint.plugins += element.all("plugin")
+    return blueprint
 
 
 def entity(element: Element, file: Path | None, depth: int, frames: Callable[[str], Array]) -> Blueprint:
@@ -163,10 +163,10 @@ def _sizes(kind: Element, tag: str, count: int) -> list[float]:
     place = kind.first(tag)
     if place is None:
         raise kind.error(f"has no <{tag}>", f"Add <{tag}>...</{tag}>.")
-    found = numbers(place, count)
-    if min(found) <= 0:
+    sizes = numbers(place, count)
+    if min(sizes) <= 0:
         raise place.error(f"is {place.text.strip()}", "Sizes must be more than 0.")
-    return found
+    return sizes
 
 
 def _polyline(kind: Element) -> list[Shape]:

@@ -78,9 +78,9 @@ class SensorPublisher:
         """Make a publisher that is closed with the sensor; without a topic, one without subscribers."""
         if not topic:
             return Nobody()
-        made = self.node.create_publisher(kind, topic, qos)
-        self.publishers.append(made)
-        return made
+        publisher = self.node.create_publisher(kind, topic, qos)
+        self.publishers.append(publisher)
+        return publisher
 
     def open(self) -> None:
         """Create publishers and subscriptions."""

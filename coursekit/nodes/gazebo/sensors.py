@@ -91,17 +91,17 @@ def _camera(
     told = camera.tell("image/format") if camera is not None else ""
     if told and told not in ENCODINGS:
         model.note(sensor, f"has pictures of format {told}, which is not simulated: R8G8B8 is published")
-    made = CameraDevice(
+    device = CameraDevice(
         image, frame, rate, names.full_node, info, width, height, fov, number(camera, "clip/far", 100.0),
         where @ pose(camera), ENCODINGS.get(told, "rgb8"), number(camera, "noise/stddev", 0.0),
     )  # fmt: skip
     if "depth" not in (sensor.get("type") or "") and sensor.get("type") != "rgbd_camera":
-        return made
+        return device
     depth, depth_info, cloud = (
         names.topic(f"{name}/{topic}") for topic in ("depth/image_raw", "depth/camera_info", "points")
     )
     reach = number(plugin, "min_depth", 0.4), number(plugin, "max_depth", 3.0)
-    return DepthDevice(**vars(made), reach=reach, depth_topic=depth, depth_info_topic=depth_info, cloud_topic=cloud)
+    return DepthDevice(**vars(device), reach=reach, depth_topic=depth, depth_info_topic=depth_info, cloud_topic=cloud)
 
 
 __all__ = ["sensed"]

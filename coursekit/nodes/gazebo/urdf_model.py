@@ -26,25 +26,25 @@ QUIET = {
 
 def blueprint_of(robot: Robot) -> Blueprint:
     """Return a robot's blueprint. Raises UrdfError for invalid numbers; a missing mesh becomes a note."""
-    made = Blueprint(robot.name, file=robot.file, root=robot.root, robot=robot)
-    made.joints = {name: joint.type for name, joint in robot.joints.items()}
+    blueprint = Blueprint(robot.name, file=robot.file, root=robot.root, robot=robot)
+    blueprint.joints = {name: joint.type for name, joint in robot.joints.items()}
     for name, pose in Kinematics(robot).poses().items():
         link = robot.links[name]
-        made.links[name] = blue = BlueLink(name, matrix(pose), mass=link.inertial.mass if link.inertial else 0.0)
+        blueprint.links[name] = blue = BlueLink(name, matrix(pose), mass=link.inertial.mass if link.inertial else 0.0)
         for collision in link.collisions:
             try:
                 where = blue.pose @ matrix_of(collision.origin)
                 blue.parts.append(part_of(collision.geometry, where, robot.file))
-                made.notes += notes_of(collision.geometry, robot.file)
+                blueprint.notes += notes_of(collision.geometry, robot.file)
             except MeshError as error:
-                made.notes.append(f"line {collision.line}: <collision> of link '{name}' is left out: {error.what}")
-    made.axles = {name: made.links[joint.child].pose for name, joint in robot.joints.items()}
-    made.held = {joint.child for joint in robot.joints.values() if joint.type == "fixed"}
+                blueprint.notes.append(f"line {collision.line}: <collision> of link '{name}' is left out: {error.what}")
+    blueprint.axles = {name: blueprint.links[joint.child].pose for name, joint in robot.joints.items()}
+    blueprint.held = {joint.child for joint in robot.joints.values() if joint.type == "fixed"}
     parents = {joint.child: (name, joint.type, joint.parent) for name, joint in robot.joints.items()}
-    made.lumped = lumped(parents, frozenset(_kept(robot)))
+    blueprint.lumped = lumped(parents, frozenset(_kept(robot)))
     for block in robot.gazebo:
-        _read_block(block, robot, made)
-    return made
+        _read_block(block, robot, blueprint)
+    return blueprint
 
 
 def _kept(robot: Robot) -> Iterator[str]:

@@ -16,13 +16,13 @@ def numbers(element: Element, count: int) -> list[float]:
     """Return the numbers in an element's text. Raises UrdfError with the position."""
     words = element.text.split()
     try:
-        found = [float(word) for word in words]
+        numbers = [float(word) for word in words]
     except ValueError:
-        found = []
-    if len(found) != count or not all(math.isfinite(number) for number in found):
+        numbers = []
+    if len(numbers) != count or not all(math.isfinite(number) for number in numbers):
         what = f"'{element.text.strip()}' is not {count} finite number{'s' if count > 1 else ''}"
         raise element.error(what, "Write numbers with spaces between them.")
-    return found
+    return numbers
 
 
 def number(element: Element | None, path: str, default: float) -> float:
@@ -63,14 +63,14 @@ def matrix(pose7: tuple[float, float, float, float, float, float, float]) -> Arr
     px, py, pz, x, y, z, w = pose7
     size = math.sqrt(x * x + y * y + z * z + w * w) or 1.0
     x, y, z, w = x / size, y / size, z / size, (w / size if (x or y or z or w) else 1.0)
-    made = np.eye(4)
-    made[:3, :3] = [
+    matrix = np.eye(4)
+    matrix[:3, :3] = [
         [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
         [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
         [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
     ]
-    made[:3, 3] = px, py, pz
-    return made
+    matrix[:3, 3] = px, py, pz
+    return matrix
 
 
 def yaw_of(made: Array) -> float:

@@ -32,9 +32,9 @@ def turned(pose: Array, axis: tuple[float, float, float], angle: float) -> Array
     """Return a pose rotated about one of its own axes."""
     x, y, z = np.array(axis) / (math.hypot(*axis) or 1.0)
     cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    made = pose.copy()
-    made[:3, :3] = pose[:3, :3] @ (np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross)
-    return made
+    turned = pose.copy()
+    turned[:3, :3] = pose[:3, :3] @ (np.eye(3) + math.sin(angle) * cross + (1 - math.cos(angle)) * cross @ cross)
+    return turned
 
 
 class WheelPublisher(SensorPublisher):

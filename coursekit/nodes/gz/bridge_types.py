@@ -89,24 +89,28 @@ def _same(msg: Any) -> Any:
 
 
 def _poses(msg: TFMessage) -> PoseArray:
-    made = PoseArray()
+    pose_array = PoseArray()
     for transform in msg.transforms:
-        made.header = transform.header
-        made.poses.append(_pose(transform.transform))
-    return made
+        pose_array.header = transform.header
+        pose_array.poses.append(_pose(transform.transform))
+    return pose_array
 
 
 def _pose(transform: Transform) -> Pose:
-    made = Pose(orientation=transform.rotation)
+    pose = Pose(orientation=transform.rotation)
     at = transform.translation
-    made.position.x, made.position.y, made.position.z = at.x, at.y, at.z
-    return made
+    pose.position.x, pose.position.y, pose.position.z = at.x, at.y, at.z
+    return pose
 
 
 def _transform(pose: Pose) -> Transform:
-    made = Transform(rotation=pose.orientation)
-    made.translation.x, made.translation.y, made.translation.z = pose.position.x, pose.position.y, pose.position.z
-    return made
+    transform = Transform(rotation=pose.orientation)
+    transform.translation.x, transform.translation.y, transform.translation.z = (
+        pose.position.x,
+        pose.position.y,
+        pose.position.z,
+    )
+    return transform
 
 
 CONVERSIONS: dict[tuple[str, str], Callable[[Any], Any]] = {

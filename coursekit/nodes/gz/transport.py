@@ -23,9 +23,9 @@ def gz_domain() -> int:
 
 def gz_context() -> Context:
     """Return a context in Gazebo's graph; ROS arguments do not apply to it."""
-    made = Context()
-    made.init([], domain_id=gz_domain())
-    return made
+    context = Context()
+    context.init([], domain_id=gz_domain())
+    return context
 
 
 __all__ = ["APART", "gz_context", "gz_domain"]

@@ -92,9 +92,9 @@ class ImuFilter(Node):
         above, below, q = self.given["fixed_frame"], msg.header.frame_id, msg.orientation
         if self.given["reverse_tf"]:  # a new quaternion, because the message has already been published
             above, below, q = below, above, Quaternion(x=-q.x, y=-q.y, z=-q.z, w=q.w)
-        made = TransformStamped(child_frame_id=below)
-        made.header.stamp, made.header.frame_id, made.transform.rotation = msg.header.stamp, above, q
-        return made
+        transform = TransformStamped(child_frame_id=below)
+        transform.header.stamp, transform.header.frame_id, transform.transform.rotation = msg.header.stamp, above, q
+        return transform
 
 
 def _numbers(v: Any) -> tuple[float, float, float]:

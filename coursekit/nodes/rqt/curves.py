@@ -52,13 +52,13 @@ def numbers(value: Any, name: str) -> Iterator[tuple[str, float]]:
 
 def part(message: Any, fields: str) -> Any:
     """A part of a message, such as `pose/x`, `pose.x` or `ranges[3]`; None if it has no such part."""
-    found = message
+    part = message
     for word in filter(None, re.split(r"[/.]", fields)):
         name, _, index = word.rstrip("]").partition("[")
-        found = getattr(found, name, None) if name else found
+        part = getattr(part, name, None) if name else part
         if index:
-            found = found[int(index)] if found is not None and index.isdigit() and int(index) < len(found) else None
-    return found
+            part = part[int(index)] if part is not None and index.isdigit() and int(index) < len(part) else None
+    return part
 
 
 class Curve:

@@ -34,7 +34,7 @@ def from_rviz(data: Mapping[str, Any]) -> Config:
 
 def _flat(entries: Any) -> list[Mapping[str, Any]]:
     """The displays, including those in groups; displays in a disabled group are disabled."""
-    found: list[Mapping[str, Any]] = []
+    flat: list[Mapping[str, Any]] = []
     waiting, count = [(entry, True) for entry in reversed(entries)], 0
     while waiting:
         entry, on = waiting.pop()
@@ -47,8 +47,8 @@ def _flat(entries: Any) -> list[Mapping[str, Any]]:
         if str(entry.get("Class", "")).endswith("/Group"):
             waiting += [(display, on) for display in reversed(entry.get("Displays") or [])]
         else:
-            found.append({**entry, "Enabled": on})
-    return found
+            flat.append({**entry, "Enabled": on})
+    return flat
 
 
 def _display(entry: Mapping[str, Any]) -> DisplayConfig | None:

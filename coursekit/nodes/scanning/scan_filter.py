@@ -106,5 +106,5 @@ class ScanFilter:
 
 def lookup(buffer: Any, target: str, source: str, stamp: Any) -> TransformStamped:
     """A transform at a message's stamp; raises TransformException."""
-    found: TransformStamped = buffer.lookup_transform_core(target, source, Time.from_msg(stamp))
-    return found
+    transform: TransformStamped = buffer.lookup_transform_core(target, source, Time.from_msg(stamp))
+    return transform

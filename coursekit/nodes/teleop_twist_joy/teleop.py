@@ -17,13 +17,13 @@ _FIELDS = {"x": "x", "y": "y", "z": "z", "roll": "x", "pitch": "y", "yaw": "z"}
 
 
 def _defaults() -> dict[str, Any]:
-    made: dict[str, Any] = {"require_enable_button": True, "enable_button": 5, "enable_turbo_button": -1}
+    defaults: dict[str, Any] = {"require_enable_button": True, "enable_button": 5, "enable_turbo_button": -1}
     for kind, fields, axis in (("linear", _LINEAR, 5), ("angular", _ANGULAR, 2)):
         for k, field in enumerate(fields):
-            made[f"axis_{kind}.{field}"] = -1 if k else axis
-            made[f"scale_{kind}.{field}"] = 0.0 if k else 0.5
-            made[f"scale_{kind}_turbo.{field}"] = 0.0 if k else 1.0
-    return made
+            defaults[f"axis_{kind}.{field}"] = -1 if k else axis
+            defaults[f"scale_{kind}.{field}"] = 0.0 if k else 0.5
+            defaults[f"scale_{kind}_turbo.{field}"] = 0.0 if k else 1.0
+    return defaults
 
 
 class TeleopTwistJoy(CppNode):

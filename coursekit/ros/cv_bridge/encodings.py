@@ -50,16 +50,16 @@ class Encoding:
 
 
 def _named() -> dict[str, Encoding]:
-    found = {}
+    named = {}
     for bits in (8, 16):
         depth = f"{bits}U"
         for kind, channels in _COLOURS.items():
-            found[f"{kind}{bits}"] = Encoding(f"{kind}{bits}", depth, channels, kind)
+            named[f"{kind}{bits}"] = Encoding(f"{kind}{bits}", depth, channels, kind)
         for kind in _BAYER:
-            found[f"{kind}{bits}"] = Encoding(f"{kind}{bits}", depth, 1, kind)
+            named[f"{kind}{bits}"] = Encoding(f"{kind}{bits}", depth, 1, kind)
     for name, kind in _YUV.items():
-        found[name] = Encoding(name, "8U", 2, kind)
-    return found
+        named[name] = Encoding(name, "8U", 2, kind)
+    return named
 
 
 NAMED = _named()

@@ -36,8 +36,8 @@ class FunctionDiagnosticTask(DiagnosticTask):
 
     def run(self, stat: DiagnosticStatusWrapper) -> DiagnosticStatusWrapper:
         """Call the function."""
-        made: DiagnosticStatusWrapper = self.fn(stat)
-        return made
+        status: DiagnosticStatusWrapper = self.fn(stat)
+        return status
 
 
 class CompositeDiagnosticTask(DiagnosticTask):

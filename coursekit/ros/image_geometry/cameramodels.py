@@ -81,8 +81,8 @@ class PinholeCameraModel:
     def rectifyPoint(self, uv_raw: Any) -> Array:
         """The position of a pixel of the raw image in the rectified image."""
         source = np.array(uv_raw, float).reshape(1, 1, 2)
-        made: Array = cv2.undistortPoints(source, self.K, self.D, R=self.R, P=self.P)[0, 0]  # type: ignore[arg-type, call-overload]
-        return made
+        point: Array = cv2.undistortPoints(source, self.K, self.D, R=self.R, P=self.P)[0, 0]  # type: ignore[arg-type, call-overload]
+        return point
 
     def getDeltaU(self, deltaX: float, Z: float) -> float:
         """The width in pixels of an object with width `deltaX` [m] at depth `Z` [m]."""

@@ -51,18 +51,18 @@ class LaserProjection:
 
     def _channels(self, scan: LaserScan, index: np.ndarray, kept: np.ndarray, options: int) -> dict[str, np.ndarray]:
         """The requested values besides the position, in the order in which they are stored."""
-        option, made = self.ChannelOption, {}
+        option, channels = self.ChannelOption, {}
         if options & option.INTENSITY and len(scan.intensities) >= len(scan.ranges) > 0:
-            made["intensity"] = np.asarray(scan.intensities, np.float64)[index]
+            channels["intensity"] = np.asarray(scan.intensities, np.float64)[index]
         if options & option.INDEX:
-            made["index"] = index
+            channels["index"] = index
         if options & option.DISTANCE:
-            made["distances"] = kept
+            channels["distances"] = kept
         if options & option.TIMESTAMP:
-            made["stamps"] = index * scan.time_increment
+            channels["stamps"] = index * scan.time_increment
         if options & option.VIEWPOINT:
-            made |= {name: np.zeros(len(kept)) for name in ("vp_x", "vp_y", "vp_z")}
-        return made
+            channels |= {name: np.zeros(len(kept)) for name in ("vp_x", "vp_y", "vp_z")}
+        return channels
 
 
 def _cloud(scan: LaserScan, points: np.ndarray, kinds: dict[str, int]) -> PointCloud2:

@@ -165,12 +165,12 @@ class LaunchContext:
 
     def _handlers_of(self, kind: type[Event], action: Any) -> tuple[BaseEventHandler, ...]:
         """The handlers that may accept events of this class about this action."""
-        found = self.__handlers_by_event.get((kind, action))
-        if found is None:
+        handlers = self.__handlers_by_event.get((kind, action))
+        if handlers is None:
             mine = [handler for handler in self._event_handlers if issubclass(kind, handler._event_class)]
-            found = tuple(handler for handler in mine if handler._action in (None, action))
-            self.__handlers_by_event[kind, action] = found
-        return found
+            handlers = tuple(handler for handler in mine if handler._action in (None, action))
+            self.__handlers_by_event[kind, action] = handlers
+        return handlers
 
     def emit_event_sync(self, event: Event) -> None:
         """Queue an event; call it from the launch's own loop."""

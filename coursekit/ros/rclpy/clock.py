@@ -121,10 +121,10 @@ class Clock:
     def __new__(cls, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> Any:
         if not isinstance(clock_type, ClockType):
             raise TypeError("Clock type must be a ClockType enum")
-        made: Any = super().__new__(ROSClock if clock_type is ClockType.ROS_TIME else cls)
-        made._clock_type = clock_type
-        made._handle = _Handle(clock_type)
-        return made
+        clock: Any = super().__new__(ROSClock if clock_type is ClockType.ROS_TIME else cls)
+        clock._clock_type = clock_type
+        clock._handle = _Handle(clock_type)
+        return clock
 
     @property
     def clock_type(self) -> ClockType:

@@ -256,11 +256,11 @@ class PredefinedProfiles:
     @staticmethod
     def predefined(name: str) -> QoSProfile:
         """Return a profile by its variable name, for example 'qos_profile_default'; ValueError for an unknown name."""
-        found = globals().get(name)
-        if not isinstance(found, QoSProfile):
+        profile = globals().get(name)
+        if not isinstance(profile, QoSProfile):
             known = ", ".join(word for word, value in globals().items() if isinstance(value, QoSProfile) and word[0] != "_")
             raise ValueError(f"Requested unknown rmw_qos_profile: '{name}' is none of {known}")
-        return found
+        return profile
 
 
 class QoSPresetProfiles(Enum):

@@ -42,10 +42,10 @@ class Time:
     @classmethod
     def _of(cls, nanoseconds: int, clock_type: ClockType) -> Time:
         """Create a time from values that are known to be valid."""
-        made = object.__new__(cls)
-        made._ns = nanoseconds
-        made._clock_type = clock_type
-        return made
+        time = object.__new__(cls)
+        time._ns = nanoseconds
+        time._clock_type = clock_type
+        return time
 
     @property
     def nanoseconds(self) -> int:

@@ -45,14 +45,14 @@ def parse_parameter_dict(*, namespace: str, parameter_dict: dict[str, Any]) -> l
     >>> [one.name for one in parse_parameter_dict(namespace="", parameter_dict={"a": {"b": 1}, "c": 2})]
     ['a.b', 'c']
     """
-    found: list[Parameter] = []
+    parameters: list[Parameter] = []
     for name, value in parameter_dict.items():
         full_name = namespace + name
         if isinstance(value, dict):
-            found += parse_parameter_dict(namespace=full_name + PARAMETER_SEPARATOR_STRING, parameter_dict=value)
+            parameters += parse_parameter_dict(namespace=full_name + PARAMETER_SEPARATOR_STRING, parameter_dict=value)
         else:
-            found.append(Parameter(name=full_name, value=get_parameter_value(string_value=str(value))))
-    return found
+            parameters.append(Parameter(name=full_name, value=get_parameter_value(string_value=str(value))))
+    return parameters
 
 
 def _call(node: Any, kind: Any, name: str, request: Any) -> Any:

@@ -156,10 +156,10 @@ class BagMetadata(_Timed, BagFacts):
     @classmethod
     def of(cls, facts: BagFacts) -> BagMetadata:
         """Convert the facts of a bag to ROS's class."""
-        made = cls()
-        vars(made).update(vars(facts))
-        made.files = [_file_information(file) for file in facts.files]
-        return made
+        metadata = cls()
+        vars(metadata).update(vars(facts))
+        metadata.files = [_file_information(file) for file in facts.files]
+        return metadata
 
     def __repr__(self) -> str:
         return info_text(self)

@@ -83,6 +83,6 @@ class _Filler:
         return [value if isinstance(value, cls) else self._message(cls, value) for value in list(values)]
 
     def _message(self, cls: Any, value: Any) -> Any:
-        made = cls()
-        self.fill(made, value)
-        return made
+        message = cls()
+        self.fill(message, value)
+        return message

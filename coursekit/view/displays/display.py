@@ -104,9 +104,9 @@ class Display:
     def taken(self) -> list[Any]:
         """Take the queued messages, oldest first."""
         with self._lock:
-            found = list(self._waiting)
+            taken = list(self._waiting)
             self._waiting.clear()
-        return found
+        return taken
 
     def put_back(self, messages: list[Any]) -> None:
         """Put messages back into the queue, before those that have arrived since."""

@@ -49,15 +49,15 @@ def header_facts(msg: Any) -> list[Fact]:
 def local(thing: Thing, point: Any) -> np.ndarray:
     """Transform a point from the fixed frame to the thing's frame [m]."""
     turn = rotation(np.array(thing.pose[3:]))
-    found: np.ndarray = ((np.asarray(point, float) - thing.pose[:3]) @ turn) / thing.scale
-    return found
+    local: np.ndarray = ((np.asarray(point, float) - thing.pose[:3]) @ turn) / thing.scale
+    return local
 
 
 def world(thing: Thing, point: Any) -> np.ndarray:
     """Transform a point from the thing's frame to the fixed frame [m]."""
     turn = rotation(np.array(thing.pose[3:]))
-    found: np.ndarray = (np.asarray(point, float) * thing.scale) @ turn.T + thing.pose[:3]
-    return found
+    world: np.ndarray = (np.asarray(point, float) * thing.scale) @ turn.T + thing.pose[:3]
+    return world
 
 
 def nearest_dot(thing: Thing, here: np.ndarray) -> tuple[int, np.ndarray] | None:

@@ -22,10 +22,10 @@ _THIN = 0.002
 
 def places(points: Any) -> np.ndarray:
     """Convert a list of points to an array (n, 3); ValueError if a coordinate is not finite."""
-    found = np.array([(point.x, point.y, point.z) for point in points], float).reshape(-1, 3)
-    if not np.isfinite(found).all():
+    places = np.array([(point.x, point.y, point.z) for point in points], float).reshape(-1, 3)
+    if not np.isfinite(places).all():
         raise ValueError("Message contained invalid floating point values (nans or infs)")
-    return found
+    return places
 
 
 class _Points(StampedDisplay):

@@ -26,10 +26,10 @@ def solids(robot: Robot, positions: dict[str, float]) -> list[np.ndarray]:
     """Return the corners of all collision shapes in the root frame [m]; Wrong if there are none."""
     from coursekit.urdf.shapes import robot_surfaces
 
-    found = [surface.vertices for _, surface in robot_surfaces(robot, positions, collision=True)]
-    if not found:
+    solids = [surface.vertices for _, surface in robot_surfaces(robot, positions, collision=True)]
+    if not solids:
         raise Wrong("links with <collision>", "there is none", hint=NO_HINT)
-    return found
+    return solids
 
 
 def extent(robot: Robot, link: str, positions: dict[str, float]) -> tuple[float, ...]:

@@ -31,11 +31,11 @@ def spot_of(pose: Any) -> Spot:
 
 def carried(told: list[Report]) -> list[float]:
     """Return the distance over which each load was carried [m]."""
-    found: list[float] = []
+    carried: list[float] = []
     picked: Spot | None = None
     for (old, _), (new, place) in itertools.pairwise(told):
         if (old, new) == (2, 3):
             picked = place
         elif (old, new) == (4, 5) and picked is not None:
-            found.append(math.dist(picked[:2], place[:2]))
-    return found
+            carried.append(math.dist(picked[:2], place[:2]))
+    return carried

@@ -73,19 +73,19 @@ class _Reader:
 
         `inside` is the open quote, if any.
         """
-        found: list[Substitution] = []
+        substitutions: list[Substitution] = []
         plain = ""
         while self.at < len(self.text) and self.text[self.at] not in stop:
             if self.text.startswith("$(", self.at):
                 if plain:
-                    found.append(_plain(plain))
+                    substitutions.append(_plain(plain))
                     plain = ""
-                found.append(self.substitution(inside))
+                substitutions.append(self.substitution(inside))
             else:
                 plain += self.piece()
-        if plain or not found:
-            found.append(_plain(plain))
-        return found
+        if plain or not substitutions:
+            substitutions.append(_plain(plain))
+        return substitutions
 
     def piece(self) -> str:
         """Read one character, or a backslash and the one after it."""

@@ -76,10 +76,10 @@ def get_logger(name: str | None = None) -> LaunchLogger:
     name = name or "launch"
     if name not in config.loggers:
         config.loggers[name] = LaunchLogger(name, config)
-    found: LaunchLogger = config.loggers[name]
-    found.addHandler(config.get_screen_handler())
-    found.addHandler(config.get_log_file_handler())
-    return found
+    logger: LaunchLogger = config.loggers[name]
+    logger.addHandler(config.get_screen_handler())
+    logger.addHandler(config.get_log_file_handler())
+    return logger
 
 
 def get_output_loggers(

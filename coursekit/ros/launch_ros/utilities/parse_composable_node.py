@@ -59,9 +59,9 @@ def parse_composable_nodes(entity: Entity, parser: Parser, *, optional: bool) ->
     """Return the components inside an element."""
     from ..descriptions import ComposableNode
 
-    found = []
+    composable_nodes = []
     for item in entity.get_attr("composable_node", data_type=list[Entity], optional=optional) or []:
         cls, kwargs = ComposableNode.parse(parser, item)
         item.assert_entity_completely_parsed()
-        found.append(cls(**kwargs))
-    return found
+        composable_nodes.append(cls(**kwargs))
+    return composable_nodes

@@ -42,15 +42,15 @@ def resolveProcesses(
         raise TypeError(f"proc argument must be 'ExecuteProcess' or 'str' not {type(process)}")
     if isinstance(cmd_args, str):
         cmd_args = [cmd_args]
-    found = [event for event in known if _is_meant(event, process, cmd_args)]
+    actions = [event for event in known if _is_meant(event, process, cmd_args)]
     names = ", ".join(sorted(map(_name_and_args, known)))
-    if not found:
+    if not actions:
         raise NoMatchingProcessException(
             f"Did not find any processes matching name '{process}' and args '{cmd_args}'. Procs: {names}"
         )
-    if strict_proc_matching and len(found) > 1:
+    if strict_proc_matching and len(actions) > 1:
         raise Exception(f"Found multiple processes matching name '{process}' and cmd_args '{cmd_args}'. Procs: {names}")
-    return found
+    return actions
 
 
 def _is_meant(action: ExecuteLocal, name: str, cmd_args: Sequence[str] | object | None) -> bool:

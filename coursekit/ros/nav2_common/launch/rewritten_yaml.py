@@ -64,7 +64,7 @@ class RewrittenYaml(Substitution):
     def _rewritten(self, data: Any, values: dict[str, str], keys: dict[str, str], path: str) -> Any:
         if not isinstance(data, dict):
             return data
-        made = {}
+        rewritten = {}
         for key, value in data.items():
             here = f"{path}.{key}" if path else str(key)
             text = values.get(here, values.get(key))
@@ -72,8 +72,8 @@ class RewrittenYaml(Substitution):
                 value = self._rewritten(value, values, keys, here)
             else:
                 value = self._typed(text)
-            made[keys.get(key, key)] = value
-        return made
+            rewritten[keys.get(key, key)] = value
+        return rewritten
 
     def _typed(self, text: str) -> Any:
         if self.__convert_types:

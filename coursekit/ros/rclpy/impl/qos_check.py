@@ -29,26 +29,26 @@ def check(publisher: Any, subscription: Any) -> tuple[QoSCompatibility, str]:
 
 
 def _errors(publisher: Any, subscription: Any) -> list[str]:
-    found = []
+    errors = []
     if (publisher.reliability, subscription.reliability) == (_BEST_EFFORT, _RELIABLE):
-        found.append("Best effort publisher and reliable subscription")
+        errors.append("Best effort publisher and reliable subscription")
     if (publisher.durability, subscription.durability) == (_VOLATILE, _TRANSIENT_LOCAL):
-        found.append("Volatile publisher and transient local subscription")
-    found += _duration_errors(
+        errors.append("Volatile publisher and transient local subscription")
+    errors += _duration_errors(
         publisher.deadline.nanoseconds,
         subscription.deadline.nanoseconds,
         "Subscription has a deadline, but publisher does not",
         "Subscription deadline is less than publisher deadline",
     )
     if (publisher.liveliness, subscription.liveliness) == (_AUTOMATIC, _MANUAL):
-        found.append("Publisher's liveliness is automatic and subscription's is manual by topic")
-    found += _duration_errors(
+        errors.append("Publisher's liveliness is automatic and subscription's is manual by topic")
+    errors += _duration_errors(
         publisher.liveliness_lease_duration.nanoseconds,
         subscription.liveliness_lease_duration.nanoseconds,
         "Subscription has a liveliness lease duration, but publisher does not",
         "Subscription liveliness lease duration is less than publisher",
     )
-    return found
+    return errors
 
 
 def _duration_errors(offered: int, wanted: int, none_offered: str, too_long: str) -> list[str]:

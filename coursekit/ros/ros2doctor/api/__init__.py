@@ -78,11 +78,11 @@ def run_checks(*, include_warnings: bool = False) -> tuple[set[str], int, int]:
 
 def generate_reports(*, categories: Any = None) -> list[Report]:
     """The tables of `ros2 doctor --report`: all, or those of `categories`."""
-    made = []
+    reports = []
     for title, lines in (*checks.report(), *graph_report.report()):
         report = Report(title)
         for key, value in lines:
             report.add_to_report(key, value)
         if categories is None or title in categories:
-            made.append(report)
-    return made
+            reports.append(report)
+    return reports

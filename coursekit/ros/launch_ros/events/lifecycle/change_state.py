@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 def _names(constants: type, prefix: tuple[str, ...]) -> dict[int, str]:
     """Return the constants of a message class by number, in lower case without the prefix."""
-    found = {}
+    names = {}
     for name in dir(constants):
         if name.startswith(prefix) and isinstance(getattr(constants, name), int):
             matching = next(start for start in prefix if name.startswith(start))
-            found[getattr(constants, name)] = name.removeprefix(matching).lower()
-    return found
+            names[getattr(constants, name)] = name.removeprefix(matching).lower()
+    return names
 
 
 class ChangeState(Event):

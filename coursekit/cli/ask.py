@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import sys
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import yaml
 
@@ -14,6 +14,9 @@ from coursekit.processes.process import current_process
 from coursekit.processes.session import current
 from coursekit.rcl.names import is_hidden
 from coursekit.suggestions import did_you_mean
+
+if TYPE_CHECKING:
+    from argparse import ArgumentParser, Namespace
 
 
 class Unhappy(Exception):
@@ -41,7 +44,7 @@ def command_node(name: str = "_ros2cli", **options: Any) -> Iterator[Any]:
         rclpy.try_shutdown()
 
 
-def on_clock(args: Any) -> dict[str, Any]:
+def on_clock(args: Namespace) -> dict[str, Any]:
     """Return the node options for following /clock, if `--use-sim-time` was given."""
     from rclpy.parameter import Parameter
 
@@ -137,7 +140,7 @@ complete_services = complete_by("service", "list")
 def complete_values(typed: str) -> Any:
     """Complete by the default values of the type given in the argument `typed`."""
 
-    def complete(parsed_args: Any, **_: Any) -> list[str]:
+    def complete(parsed_args: Namespace, **_: Any) -> list[str]:
         return [prototype(getattr(parsed_args, typed))]
 
     return complete
@@ -173,7 +176,7 @@ def say_error(text: str) -> None:
     print(text, file=sys.stderr)
 
 
-def add_hidden_flag(parser: Any, what: str) -> None:
+def add_hidden_flag(parser: ArgumentParser, what: str) -> None:
     """Add the flag `--include-hidden-...`."""
     parser.add_argument(
         f"--include-hidden-{what}", action="store_true", dest="hidden", help=f"Consider hidden {what} as well"

@@ -7,13 +7,16 @@ import functools
 import math
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.bag.errors import BagError
 from coursekit.bag.metadata_file import load_settings
 from coursekit.bag.storage import SUFFIXES
 
 from . import ask
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 _DURATIONS = ("deadline", "lifespan", "liveliness_lease_duration")
 _VALUES = ("depth", "avoid_ros_namespace_conventions")
@@ -28,7 +31,7 @@ def refusing(main: Callable[[Any], int]) -> Callable[[Any], int]:
     """Make a verb report errors of a bag without a traceback."""
 
     @functools.wraps(main)
-    def run(args: Any) -> int:
+    def run(args: Namespace) -> int:
         try:
             return main(args)
         except BagError as error:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .bag_arguments import (
     add_reader,
@@ -14,6 +14,9 @@ from .bag_arguments import (
     refuse,
     refusing,
 )
+
+if TYPE_CHECKING:
+    from argparse import ArgumentParser, Namespace
 
 _DEFAULT_CLOCK_HZ = 40.0
 
@@ -28,7 +31,7 @@ def register(verbs: Any) -> None:
     parser.set_defaults(main=main)
 
 
-def _add_choice(parser: Any) -> None:
+def _add_choice(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--topics",
         nargs="+",
@@ -55,7 +58,7 @@ def _add_choice(parser: Any) -> None:
     )
 
 
-def _add_time(parser: Any) -> None:
+def _add_time(parser: ArgumentParser) -> None:
     parser.add_argument(
         "-r", "--rate", type=positive_float, default=1.0, help="rate at which to play back messages. Valid range > 0.0."
     )
@@ -90,7 +93,7 @@ def _add_time(parser: Any) -> None:
     )
 
 
-def _add_behaviour(parser: Any) -> None:
+def _add_behaviour(parser: ArgumentParser) -> None:
     parser.add_argument(
         "--disable-keyboard-controls", action="store_true", help="disables keyboard controls for playback"
     )
@@ -114,7 +117,7 @@ def _add_behaviour(parser: Any) -> None:
 
 
 @refusing
-def main(args: Any) -> int:
+def main(args: Namespace) -> int:
     """Play to the end, or until Ctrl-C."""
     from rosbag2_py import Player, StorageOptions
 
@@ -127,7 +130,7 @@ def main(args: Any) -> int:
     return 0
 
 
-def _play_options(args: Any) -> Any:
+def _play_options(args: Namespace) -> Any:
     from rosbag2_py import PlayOptions
 
     options = PlayOptions()

@@ -5,13 +5,16 @@ from __future__ import annotations
 import datetime
 import time
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.bag.storage import DEFAULT_STORAGE_ID, SUFFIXES
 from coursekit.processes.session import current
 
 from . import ask
 from .bag_arguments import qos_overrides, refuse, refusing
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 _LEVELS = ("debug", "info", "warn", "error", "fatal")
 _MEBIBYTES_100 = 100 * 1024 * 1024
@@ -183,7 +186,7 @@ def default_folder() -> str:
 
 
 @refusing
-def main(args: Any) -> int:
+def main(args: Namespace) -> int:
     """Record until Ctrl-C."""
     _check(args)
     uri = args.output or default_folder()
@@ -199,7 +202,7 @@ def main(args: Any) -> int:
     return 0
 
 
-def _check(args: Any) -> None:
+def _check(args: Namespace) -> None:
     if args.all and args.topics:
         raise refuse("Specify either --all or topics, but not both simultaneously.")
     if not (args.all or args.topics or args.regex):
@@ -226,7 +229,7 @@ def _check(args: Any) -> None:
         raise refuse("--polling-interval must be at least 1 ms")
 
 
-def _storage_options(args: Any, uri: str) -> Any:
+def _storage_options(args: Namespace, uri: str) -> Any:
     from rosbag2_py import StorageOptions
 
     if args.storage_config_file and not Path(args.storage_config_file).is_file():
@@ -243,7 +246,7 @@ def _storage_options(args: Any, uri: str) -> Any:
     )
 
 
-def _record_options(args: Any) -> Any:
+def _record_options(args: Namespace) -> Any:
     from rosbag2_py import RecordOptions
 
     options = RecordOptions()

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from controller_manager_msgs.srv import ListControllerTypes, ListHardwareComponents, ListHardwareInterfaces
 
 from coursekit.nodes.control.asking import Asker
 
+if TYPE_CHECKING:
+    from argparse import Namespace
 
-def list_controllers(asker: Asker, args: Any) -> None:
+
+def list_controllers(asker: Asker, args: Namespace) -> None:
     """Print the loaded controllers, and the interfaces they claim."""
     for controller in asker.controllers():
         print(f"{controller.name:20s}[{controller.type:20s}] {controller.state:10s}")
@@ -24,14 +27,14 @@ def list_controllers(asker: Asker, args: Any) -> None:
                     print(f"\t\t{name}")
 
 
-def list_types(asker: Asker, _args: Any) -> None:
+def list_types(asker: Asker, _args: Namespace) -> None:
     """Print the controller types that can be loaded."""
     answer = asker.ask(ListControllerTypes, "list_controller_types")
     for name, base in zip(answer.types, answer.base_classes, strict=True):
         print(f"{name:70s} {base}")
 
 
-def list_interfaces(asker: Asker, _args: Any) -> None:
+def list_interfaces(asker: Asker, _args: Namespace) -> None:
     """Print the command and state interfaces."""
     answer = asker.ask(ListHardwareInterfaces, "list_hardware_interfaces")
     print("command interfaces")
@@ -43,7 +46,7 @@ def list_interfaces(asker: Asker, _args: Any) -> None:
         print(f"\t{interface.name}")
 
 
-def list_components(asker: Asker, args: Any) -> None:
+def list_components(asker: Asker, args: Namespace) -> None:
     """Print the hardware components."""
     answer = asker.ask(ListHardwareComponents, "list_hardware_components")
     for number, one in enumerate(answer.component, 1):

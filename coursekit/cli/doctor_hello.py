@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import socket
 from collections import Counter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ros2multicast.api import DEFAULT_GROUP, DEFAULT_PORT, join, send
 
@@ -13,6 +13,11 @@ from coursekit.processes.session import current
 
 from . import ask
 from .topic_pub import positive
+
+if TYPE_CHECKING:
+    from argparse import Namespace
+
+    from rclpy.node import Node
 
 
 def register(verbs: Any) -> None:
@@ -63,7 +68,7 @@ def _count(counter: Counter[str], text: str) -> None:
         counter[name] += 1
 
 
-def main(args: Any) -> None:
+def main(args: Namespace) -> None:
     """Send greetings, receive those of others, and print a summary."""
     from std_msgs.msg import String
 
@@ -85,13 +90,13 @@ def _listening() -> socket.socket:
 class _Hello:
     """Sends and receives greetings repeatedly."""
 
-    def __init__(self, publisher: Any, datagrams: socket.socket, args: Any) -> None:
+    def __init__(self, publisher: Any, datagrams: socket.socket, args: Namespace) -> None:
         self._publisher = publisher
         self._datagrams = datagrams
         self._args = args
         self.summary = _Summary()
 
-    def run(self, node: Any) -> None:
+    def run(self, node: Node) -> None:
         """Send and receive until Ctrl-C, or once."""
         import rclpy
 
@@ -115,7 +120,7 @@ class _Hello:
             send(text.encode(), ttl=self._args.ttl)
             self.summary.sent += 1
 
-    def _listen(self, node: Any) -> None:
+    def _listen(self, node: Node) -> None:
         """Receive on the topic and by multicast until the next greeting is due."""
         import rclpy
 

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import argparse
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ros2cli.entry_points import EXTENSION_POINT_GROUP_NAME, get_entry_points
 
 from . import extensions
+
+if TYPE_CHECKING:
+    from argparse import ArgumentParser, Namespace
 
 
 def register(subparsers: Any) -> None:
@@ -38,12 +41,12 @@ def _groups() -> dict[str, list[str]]:
     return groups
 
 
-def _choices(parser: Any) -> dict[str, Any]:
+def _choices(parser: ArgumentParser) -> dict[str, Any]:
     actions = [action for action in parser._actions if isinstance(action, argparse._SubParsersAction)]
     return dict(actions[0].choices) if actions else {}
 
 
-def list_points(args: Any) -> None:
+def list_points(args: Namespace) -> None:
     """Print the extension points."""
     added = get_entry_points(EXTENSION_POINT_GROUP_NAME)
     for group in sorted(_groups()):
@@ -52,7 +55,7 @@ def list_points(args: Any) -> None:
             print(f"  {added[group].value}")
 
 
-def list_extensions(args: Any) -> None:
+def list_extensions(args: Namespace) -> None:
     """Print the extensions of each point."""
     for group, names in sorted(_groups().items()):
         added = get_entry_points(group)

@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import TYPE_CHECKING
 
 from . import ask, checks
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 Lines = checks.Lines
 _EVERYWHERE = ("/parameter_events", "/rosout")
@@ -63,7 +66,7 @@ def _topics() -> list[tuple[str, list[str]]]:
     return [(name, types) for name, types in ask.topics() if name not in _EVERYWHERE]
 
 
-def _counts(node: Any, topic: str) -> Lines:
+def _counts(node: Node, topic: str) -> Lines:
     return [
         ("topic", topic),
         ("publisher count", node.count_publishers(topic)),
@@ -71,7 +74,7 @@ def _counts(node: Any, topic: str) -> Lines:
     ]
 
 
-def _pairs(node: Any, topic: str, types: list[str]) -> Iterator[tuple[str, str]]:
+def _pairs(node: Node, topic: str, types: list[str]) -> Iterator[tuple[str, str]]:
     from rclpy.qos import QoSCompatibility, qos_check_compatible
 
     for publisher in node.get_publishers_info_by_topic(topic):

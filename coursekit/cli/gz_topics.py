@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from rosidl_runtime_py import message_to_yaml
@@ -12,6 +12,10 @@ from rosidl_runtime_py.utilities import get_message
 
 from coursekit.nodes.gz.bridge_types import gz_name
 from coursekit.nodes.gz.transport import gz_context
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
+    from rclpy.node import Node
 
 _HIDDEN = ("/rosout", "/parameter_events")
 
@@ -54,7 +58,7 @@ def carry_out(command: str, words: list[str]) -> int:
         context.try_shutdown()
 
 
-def _echo(node: Any, context: Any, name: str, kind: str, most: int) -> int:
+def _echo(node: Node, context: Context, name: str, kind: str, most: int) -> int:
     seen: list[int] = []
 
     def show(msg: Any) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from rclpy.qos import qos_profile_sensor_data
@@ -11,6 +11,11 @@ from rosidl_runtime_py import message_to_csv, message_to_yaml
 from rosidl_runtime_py.utilities import get_message
 
 from . import ask, topic_qos
+
+if TYPE_CHECKING:
+    from argparse import Namespace
+
+    from rclpy.node import Node
 
 DEFAULT_TRUNCATE_LENGTH = 128
 
@@ -49,7 +54,7 @@ def _not_negative(text: str) -> int:
     return number
 
 
-def main(args: Any) -> int:
+def main(args: Namespace) -> int:
     """Print messages until Ctrl-C, or only the first one."""
     if args.csv and args.raw:
         return _refuse("Invalid: --csv and --raw cannot be used together")
@@ -69,7 +74,7 @@ def _refuse(text: str) -> int:
     return 1
 
 
-def _message_type(node: Any, args: Any) -> Any:
+def _message_type(node: Node, args: Namespace) -> Any:
     """Return the class of the topic's messages: as given, or as published."""
     if args.message_type:
         try:
@@ -90,7 +95,7 @@ def _message_type(node: Any, args: Any) -> Any:
 class _Echo:
     """One run of the command."""
 
-    def __init__(self, node: Any, args: Any, kind: Any) -> None:
+    def __init__(self, node: Node, args: Namespace, kind: Any) -> None:
         self._node = node
         self._args = args
         self._done = Future()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from rclpy.duration import Duration
@@ -16,6 +16,11 @@ from coursekit.rcl.names import is_hidden
 from coursekit.suggestions import did_you_mean
 
 from . import ask, topic_qos
+
+if TYPE_CHECKING:
+    from argparse import Namespace
+
+    from rclpy.node import Node
 
 _LOOK_SECONDS = 0.1
 _ROUNDS = 5
@@ -58,7 +63,7 @@ def positive(text: str) -> float:
     return number
 
 
-def main(args: Any) -> int:
+def main(args: Namespace) -> int:
     """Publish messages."""
     try:
         kind = get_message(args.message_type)
@@ -70,7 +75,7 @@ def main(args: Any) -> int:
         return _publish(node, kind, values, args)
 
 
-def _publish(node: Any, kind: Any, values: dict[str, Any], args: Any) -> int:
+def _publish(node: Node, kind: Any, values: dict[str, Any], args: Namespace) -> int:
     profile = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
     publisher = node.create_publisher(kind, args.topic_name, topic_qos.chosen(args, profile))
     times = 1 if args.once else args.times
@@ -93,7 +98,7 @@ def _publish(node: Any, kind: Any, values: dict[str, Any], args: Any) -> int:
     return 0
 
 
-def _pause(node: Any, seconds: float, simulated: bool) -> None:
+def _pause(node: Node, seconds: float, simulated: bool) -> None:
     """Wait, on the node's clock if it follows /clock."""
     if not simulated:
         current().clock.sleep(seconds)
@@ -103,7 +108,7 @@ def _pause(node: Any, seconds: float, simulated: bool) -> None:
         rclpy.spin_once(node, timeout_sec=_LOOK_SECONDS)
 
 
-def _wait_for_listeners(publisher: Any, args: Any, times: int) -> bool:
+def _wait_for_listeners(publisher: Any, args: Namespace, times: int) -> bool:
     """Wait for subscriptions; False when the command was ended before."""
     wanted = args.wait_matching_subscriptions
     wanted = (1 if times else 0) if wanted is None else wanted

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import copy
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy.qos import DurabilityPolicy, QoSPresetProfiles, QoSProfile, ReliabilityPolicy
 from ros2topic.api import POLICIES, profile_configure_short_keys
 
+if TYPE_CHECKING:
+    from argparse import ArgumentParser, Namespace
 
-def add_arguments(parser: Any, default_profile: str) -> None:
+
+def add_arguments(parser: ArgumentParser, default_profile: str) -> None:
     """Add `--qos-profile`, `--qos-depth` and one option for each policy."""
     parser.add_argument(
         "--qos-profile",
@@ -22,7 +25,7 @@ def add_arguments(parser: Any, default_profile: str) -> None:
     parser.add_argument("--qos-liveliness-lease-duration-seconds", type=float, help="Lease duration")
 
 
-def chosen(args: Any, base: QoSProfile) -> QoSProfile:
+def chosen(args: Namespace, base: QoSProfile) -> QoSProfile:
     """Return `base` or the given preset, with the given single settings."""
     if args.qos_profile:
         base = QoSPresetProfiles.get_from_short_key(args.qos_profile)
@@ -33,7 +36,7 @@ def chosen(args: Any, base: QoSProfile) -> QoSProfile:
     return profile
 
 
-def is_chosen(args: Any) -> bool:
+def is_chosen(args: Namespace) -> bool:
     """Whether any QoS option was given."""
     names = ["profile", "depth", *(name for name, _ in POLICIES)]
     return any(getattr(args, f"qos_{name}") is not None for name in names)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from rclpy.qos import qos_profile_sensor_data
@@ -15,6 +15,11 @@ from rosidl_runtime_py.utilities import get_message
 from coursekit.processes.session import current
 
 from . import ask
+
+if TYPE_CHECKING:
+    from argparse import Namespace
+
+    from rclpy.node import Node
 
 WINDOW = 10000
 
@@ -37,7 +42,7 @@ def register(verbs: Any) -> None:
         parser.set_defaults(main=lambda args, make=make: _run(args, make))
 
 
-def _run(args: Any, make: Any) -> int:
+def _run(args: Namespace, make: Any) -> int:
     with ask.command_node(**ask.on_clock(args)) as node:
         name = ask.full_name(args.topic_name)
         types = dict(node.get_topic_names_and_types()).get(name)
@@ -71,7 +76,7 @@ def statistics(values: Sequence[float]) -> tuple[float, float, float, float]:
 class _Meter:
     """Counts messages and prints statistics."""
 
-    def __init__(self, node: Any, args: Any) -> None:
+    def __init__(self, node: Node, args: Namespace) -> None:
         self.node = node
         self.args = args
         self.values: deque[float] = deque(maxlen=args.window - 1 if args.window > 1 else None)
@@ -99,7 +104,7 @@ class _Meter:
 class Hz(_Meter):
     """The publishing rate."""
 
-    def __init__(self, node: Any, args: Any) -> None:
+    def __init__(self, node: Node, args: Namespace) -> None:
         super().__init__(node, args)
         self._last: float | None = None
         self._accepts = compile(args.filter_expr, "--filter", "eval") if args.filter_expr else None
@@ -145,7 +150,7 @@ class Delay(_Meter):
 class Bandwidth(_Meter):
     """The bandwidth in bytes per second."""
 
-    def __init__(self, node: Any, args: Any) -> None:
+    def __init__(self, node: Node, args: Namespace) -> None:
         super().__init__(node, args)
         self._sizes: deque[int] = deque(maxlen=args.window)
         self._times: deque[float] = deque(maxlen=args.window)

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.view.scene_stage import Stage
 from coursekit.words.gettext import gettext
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 COVARIANCE = {0: 0.25, 7: 0.25, 35: (math.pi / 12) ** 2}
 """The covariance of 2D Pose Estimate: half a metre and fifteen degrees."""
@@ -15,7 +18,7 @@ COVARIANCE = {0: 0.25, 7: 0.25, 35: (math.pi / 12) ** 2}
 class Tools:
     """Publishes the results of clicks; publishers are made on first use."""
 
-    def __init__(self, node: Any, stage: Stage) -> None:
+    def __init__(self, node: Node, stage: Stage) -> None:
         self.node = node
         self.stage = stage
         self.told = ""

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.processes.session import current
 from coursekit.tf import FrameBuffer, Sample
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 Kept = tuple[str, str, int, int, float, float, float, float, float, float, float]
 """A transform: parent, child, stamp [s, ns], translation and quaternion."""
@@ -101,7 +104,7 @@ def _samples(kept: Iterable[Kept]) -> list[Sample]:
     ]
 
 
-def listen_to_frames(node: Any, heard: Callable[[], Any] | None = None) -> BroadcastFrames:
+def listen_to_frames(node: Node, heard: Callable[[], Any] | None = None) -> BroadcastFrames:
     """Return a buffer that follows the broadcast frames; `heard()` is called after every message.
 
     Without `heard`, the buffer is up to date after `catch_up()`. The node must already be in its executor in this case.

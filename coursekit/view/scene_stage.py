@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.nodes.rviz.config import Config, DisplayConfig
 from coursekit.nodes.rviz.kinds import QOS
@@ -22,6 +22,9 @@ from .scene_camera import Camera, camera_of
 from .scene_still import Still
 from .simulated_time import SimulatedTime
 
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
 WORLD = ("map", "odom", "world")
 """Preferred fixed frames, the best first."""
 
@@ -32,7 +35,7 @@ ROOM = 3.0
 class Stage:
     """The content of a viewer. `update()` brings the scene up to date; nothing is drawn between two calls."""
 
-    def __init__(self, node: Any, config: Config) -> None:
+    def __init__(self, node: Node, config: Config) -> None:
         self.node = node
         self.config = config
         self.scene = Scene()

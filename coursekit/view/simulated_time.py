@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 LOOK_SECONDS = 1.0
 """The period of looking whether there is a simulation's clock [s]."""
@@ -15,7 +18,7 @@ class SimulatedTime:
     a hundred times a second.
     """
 
-    def __init__(self, node: Any) -> None:
+    def __init__(self, node: Node) -> None:
         from rclpy.clock import Clock, ClockType
 
         self._node = node

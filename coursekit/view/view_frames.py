@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 import sys
 import time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 import yaml
@@ -18,6 +18,9 @@ from coursekit.processes.current_process import program_folder
 from coursekit.processes.session import current
 
 from .frame_tree import FrameTree
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 
 def generate_dot(data: dict[str, Any], recorded_time: tuple[int, int]) -> str:
@@ -85,7 +88,7 @@ def _date() -> str:
     return time.strftime("%Y-%m-%d_%H.%M.%S", time.localtime(current().clock.now() // 1_000_000_000))
 
 
-def _ask(node: Any) -> Any:
+def _ask(node: Node) -> Any:
     client = node.create_client(FrameGraph, "tf2_frames")
     while not client.wait_for_service(timeout_sec=1.0):
         node.get_logger().info("service not available, waiting again...")
@@ -94,7 +97,7 @@ def _ask(node: Any) -> Any:
     return future.result()
 
 
-def _write(node: Any, buffer: Buffer, answer: Any, name: str) -> None:
+def _write(node: Node, buffer: Buffer, answer: Any, name: str) -> None:
     now = node.get_clock().now()
     node.get_logger().info(f"Exporting graph in {name}.pdf file...")
     dot = generate_dot(yaml.safe_load(answer.frame_yaml) or {}, now.seconds_nanoseconds())

@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.cli import ask
+
+if TYPE_CHECKING:
+    from argparse import Namespace
+
+    from rclpy.node import Node
 
 
 def register(subparsers: Any) -> None:
@@ -39,7 +44,7 @@ def _actions() -> list[tuple[str, list[str]]]:
         return list(get_action_names_and_types(node))
 
 
-def list_actions(args: Any) -> int:
+def list_actions(args: Namespace) -> int:
     """Print the actions."""
     found = _actions()
     if args.count_actions:
@@ -50,7 +55,7 @@ def list_actions(args: Any) -> int:
     return 0
 
 
-def show_type(args: Any) -> int:
+def show_type(args: Namespace) -> int:
     """Print an action's types."""
     types = dict(_actions()).get(ask.full_name(args.action_name))
     for type_name in types or ():
@@ -58,7 +63,7 @@ def show_type(args: Any) -> int:
     return 0 if types else 1
 
 
-def show_info(args: Any) -> int:
+def show_info(args: Namespace) -> int:
     """Print the servers and clients of an action."""
     from rclpy.action import get_action_client_names_and_types_by_node, get_action_server_names_and_types_by_node
 
@@ -76,7 +81,7 @@ def show_info(args: Any) -> int:
     return 0
 
 
-def _nodes_with(node: Any, action: str, find: Any) -> list[tuple[str, list[str]]]:
+def _nodes_with(node: Node, action: str, find: Any) -> list[tuple[str, list[str]]]:
     found = []
     for other in list(ask.graph().nodes):
         types = dict(find(node, other.name, other.namespace)).get(action)
@@ -85,7 +90,7 @@ def _nodes_with(node: Any, action: str, find: Any) -> list[tuple[str, list[str]]
     return sorted(found)
 
 
-def send_goal(args: Any) -> int:
+def send_goal(args: Namespace) -> int:
     """Send a goal, print its feedback if requested, and its result; Ctrl-C cancels it."""
     from rclpy.action import ActionClient
     from rclpy.signals import SignalHandlerOptions, install_signal_handlers
@@ -111,7 +116,7 @@ def send_goal(args: Any) -> int:
             client.destroy()
 
 
-def _offered(node: Any) -> list[str]:
+def _offered(node: Node) -> list[str]:
     """Return the names of the actions that have a server."""
     from rclpy.action import get_action_server_names_and_types_by_node
 
@@ -124,7 +129,7 @@ def _offered(node: Any) -> list[str]:
 class _Sending:
     """One goal in progress."""
 
-    def __init__(self, node: Any, client: Any, name: str, feedback: bool) -> None:
+    def __init__(self, node: Node, client: Any, name: str, feedback: bool) -> None:
         self._node = node
         self._client = client
         self._name = name

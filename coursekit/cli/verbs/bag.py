@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.cli import ask, bag_play, bag_record
 from coursekit.cli.bag_arguments import add_reader, refuse, refusing
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 _PLUGINS = {
     "storage": {
@@ -61,7 +64,7 @@ def _register_convert(verbs: Any) -> None:
 
 
 @refusing
-def show_info(args: Any) -> int:
+def show_info(args: Namespace) -> int:
     """Print the metadata of a bag."""
     from rosbag2_py import Info
 
@@ -70,7 +73,7 @@ def show_info(args: Any) -> int:
 
 
 @refusing
-def make_metadata(args: Any) -> int:
+def make_metadata(args: Namespace) -> int:
     """Recreate the metadata.yaml of a bag."""
     from pathlib import Path
 
@@ -83,7 +86,7 @@ def make_metadata(args: Any) -> int:
 
 
 @refusing
-def convert_bags(args: Any) -> int:
+def convert_bags(args: Namespace) -> int:
     """Write bags with other settings."""
     from rosbag2_py import StorageOptions, bag_rewrite
 
@@ -94,7 +97,7 @@ def convert_bags(args: Any) -> int:
     return 0
 
 
-def list_plugins(args: Any) -> int:
+def list_plugins(args: Namespace) -> int:
     """Print the plugins of a kind."""
     if args.verbose:
         print(f"available {args.plugin_type} plugins are:")

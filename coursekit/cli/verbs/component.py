@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.cli import ask
 from coursekit.nodes.running import pass_on_output
 from coursekit.processes.components import registered
 from coursekit.processes.executables import find, packages
 from coursekit.processes.session import current
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 _SERVICES = {
     "load_node": "composition_interfaces/srv/LoadNode",
@@ -88,7 +91,7 @@ def _call(container: str, service: str, **fields: Any) -> Any:
         return future.result()
 
 
-def list_components(args: Any) -> int:
+def list_components(args: Namespace) -> int:
     """Print the containers and their components."""
     one = args.container_node_name
     for name in _containers() if one is None else [_checked(one)]:
@@ -109,7 +112,7 @@ def _parameters(assignments: Sequence[str]) -> list[Any]:
     return [Parameter(name=name, value=get_parameter_value(value)) for name, _, value in parts]
 
 
-def _load(container: str, args: Any) -> Any:
+def _load(container: str, args: Namespace) -> Any:
     answer = _call(
         container,
         "load_node",
@@ -127,7 +130,7 @@ def _load(container: str, args: Any) -> Any:
     return answer
 
 
-def load_component(args: Any) -> int:
+def load_component(args: Namespace) -> int:
     """Load a component into a running container."""
     answer = _load(_checked(args.container_node_name), args)
     uid, name = answer.unique_id, answer.full_node_name
@@ -136,7 +139,7 @@ def load_component(args: Any) -> int:
     return 0
 
 
-def unload_components(args: Any) -> int:
+def unload_components(args: Namespace) -> int:
     """Unload components from a container."""
     container = _checked(args.container_node_name)
     for uid in args.component_uid:
@@ -148,7 +151,7 @@ def unload_components(args: Any) -> int:
     return 0
 
 
-def run_standalone(args: Any) -> int:
+def run_standalone(args: Namespace) -> int:
     """Run a component in its own container until Ctrl-C."""
     name = args.container_node_name or f"standalone_container_{current().new_uuid().hex()[:12]}"
     words = ["--ros-args", "-r", f"__node:={name}"]
@@ -167,7 +170,7 @@ def run_standalone(args: Any) -> int:
     return int(container.exit_code or 0)
 
 
-def show_types(args: Any) -> int:
+def show_types(args: Namespace) -> int:
     """Print the components registered by packages."""
     found = registered()
     if args.package_name is not None:

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from controller_manager_msgs.srv import ReloadControllerLibraries, SetHardwareComponentState
 
 from coursekit.cli import ask, control_lists
 from coursekit.nodes.control.asking import Asker, NoManager
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 HELP = {
     "list_controllers": "Output the list of loaded controllers, their type and status",
@@ -40,7 +43,7 @@ def register(subparsers: Any) -> None:
 
 
 def _with_manager(verb: Callable[[Asker, Any], str | None]) -> Callable[[Any], int]:
-    def main(args: Any) -> int:
+    def main(args: Namespace) -> int:
         with ask.command_node() as node:
             try:
                 fault = verb(Asker(node, ask.full_name(args.controller_manager), wait=10.0), args)
@@ -56,7 +59,7 @@ def _with_manager(verb: Callable[[Asker, Any], str | None]) -> Callable[[Any], i
 # -- changes
 
 
-def _load(asker: Asker, args: Any) -> str | None:
+def _load(asker: Asker, args: Namespace) -> str | None:
     if not asker.load(args.controller_name):
         return f"Error loading controller, {_LOGS}"
     if not args.set_state:
@@ -70,7 +73,7 @@ def _load(asker: Asker, args: Any) -> str | None:
     return None
 
 
-def _set_state(asker: Asker, args: Any) -> str | None:
+def _set_state(asker: Asker, args: Namespace) -> str | None:
     name, wanted = args.controller_name, args.state
     state = next((controller.state for controller in asker.controllers() if controller.name == name), None)
     if state is None:
@@ -94,7 +97,7 @@ def _set_state(asker: Asker, args: Any) -> str | None:
     return None
 
 
-def _switch(asker: Asker, args: Any) -> str | None:
+def _switch(asker: Asker, args: Namespace) -> str | None:
     stop, start = args.deactivate or args.stop, args.activate or args.start
     if not asker.switch(stop, start, args.strict, float(args.switch_timeout)):
         return f"Error switching controllers, {_LOGS}"
@@ -102,21 +105,21 @@ def _switch(asker: Asker, args: Any) -> str | None:
     return None
 
 
-def _unload(asker: Asker, args: Any) -> str | None:
+def _unload(asker: Asker, args: Namespace) -> str | None:
     if not asker.unload(args.controller_name):
         return f"Error unloading controllers, {_LOGS}"
     print(f"Successfully unloaded controller {args.controller_name}")
     return None
 
 
-def _reload(asker: Asker, args: Any) -> str | None:
+def _reload(asker: Asker, args: Namespace) -> str | None:
     if not asker.ask(ReloadControllerLibraries, "reload_controller_libraries", force_kill=args.force_kill).ok:
         return f"Error reloading libraries, {_LOGS}"
     print("Reload successful")
     return None
 
 
-def _set_component(asker: Asker, args: Any) -> str | None:
+def _set_component(asker: Asker, args: Namespace) -> str | None:
     from lifecycle_msgs.msg import State
 
     target = State(label=args.state)
@@ -128,7 +131,7 @@ def _set_component(asker: Asker, args: Any) -> str | None:
     return None
 
 
-def _chains(_asker: Asker, _args: Any) -> str:
+def _chains(_asker: Asker, _args: Namespace) -> str:
     return "view_controller_chains draws chained controllers with graphviz: there are none here"
 
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.cli import ask, daemon
 from coursekit.cli.attach import domain_id
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 
 def register(subparsers: Any) -> None:
@@ -23,16 +26,16 @@ def register(subparsers: Any) -> None:
             verb.add_argument("--debug", action="store_true", help="Here the session answers: it changes nothing")
 
 
-def show_status(_args: Any) -> None:
+def show_status(_args: Namespace) -> None:
     """Print whether the daemon is running."""
     print(f"The daemon is {'' if daemon.is_running(ask.graph()) else 'not '}running")
 
 
-def start(_args: Any) -> None:
+def start(_args: Namespace) -> None:
     """Start the daemon."""
     print("The daemon has been started" if daemon.start(ask.graph(), domain_id()) else "The daemon is already running")
 
 
-def stop(_args: Any) -> None:
+def stop(_args: Namespace) -> None:
     """Stop the daemon."""
     print("The daemon has been stopped" if daemon.stop(ask.graph()) else "The daemon is not running")

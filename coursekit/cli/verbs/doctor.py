@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import sys
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.cli import checks, doctor_hello, graph_report
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 
 def register(subparsers: Any) -> None:
@@ -19,7 +22,7 @@ def register(subparsers: Any) -> None:
         doctor_hello.register(parser.add_subparsers(title="Verbs", dest="_verb"))
 
 
-def main(args: Any) -> int:
+def main(args: Namespace) -> int:
     """Run the checks, or print the report."""
     if args.report:
         print_report()

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import sys
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.cli import ask
 from coursekit.cli.interface_text import shown
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 
 def register(subparsers: Any) -> None:
@@ -54,14 +57,14 @@ def _packages() -> list[str]:
     return sorted(get_interface_packages())
 
 
-def _kinds(args: Any) -> list[tuple[str, str]]:
+def _kinds(args: Namespace) -> list[tuple[str, str]]:
     """Return (title, kind) of the requested kinds; all if none is requested."""
     kinds = [("Messages", "msg"), ("Services", "srv"), ("Actions", "action")]
     only = [args.only_msgs, args.only_srvs, args.only_actions]
     return [kind for kind, wanted in zip(kinds, only, strict=True) if wanted or not any(only)]
 
 
-def list_interfaces(args: Any) -> int:
+def list_interfaces(args: Namespace) -> int:
     """Print every interface, by kind."""
     from rosidl_runtime_py import get_interfaces
 
@@ -75,7 +78,7 @@ def list_interfaces(args: Any) -> int:
     return 0
 
 
-def list_packages(args: Any) -> int:
+def list_packages(args: Namespace) -> int:
     """Print the packages with interfaces."""
     from rosidl_runtime_py import get_interfaces
 
@@ -86,7 +89,7 @@ def list_packages(args: Any) -> int:
     return 0
 
 
-def list_package(args: Any) -> int:
+def list_package(args: Namespace) -> int:
     """Print the interfaces of a package."""
     from rosidl_runtime_py import get_interfaces
 
@@ -100,14 +103,14 @@ def list_package(args: Any) -> int:
     return 0
 
 
-def show_proto(args: Any) -> int:
+def show_proto(args: Namespace) -> int:
     """Print a message with its default values, as `ros2 topic pub` takes it."""
     quote = "" if args.no_quotes else '"'
     print(f"{quote}{ask.prototype(args.type)}{quote}")
     return 0
 
 
-def show_definition(args: Any) -> int:
+def show_definition(args: Namespace) -> int:
     """Print the definition file, nested messages expanded."""
     name = sys.stdin.readline().strip() if args.type == "-" else args.type
     mode = "all" if args.all_comments else "none" if args.no_comments else "top"

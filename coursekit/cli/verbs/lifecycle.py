@@ -2,9 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.cli import ask
+
+if TYPE_CHECKING:
+    from argparse import Namespace
+
+    from rclpy.node import Node
 
 _GET_STATE = "lifecycle_msgs/srv/GetState"
 
@@ -38,7 +43,7 @@ def _nodes(hidden: bool) -> list[str]:
     return [name for name in ask.node_names(hidden) if name in names]
 
 
-def _ask(node: Any, name: str, kind: Any, service: str, request: Any) -> Any:
+def _ask(node: Node, name: str, kind: Any, service: str, request: Any) -> Any:
     import rclpy
 
     client = node.create_client(kind, f"{name}/{service}")
@@ -47,14 +52,14 @@ def _ask(node: Any, name: str, kind: Any, service: str, request: Any) -> Any:
     return future.result()
 
 
-def _checked(args: Any) -> str:
+def _checked(args: Namespace) -> str:
     name = ask.full_name(args.node_name)
     if name not in _nodes(args.hidden):
         raise ask.Unhappy("Node not found")
     return name
 
 
-def list_nodes(args: Any) -> int:
+def list_nodes(args: Namespace) -> int:
     """Print the lifecycle nodes."""
     names = _nodes(args.hidden or args.all)
     if args.count_nodes:
@@ -65,7 +70,7 @@ def list_nodes(args: Any) -> int:
     return 0
 
 
-def get_state(args: Any) -> int:
+def get_state(args: Namespace) -> int:
     """Print the state of one node or of all."""
     from lifecycle_msgs.srv import GetState
 
@@ -77,7 +82,7 @@ def get_state(args: Any) -> int:
     return 0
 
 
-def _transitions(node: Any, name: str, everything: bool = False) -> list[Any]:
+def _transitions(node: Node, name: str, everything: bool = False) -> list[Any]:
     from lifecycle_msgs.srv import GetAvailableTransitions
 
     service = "get_transition_graph" if everything else "get_available_transitions"
@@ -85,7 +90,7 @@ def _transitions(node: Any, name: str, everything: bool = False) -> list[Any]:
     return list(_ask(node, name, kind, service, kind.Request()).available_transitions)
 
 
-def list_transitions(args: Any) -> int:
+def list_transitions(args: Namespace) -> int:
     """Print the transitions that are currently possible, or all."""
     with ask.command_node() as node:
         for transition in _transitions(node, _checked(args), args.all):
@@ -96,7 +101,7 @@ def list_transitions(args: Any) -> int:
     return 0
 
 
-def set_state(args: Any) -> int:
+def set_state(args: Namespace) -> int:
     """Make a transition."""
     from lifecycle_msgs.msg import Transition
     from lifecycle_msgs.srv import ChangeState

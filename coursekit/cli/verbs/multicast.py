@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.cli import ask
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 _DATA = b"Hello World!"
 
@@ -24,7 +27,7 @@ def register(subparsers: Any) -> None:
     receive.add_argument("--timeout", type=float, default=None, help="How long to wait [s]")
 
 
-def send_one(args: Any) -> int:
+def send_one(args: Namespace) -> int:
     """Send one datagram."""
     from ros2multicast.api import send
 
@@ -36,7 +39,7 @@ def send_one(args: Any) -> int:
     return 0
 
 
-def receive_one(args: Any) -> int:
+def receive_one(args: Namespace) -> int:
     """Wait for one datagram and show it."""
     from ros2multicast.api import receive
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ros2node.api import INFO_NONUNIQUE_WARNING_TEMPLATE
 
 from coursekit.cli import ask
 from coursekit.core.graph import names_and_types
 from coursekit.rcl.names import is_hidden
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 DUPLICATES = (
     "WARNING: Be aware that are nodes in the graph that share an exact name, this can have unintended side effects."
@@ -29,7 +32,7 @@ def register(subparsers: Any) -> None:
     info.set_defaults(main=show_info)
 
 
-def list_nodes(args: Any) -> int:
+def list_nodes(args: Namespace) -> int:
     """Print the nodes' full names."""
     names = ask.node_names(args.all)
     if args.count_nodes:
@@ -42,7 +45,7 @@ def list_nodes(args: Any) -> int:
     return 0
 
 
-def show_info(args: Any) -> int:
+def show_info(args: Namespace) -> int:
     """Print the publishers, subscriptions, servers and clients of a node."""
     name = ask.full_name(args.node_name)
     count = ask.node_names(args.include_hidden).count(name)

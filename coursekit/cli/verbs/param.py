@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import yaml
 
 from coursekit.cli import ask, param_text
 from coursekit.files import write_whole
+
+if TYPE_CHECKING:
+    from argparse import Namespace
+
+    from rclpy.node import Node
 
 _SERVICES = "rcl_interfaces/srv/ListParameters"
 
@@ -51,14 +56,14 @@ def _parameter_name(parser: Any) -> None:
     parser.add_argument("parameter_name", help="Name of the parameter").completer = _complete_names
 
 
-def _complete_names(parsed_args: Any, **_: Any) -> list[str]:
+def _complete_names(parsed_args: Namespace, **_: Any) -> list[str]:
     return ask.complete_by("param", "list", parsed_args.node_name)()  # type: ignore[no-any-return]
 
 
 class _Asking:
     """Calls a node's parameter services and waits for the responses."""
 
-    def __init__(self, node: Any, name: str) -> None:
+    def __init__(self, node: Node, name: str) -> None:
         from rclpy.parameter_client import AsyncParameterClient
 
         ask.find_node(name)
@@ -87,14 +92,14 @@ class _Asking:
         return list(self("get_parameters", names).values)
 
 
-def _nodes(args: Any) -> list[str]:
+def _nodes(args: Namespace) -> list[str]:
     if args.node_name:
         return [ask.full_name(args.node_name)]
     serving = {name.rpartition("/")[0] for name, types in ask.services(hidden=True) if _SERVICES in types}
     return [name for name in ask.node_names(args.hidden) if name in serving]
 
 
-def list_parameters(args: Any) -> int:
+def list_parameters(args: Namespace) -> int:
     """Print the parameter names of one node, or of all nodes."""
     import re
 
@@ -110,7 +115,7 @@ def list_parameters(args: Any) -> int:
     return 0
 
 
-def get_parameter(args: Any) -> int:
+def get_parameter(args: Namespace) -> int:
     """Print a parameter's value."""
     with ask.command_node() as node:
         values = _Asking(node, args.node_name).values([args.parameter_name])
@@ -122,7 +127,7 @@ def get_parameter(args: Any) -> int:
     return 0
 
 
-def set_parameter(args: Any) -> int:
+def set_parameter(args: Namespace) -> int:
     """Set a parameter; the value's type is inferred from its text, as in YAML."""
     from rcl_interfaces.msg import Parameter
     from rclpy.parameter import get_parameter_value
@@ -138,7 +143,7 @@ def set_parameter(args: Any) -> int:
     return 0
 
 
-def describe_parameters(args: Any) -> int:
+def describe_parameters(args: Namespace) -> int:
     """Print types, descriptions and constraints."""
     with ask.command_node() as node:
         descriptors = _Asking(node, args.node_name)("describe_parameters", args.parameter_names).descriptors
@@ -147,7 +152,7 @@ def describe_parameters(args: Any) -> int:
     return 0
 
 
-def dump_parameters(args: Any) -> int:
+def dump_parameters(args: Namespace) -> int:
     """Print, or save, a file that reproduces the node's current parameters."""
     if args.output_dir is not None and not Path(args.output_dir).is_dir():
         raise ask.Unhappy(f"'{args.output_dir}' is not a valid directory.")
@@ -166,7 +171,7 @@ def dump_parameters(args: Any) -> int:
     return 0
 
 
-def load_parameters(args: Any) -> int:
+def load_parameters(args: Namespace) -> int:
     """Set the node's parameters from a file."""
     from rclpy.parameter import parameter_dict_from_yaml_file
 
@@ -197,7 +202,7 @@ def _check_named(path: str, node: str, use_wildcard: bool) -> None:
         raise RuntimeError(f"Param file does not contain parameters for {node},  only for nodes: {names}")
 
 
-def delete_parameter(args: Any) -> int:
+def delete_parameter(args: Namespace) -> int:
     """Delete a parameter's value."""
     with ask.command_node() as node:
         result = _Asking(node, args.node_name)("delete_parameters", [args.parameter_name]).results[0]

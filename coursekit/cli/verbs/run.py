@@ -6,7 +6,7 @@ import argparse
 import os
 import sys
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.interfaces.find import UNDERLAY
 from coursekit.processes.executables import (
@@ -26,6 +26,9 @@ from coursekit.systems.signal_names import described
 from coursekit.systems.words import split_words
 from coursekit.wiring import COMPILED_HOST
 
+if TYPE_CHECKING:
+    from argparse import Namespace
+
 PREFIX = "[ros2run]:"
 
 
@@ -41,14 +44,14 @@ def register(subparsers: Any) -> None:
     parser.set_defaults(main=main)
 
 
-def _executable_names(parsed_args: Any, **_: Any) -> list[str]:
+def _executable_names(parsed_args: Namespace, **_: Any) -> list[str]:
     try:
         return [path.name for path in executables_of(parsed_args.package_name)]
     except PackageNotFound:
         return []
 
 
-def main(args: Any) -> int:
+def main(args: Namespace) -> int:
     """Run the executable and wait for its end, passing through its output and Ctrl-C."""
     path = _by_itself(args)
     if path is not None:
@@ -69,7 +72,7 @@ def main(args: Any) -> int:
     return _outcome(_wait(process))
 
 
-def _by_itself(args: Any) -> Path | None:
+def _by_itself(args: Namespace) -> Path | None:
     """Return the compiled program that called this command itself: it passes its folder in place of a package."""
     path = Path(args.package_name, args.executable_name)
     return path if os.path.isabs(args.package_name) and path.is_file() and is_compiled_here(path) else None

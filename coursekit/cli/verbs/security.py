@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import argparse
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.cli import ask
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 VERBS = (
     "create_enclave",
@@ -34,6 +37,6 @@ def register(subparsers: Any) -> None:
         verb.set_defaults(main=main)
 
 
-def main(args: Any) -> int:
+def main(args: Namespace) -> int:
     """Print why the command is not available."""
     raise ask.Unhappy(WHY)

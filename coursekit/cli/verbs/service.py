@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.cli import ask
 from coursekit.cli.topic_pub import positive
 from coursekit.core.graph import names_and_types
 from coursekit.processes.session import current
 from coursekit.rcl.names import is_hidden
+
+if TYPE_CHECKING:
+    from argparse import Namespace
+
+    from rclpy.node import Node
 
 
 def register(subparsers: Any) -> None:
@@ -38,7 +43,7 @@ def register(subparsers: Any) -> None:
     call.set_defaults(main=call_service)
 
 
-def list_services(args: Any) -> int:
+def list_services(args: Namespace) -> int:
     """Print the services that have a server."""
     found = _served(args.hidden or args.hidden_too)
     if args.count_services:
@@ -53,7 +58,7 @@ def _served(hidden: bool) -> list[tuple[str, list[str]]]:
     return ask.services(hidden)
 
 
-def show_type(args: Any) -> int:
+def show_type(args: Namespace) -> int:
     """Print a service's types."""
     types = dict(ask.services(args.hidden)).get(ask.full_name(args.service_name))
     for type_name in types or ():
@@ -61,7 +66,7 @@ def show_type(args: Any) -> int:
     return 0 if types else 1
 
 
-def find_services(args: Any) -> int:
+def find_services(args: Namespace) -> int:
     """Print the services of a type."""
     found = [name for name, types in _served(args.hidden or args.hidden_too) if args.service_type in types]
     if args.count_services:
@@ -72,7 +77,7 @@ def find_services(args: Any) -> int:
     return 0
 
 
-def call_service(args: Any) -> int:
+def call_service(args: Namespace) -> int:
     """Send a request and print the response."""
     values = ask.yaml_values(args.values)
     kind = _service_type(args.service_type)
@@ -121,7 +126,7 @@ def _filled(request: Any, values: dict[str, Any]) -> Any:
     return request
 
 
-def _call_once(node: Any, client: Any, request: Any) -> None:
+def _call_once(node: Node, client: Any, request: Any) -> None:
     import rclpy
 
     print(f"requester: making request: {request!r}\n")

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.cli import ask, topic_echo, topic_pub, topic_rates
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 
 def register(subparsers: Any) -> None:
@@ -45,7 +48,7 @@ def _register_list(verbs: Any) -> None:
     lister.set_defaults(main=list_topics)
 
 
-def list_topics(args: Any) -> int:
+def list_topics(args: Namespace) -> int:
     """Print the topics."""
     found = ask.topics(args.hidden or args.hidden_too)
     if args.count_topics:
@@ -72,7 +75,7 @@ def _list_verbose(found: list[tuple[str, list[str]]]) -> None:
     print("")
 
 
-def show_info(args: Any) -> int:
+def show_info(args: Namespace) -> int:
     """Print a topic's type and endpoints."""
     name = ask.full_name(args.topic_name)
     types = dict(ask.topics(hidden=True)).get(name)
@@ -93,7 +96,7 @@ def show_info(args: Any) -> int:
     return 0
 
 
-def show_type(args: Any) -> int:
+def show_type(args: Namespace) -> int:
     """Print a topic's types."""
     types = dict(ask.topics(args.hidden)).get(ask.full_name(args.topic_name))
     for type_name in types or ():
@@ -101,7 +104,7 @@ def show_type(args: Any) -> int:
     return 0 if types else 1
 
 
-def find_topics(args: Any) -> int:
+def find_topics(args: Namespace) -> int:
     """Print the topics of a type."""
     found = [name for name, types in ask.topics(args.hidden or args.hidden_too) if args.topic_type in types]
     if args.count_topics:

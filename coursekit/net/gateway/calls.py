@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import os
 import time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy.serialization import deserialize_message, serialize_message
 from rclpy.task import Future
@@ -13,6 +13,9 @@ from zenoh import ConsolidationMode, Locality, QueryTarget
 
 from ..wire.attachment import Attachment, read_attachment
 from ..wire.names import ANY_HASH
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 PATIENCE_SECONDS = 86400.0
 """Timeout for a response [s]."""
@@ -52,7 +55,7 @@ class Offered:
 class Passed:
     """A remote server, offered as a ROS service at a node here."""
 
-    def __init__(self, gateway: Any, node: Any, name: str, type_name: str, type_hash: str, kind: Any, profile: Any) -> None:
+    def __init__(self, gateway: Any, node: Node, name: str, type_name: str, type_hash: str, kind: Any, profile: Any) -> None:
         self._gateway, self._node, self._kind = gateway, node, kind
         self._numbers = itertools.count(1)
         self._gid = os.urandom(16)

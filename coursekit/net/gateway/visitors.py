@@ -86,7 +86,7 @@ class Visitors:
             self._gateway.executor.add_node(node)
         return self._nodes[key]
 
-    def _make(self, node: Any, token: Token, text: str) -> Callable[[], None]:
+    def _make(self, node: Node, token: Token, text: str) -> Callable[[], None]:
         kind, profile = class_of(token.type_name), profile_of(token.quality)
         makers = {PUBLISHER: self._publisher, SUBSCRIPTION: self._subscription, SERVER: self._server, CLIENT: self._client}
         return makers[token.kind](node, token, text, kind, profile)
@@ -97,7 +97,7 @@ class Visitors:
             self._topics[key] = Topic(self._gateway, token.name, token.type_name, kind)
         return self._topics[key]
 
-    def _publisher(self, node: Any, token: Token, text: str, kind: Any, profile: Any) -> Callable[[], None]:
+    def _publisher(self, node: Node, token: Token, text: str, kind: Any, profile: Any) -> Callable[[], None]:
         publisher, topic, gid = node.create_publisher(kind, token.name, profile), self._topic(token, kind), gid_of(text)
         topic.add_speaker(gid, publisher, latched=is_latched(profile))
 
@@ -107,7 +107,7 @@ class Visitors:
 
         return undo
 
-    def _subscription(self, node: Any, token: Token, text: str, kind: Any, profile: Any) -> Callable[[], None]:
+    def _subscription(self, node: Node, token: Token, text: str, kind: Any, profile: Any) -> Callable[[], None]:
         shown = node.create_subscription(kind, token.name, lambda _data: None, profile, raw=True)
         topic = self._topic(token, kind)
         topic.add_listener(text, token.type_hash, token.quality)
@@ -118,10 +118,10 @@ class Visitors:
 
         return undo
 
-    def _server(self, node: Any, token: Token, _text: str, kind: Any, profile: Any) -> Callable[[], None]:
+    def _server(self, node: Node, token: Token, _text: str, kind: Any, profile: Any) -> Callable[[], None]:
         return Passed(self._gateway, node, token.name, token.type_name, token.type_hash, kind, profile).close
 
-    def _client(self, node: Any, token: Token, _text: str, kind: Any, _profile: Any) -> Callable[[], None]:
+    def _client(self, node: Node, token: Token, _text: str, kind: Any, _profile: Any) -> Callable[[], None]:
         client = node.create_client(kind, token.name)
 
         def undo() -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from controller_manager_msgs.srv import (
@@ -14,6 +14,9 @@ from controller_manager_msgs.srv import (
 )
 from rclpy.duration import Duration
 
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
 
 class NoManager(Exception):
     """The controller manager does not respond; the message is ROS's."""
@@ -22,7 +25,7 @@ class NoManager(Exception):
 class Asker:
     """Calls the services of one manager."""
 
-    def __init__(self, node: Any, manager: str, wait: float = 10.0) -> None:
+    def __init__(self, node: Node, manager: str, wait: float = 10.0) -> None:
         self.node, self.manager, self.wait = node, manager.rstrip("/"), wait
 
     def ask(self, kind: Any, service: str, **fields: Any) -> Any:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from builtin_interfaces.msg import Time
 from rclpy.action import ActionServer
@@ -13,6 +13,9 @@ from rclpy.publisher import Publisher
 from rclpy.service import Service
 from rclpy.subscription import Subscription
 from rclpy.timer import Timer
+
+if TYPE_CHECKING:
+    from rclpy.executors import Executor
 
 
 class ControlError(Exception):
@@ -117,7 +120,7 @@ class Controller:
         node = self.node
         return [*node.publishers, *node.subscriptions, *node.services, *node.timers, *node.waitables]
 
-    def leave(self, executor: Any) -> None:
+    def leave(self, executor: Executor) -> None:
         """Handle the unloading."""
         executor.remove_node(self.node)
         self.close()

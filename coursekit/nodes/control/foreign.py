@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy.logging import get_logger
 from rclpy.node import Node
@@ -13,6 +13,9 @@ from coursekit.nodes.compiled.frames import Unpacker
 
 from .controller import ControlError, Controller, Interfaces
 from .programs import CppFault, PluginFault, Program, check, plugins_of, program_of
+
+if TYPE_CHECKING:
+    from rclpy.executors import Executor
 
 _PACKAGE = "controller_interface"
 _BASES = ("ControllerInterface", "ChainableControllerInterface")
@@ -88,7 +91,7 @@ class ForeignController(Controller):
         answer.integer()
         self._take(answer)
 
-    def leave(self, executor: Any) -> None:
+    def leave(self, executor: Executor) -> None:
         """End its program, which has its node."""
         self._program.close()
 

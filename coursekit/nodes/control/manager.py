@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 import yaml
 from rclpy.logging import get_logger
@@ -20,12 +20,15 @@ from .lifecycle import bring
 from .switching import Loaded, Switching
 from .types import TYPES
 
+if TYPE_CHECKING:
+    from rclpy.executors import Executor
+
 
 class Manager:
     """Controllers and hardware; `node` is the manager's node, `arguments` are for the controllers' nodes."""
 
     def __init__(
-        self, node: Node, executor: Any, arguments: Sequence[str] = (), makers: Mapping[str, Maker] = TYPES
+        self, node: Node, executor: Executor, arguments: Sequence[str] = (), makers: Mapping[str, Maker] = TYPES
     ) -> None:
         self.node, self.executor, self.arguments, self.makers = node, executor, list(arguments), makers
         self.log = node.get_logger()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from builtin_interfaces.msg import Time
@@ -19,6 +19,9 @@ from coursekit.sim.simulation import Simulation
 
 from .devices import BumpDevice, Device, ImuDevice, JointDevice, MotorDevice, RayDevice
 from .ray_messages import RAY_TYPES
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 SENSOR = QoSProfile(depth=5)
 """Reliable, which is compatible with all subscriptions."""
@@ -56,7 +59,7 @@ class Nobody:
 class SensorPublisher:
     """A device of a simulated robot; the k-th message is for time `begin + k / rate`, the next one is due at `due_ns`."""
 
-    def __init__(self, node: Any, simulation: Simulation, robot: Robot, device: Device, seed: int, begin_ns: int) -> None:
+    def __init__(self, node: Node, simulation: Simulation, robot: Robot, device: Device, seed: int, begin_ns: int) -> None:
         self.node, self.simulation, self.robot, self.device = node, simulation, robot, device
         self.chance = np.random.default_rng(seed)
         self.publishers: list[Any] = []

@@ -5,9 +5,12 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ament_index_python.resources import get_resource, get_resource_types, get_resources
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 
 def main(argv: list[str] | None = None) -> str | None:
@@ -54,7 +57,7 @@ def resource_type_completer(prefix: str, **kwargs: Any) -> list[str]:
     return [name for name in get_resource_types() if name.startswith(prefix)]
 
 
-def resource_name_completer(prefix: str, parsed_args: Any, **kwargs: Any) -> list[str]:
+def resource_name_completer(prefix: str, parsed_args: Namespace, **kwargs: Any) -> list[str]:
     """Return the resources of the type given before that begin with `prefix`."""
     if not getattr(parsed_args, "resource_type", None):
         return []

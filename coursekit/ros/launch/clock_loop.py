@@ -14,9 +14,12 @@ import heapq
 from collections import deque
 from collections.abc import Callable
 from contextvars import Context
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.processes import session
+
+if TYPE_CHECKING:
+    from rclpy.executors import Executor
 
 
 class ClockLoop(asyncio.AbstractEventLoop):
@@ -81,7 +84,7 @@ class ClockLoop(asyncio.AbstractEventLoop):
         """Start a coroutine."""
         return asyncio.Task(coro, loop=self, **kwargs)
 
-    def run_in_executor(self, executor: Any, func: Callable[..., Any], *args: Any) -> asyncio.Future[Any]:  # type: ignore[override]
+    def run_in_executor(self, executor: Executor, func: Callable[..., Any], *args: Any) -> asyncio.Future[Any]:  # type: ignore[override]
         """Run a function in a separate execution context; the future gets its result or exception."""
         future = self.create_future()
 

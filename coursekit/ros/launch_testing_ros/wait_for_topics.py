@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
 
 
 class WaitForTopics:
@@ -70,7 +73,7 @@ class WaitForTopics:
 class _Listener(Node):
     """The node that subscribes to the topics."""
 
-    def __init__(self, context: Any) -> None:
+    def __init__(self, context: Context) -> None:
         super().__init__("test_node", context=context)
         self.all_received = threading.Event()
         self.expected: set[str] = set()

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy._executor_work import TimeoutObject, Work, never
 from rclpy.task import Future, Task
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 
 class Executor(Work):
@@ -24,7 +27,7 @@ class Executor(Work):
 
     # -- nodes
 
-    def add_node(self, node: Any) -> bool:
+    def add_node(self, node: Node) -> bool:
         """Serve this node; False if this executor already serves it. A node has one executor: the last it was added to."""
         _check_is_node(node)
         with self._lock:
@@ -36,7 +39,7 @@ class Executor(Work):
         self.wake()
         return True
 
-    def remove_node(self, node: Any) -> None:
+    def remove_node(self, node: Node) -> None:
         """Stop serving this node. It still refers to its last executor, so that its tasks find it."""
         with self._lock:
             if node not in self._nodes:
@@ -134,7 +137,7 @@ class Executor(Work):
         self.shutdown()
 
 
-def _check_is_node(node: Any) -> None:
+def _check_is_node(node: Node) -> None:
     """Reject anything but a node before it is added: the executor could not remove it again."""
     if isinstance(node, type):
         name = node.__name__

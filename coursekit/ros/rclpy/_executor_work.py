@@ -9,12 +9,15 @@ from __future__ import annotations
 import inspect
 import threading
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.core.ready_queue import ReadyQueue
 from coursekit.processes.session import current
 from rclpy.task import Future, Task
 from rclpy.utilities import get_default_context, timeout_sec_to_nsec
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
 
 _POLL_WEIGHT = 100
 """A spin that may not wait and finds nothing counts as this many polls of the virtual clock."""
@@ -81,7 +84,7 @@ def never() -> bool:
 class Work:
     """The queue of ready entities and the tasks of one executor."""
 
-    def __init__(self, context: Any) -> None:
+    def __init__(self, context: Context) -> None:
         self._context = get_default_context() if context is None else context
         self._clock = current().clock
         self._queue = ReadyQueue(self._clock)

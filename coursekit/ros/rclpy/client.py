@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import threading
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.processes.session import current
 from rclpy._lent import lender
 from rclpy._rclpy_pybind11 import Client as _Handle
 from rclpy.task import Future
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.context import Context
 
 __getattr__ = lender(__name__)  # names that programs import from here
 
@@ -18,12 +22,12 @@ class Client:
 
     def __init__(
         self,
-        context: Any,
+        context: Context,
         client_impl: _Handle,
         srv_type: Any,
         srv_name: str,
         qos_profile: Any,
-        callback_group: Any,
+        callback_group: CallbackGroup,
     ) -> None:
         self.context = context
         self.__client = client_impl

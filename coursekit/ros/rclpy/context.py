@@ -7,12 +7,15 @@ import sys
 import threading
 import weakref
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.processes.process import current_process
 from coursekit.processes.session import current, locals_here
 from coursekit.rcl.arguments import RosArgumentsError, UnknownRosArguments, parse_ros_arguments
 from rclpy._rclpy_pybind11 import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 
 class ContextHandle:
@@ -154,10 +157,10 @@ class Context:
             raise RuntimeError("Context must be initialized before it can have a domain id")
         return self._handle.domain_id
 
-    def track_node(self, node: Any) -> None:
+    def track_node(self, node: Node) -> None:
         """Do nothing; a node that joins calls this."""
 
-    def untrack_node(self, node: Any) -> None:
+    def untrack_node(self, node: Node) -> None:
         """Do nothing; a node that leaves calls this."""
 
     def __enter__(self) -> Context:

@@ -5,13 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import IntEnum
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.core import status as core_status
 from rclpy._rclpy_pybind11 import Handle, UnsupportedEventTypeError
 from rclpy.logging import get_logger
 from rclpy.qos import QoSPolicyKind, qos_policy_name_from_kind
 from rclpy.waitable import NumberOfEntities, Waitable
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
 
 
 @dataclass
@@ -155,7 +158,7 @@ class EventHandler(Waitable):
     """Calls a callback on one kind of event of one endpoint."""
 
     def __init__(
-        self, *, callback_group: Any, callback: Callable[[Any], Any], event_type: Any, parent_impl: Any
+        self, *, callback_group: CallbackGroup, callback: Callable[[Any], Any], event_type: Any, parent_impl: Any
     ) -> None:
         super().__init__(callback_group)
         self.event_type = event_type
@@ -208,7 +211,7 @@ class _EventCallbacks:
     _names: tuple[tuple[str, Any], ...] = ()
     use_default_callbacks = True
 
-    def create_event_handlers(self, callback_group: Any, handle: Any, topic_name: str) -> list[EventHandler]:
+    def create_event_handlers(self, callback_group: CallbackGroup, handle: Any, topic_name: str) -> list[EventHandler]:
         """The handlers of the given callbacks, and of the default callback."""
         handlers = []
         for name, event_type in self._names:

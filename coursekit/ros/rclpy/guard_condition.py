@@ -3,15 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy._rclpy_pybind11 import GuardCondition as _Handle
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
 
 
 class GuardCondition:
     """A guard condition, created by `Node.create_guard_condition`."""
 
-    def __init__(self, callback: Callable[[], Any] | None, callback_group: Any, context: Any = None) -> None:
+    def __init__(
+        self, callback: Callable[[], Any] | None, callback_group: CallbackGroup | None, context: Any = None
+    ) -> None:
         self._handle = _Handle()
         self.callback = callback
         self.callback_group = callback_group

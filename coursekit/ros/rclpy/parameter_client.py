@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import Parameter as ParameterMsg
 from rcl_interfaces.srv import (
@@ -19,6 +19,9 @@ from coursekit.processes import session
 from rclpy.parameter import Parameter, parameter_dict_from_yaml_file
 from rclpy.qos import QoSProfile, qos_profile_services_default
 from rclpy.task import Future
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 Done = Callable[[Future], None]
 
@@ -42,7 +45,7 @@ class AsyncParameterClient:
 
     def __init__(
         self,
-        node: Any,
+        node: Node,
         remote_node_name: str,
         qos_profile: QoSProfile = qos_profile_services_default,
         callback_group: Any = None,

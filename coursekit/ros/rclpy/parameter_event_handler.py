@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import Parameter, ParameterEvent
 
 from coursekit.rcl import names
 from rclpy.qos import QoSProfile, qos_profile_parameter_events
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 
 class ParameterCallbackHandle:
@@ -43,7 +46,7 @@ class ParameterEventHandler:
 
     def __init__(
         self,
-        node: Any,
+        node: Node,
         qos_profile: QoSProfile = qos_profile_parameter_events,
         callback_group: Any = None,
         event_callbacks: Any = None,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import weakref
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import SetParametersResult
 from rcl_interfaces.srv import (
@@ -20,13 +20,16 @@ from rclpy.exceptions import ParameterNotDeclaredException, ParameterUninitializ
 from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter
 from rclpy.qos import qos_profile_parameters
 
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
 TOPIC_SEPARATOR_STRING = "/"
 
 
 class ParameterService:
     """Serves the parameters of one node, under `~/describe_parameters`, `~/get_parameters`, and so on."""
 
-    def __init__(self, node: Any) -> None:
+    def __init__(self, node: Node) -> None:
         self._node = weakref.ref(node)
         self.services = [
             node.create_service(type_, f"~/{name}", callback, qos_profile=qos_profile_parameters)

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.interfaces import cdr
 from rclpy._lent import lender
 from rclpy._rclpy_pybind11 import Publisher as _Handle
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.duration import Duration
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
 
 __getattr__ = lender(__name__)  # names that programs import from here
 
@@ -23,7 +26,7 @@ class Publisher:
         topic: str,
         qos_profile: Any,
         event_callbacks: Any,
-        callback_group: Any,
+        callback_group: CallbackGroup,
     ) -> None:
         self.__publisher = publisher_impl
         self._core = publisher_impl.core

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import inspect
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy._lent import lender
 from rclpy._rclpy_pybind11 import Service as _Handle
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
 
 __getattr__ = lender(__name__)  # names that programs import from here
 
@@ -21,7 +24,7 @@ class Service:
         srv_type: Any,
         srv_name: str,
         callback: Callable[[Any, Any], Any],
-        callback_group: Any,
+        callback_group: CallbackGroup,
         qos_profile: Any,
     ) -> None:
         self.__service = service_impl

@@ -6,11 +6,14 @@ import inspect
 from collections.abc import Callable
 from enum import Enum
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy._lent import lender
 from rclpy._rclpy_info import as_bytes, message_info
 from rclpy._rclpy_pybind11 import Subscription as _Handle
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
 
 __getattr__ = lender(__name__)  # names that programs import from here
 
@@ -30,7 +33,7 @@ class Subscription:
         msg_type: Any,
         topic: str,
         callback: Callable[..., Any],
-        callback_group: Any,
+        callback_group: CallbackGroup,
         qos_profile: Any,
         raw: bool,
         event_callbacks: Any,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import threading
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.processes.session import current
 from rclpy._rclpy_pybind11 import RCLError
@@ -13,6 +13,9 @@ from rclpy._rclpy_pybind11 import Timer as _Handle
 from rclpy.exceptions import ROSInterruptException
 from rclpy.impl.rcl_log import timer_called, timer_made
 from rclpy.utilities import get_default_context
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
 
 
 class TimerInfo:
@@ -31,7 +34,7 @@ class Timer:
     def __init__(
         self,
         callback: Callable[..., Any] | None,
-        callback_group: Any,
+        callback_group: CallbackGroup,
         timer_period_ns: int,
         clock: Any,
         *,

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy._rclpy_pybind11 import WaitSet
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
 
 
 class NumberOfEntities:
@@ -51,7 +54,7 @@ class NumberOfEntities:
 class Waitable:
     """Base class; a subclass defines what it waits for, takes the data and executes."""
 
-    def __init__(self, callback_group: Any) -> None:
+    def __init__(self, callback_group: CallbackGroup) -> None:
         callback_group.add_entity(self)
         self.callback_group = callback_group
         self._futures: list[Any] = []

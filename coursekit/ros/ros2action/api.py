@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy.action
 from rclpy.expand_topic_name import expand_topic_name
@@ -11,6 +11,9 @@ from ros2cli.node.strategy import NodeStrategy
 from ros2node.api import get_action_client_info, get_action_server_info, get_node_names
 from rosidl_runtime_py import get_action_interfaces, message_to_yaml
 from rosidl_runtime_py.utilities import get_action
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 NamesAndTypes = list[tuple[str, list[str]]]
 
@@ -57,7 +60,7 @@ def get_action_class(node: Any, action_name: str) -> Any:
         raise RuntimeError(f"The action type '{types[0]}' is invalid") from None
 
 
-def action_name_completer(prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+def action_name_completer(prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
     """Names of actions, for argcomplete."""
     with NodeStrategy(parsed_args) as node:
         return get_action_names(node=node)
@@ -74,7 +77,7 @@ class ActionTypeCompleter:
     def __init__(self, *, action_name_key: str | None = None) -> None:
         self.action_name_key = action_name_key
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """The types."""
         if self.action_name_key is None:
             return action_type_completer()
@@ -89,6 +92,6 @@ class ActionGoalPrototypeCompleter:
     def __init__(self, *, action_type_key: str | None = None) -> None:
         self.action_type_key = action_type_key
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """The values as YAML."""
         return [message_to_yaml(get_action(getattr(parsed_args, str(self.action_type_key))).Goal())]

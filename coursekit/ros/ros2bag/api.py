@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy.duration import Duration
 from rclpy.qos import QoSProfile
 
 from coursekit.cli import bag_arguments
+
+if TYPE_CHECKING:
+    from argparse import ArgumentParser
 
 
 def print_error(string: str) -> str:
@@ -53,6 +56,6 @@ def check_not_negative_int(value: str) -> int:
     return bag_arguments.not_negative_int(value)
 
 
-def add_standard_reader_args(parser: Any) -> None:
+def add_standard_reader_args(parser: ArgumentParser) -> None:
     """Add the arguments for the bag's path and its storage."""
     bag_arguments.add_reader(parser)

@@ -5,12 +5,15 @@ from __future__ import annotations
 import functools
 import os
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from rclpy.utilities import timeout_sec_to_nsec
 
 from coursekit.processes.session import current
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 _WAIT_SECONDS = 5.0
 
@@ -41,7 +44,7 @@ def wait_for(predicate: Callable[[], bool], timeout: float | None, period: float
     return True
 
 
-def call_service(node: Any, kind: Any, name: str, request: Any, absent: str) -> Any:
+def call_service(node: Node, kind: Any, name: str, request: Any, absent: str) -> Any:
     """Wait for a service, call it and return its response.
 
     Raises:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from composition_interfaces.srv import ListNodes, LoadNode, UnloadNode
 from rcl_interfaces.msg import Parameter
@@ -13,6 +13,9 @@ from ros2node.api import NodeName, get_node_names, get_service_server_info
 from ros2param.api import get_parameter_value
 
 from coursekit.processes.components import registered
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 COMPONENTS_RESOURCE_TYPE = "rclcpp_components"
 _SERVICES = {"load_node": LoadNode, "unload_node": UnloadNode, "list_nodes": ListNodes}
@@ -112,7 +115,7 @@ def unload_component_from_container(
         yield uid, answer.success, answer.error_message
 
 
-def container_node_name_completer(prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+def container_node_name_completer(prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
     """Full names of containers, for argcomplete."""
     with NodeStrategy(parsed_args) as node:
         return [name.full_name for name in get_container_names(node=node)]
@@ -124,6 +127,6 @@ class ComponentTypeNameCompleter:
     def __init__(self, *, package_name_key: str | None = None) -> None:
         self.package_name_key = package_name_key
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """The classes."""
         return get_package_component_types(package_name=getattr(parsed_args, str(self.package_name_key)))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from lifecycle_msgs.srv import ChangeState, GetAvailableTransitions, GetState
@@ -10,10 +10,13 @@ from ros2node.api import NodeName, NodeNameCompleter
 from ros2node.api import get_node_names as get_all_node_names
 from ros2service.api import get_service_names_and_types
 
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
 _SERVICE = "get_state"
 
 
-def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> list[NodeName]:
+def get_node_names(*, node: Node, include_hidden_nodes: bool = False) -> list[NodeName]:
     """The nodes with a service for their state."""
     services = get_service_names_and_types(node=node, include_hidden_services=include_hidden_nodes)
     serving = {name for name, types in services if "lifecycle_msgs/srv/GetState" in types}
@@ -21,7 +24,7 @@ def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> list[Nod
     return [other for other in nodes if f"{other.full_name}/{_SERVICE}" in serving]
 
 
-def _call_all(node: Any, kind: Any, service: str, requests: dict[str, Any]) -> dict[str, Any]:
+def _call_all(node: Node, kind: Any, service: str, requests: dict[str, Any]) -> dict[str, Any]:
     """The response or the exception of each request, by node; None for nodes that are gone."""
     target = getattr(node, "node", node)
     clients = {name: target.create_client(kind, f"{name}/{service}") for name in requests}
@@ -38,29 +41,29 @@ def _call_all(node: Any, kind: Any, service: str, requests: dict[str, Any]) -> d
     return answers
 
 
-def call_get_states(*, node: Any, node_names: list[str]) -> dict[str, Any]:
+def call_get_states(*, node: Node, node_names: list[str]) -> dict[str, Any]:
     """The State of each node, or the exception of the call."""
     answers = _call_all(node, GetState, _SERVICE, {name: GetState.Request() for name in node_names})
     return {name: getattr(answer, "current_state", answer) for name, answer in answers.items()}
 
 
-def _call_transitions(node: Any, names: list[str], service: str) -> dict[str, Any]:
+def _call_transitions(node: Node, names: list[str], service: str) -> dict[str, Any]:
     requests = {name: GetAvailableTransitions.Request() for name in names}
     answers = _call_all(node, GetAvailableTransitions, service, requests)
     return {name: getattr(answer, "available_transitions", answer) for name, answer in answers.items()}
 
 
-def call_get_available_transitions(*, node: Any, states: dict[str, Any]) -> dict[str, Any]:
+def call_get_available_transitions(*, node: Node, states: dict[str, Any]) -> dict[str, Any]:
     """The currently available transitions of each node, or an exception."""
     return _call_transitions(node, list(states), "get_available_transitions")
 
 
-def call_get_transition_graph(*, node: Any, states: dict[str, Any]) -> dict[str, Any]:
+def call_get_transition_graph(*, node: Node, states: dict[str, Any]) -> dict[str, Any]:
     """All transitions of each node, or an exception."""
     return _call_transitions(node, list(states), "get_transition_graph")
 
 
-def call_change_states(*, node: Any, transitions: dict[str, Any]) -> dict[str, Any]:
+def call_change_states(*, node: Node, transitions: dict[str, Any]) -> dict[str, Any]:
     """Request transitions of nodes. Return for each node whether it succeeded, or an exception."""
     requests = {name: ChangeState.Request(transition=transition) for name, transition in transitions.items()}
     answers = _call_all(node, ChangeState, "change_state", requests)
@@ -71,5 +74,5 @@ class LifecycleNodeNameCompleter(NodeNameCompleter):
     """Full names of managed nodes, for argcomplete."""
 
     @staticmethod
-    def _names(node: Any, hidden: bool) -> list[NodeName]:
+    def _names(node: Node, hidden: bool) -> list[NodeName]:
         return get_node_names(node=node, include_hidden_nodes=hidden)

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from rclpy.action.graph import get_action_client_names_and_types_by_node, get_action_server_names_and_types_by_node
 from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
 from ros2cli.node.strategy import NodeStrategy
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 HIDDEN_NODE_PREFIX = "_"
 INFO_NONUNIQUE_WARNING_TEMPLATE = (
@@ -124,7 +127,7 @@ class NodeNameCompleter:
     def __init__(self, *, include_hidden_nodes_key: str | None = None) -> None:
         self.include_hidden_nodes_key = include_hidden_nodes_key
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """The names of the existing nodes."""
         key = self.include_hidden_nodes_key
         hidden = bool(key and getattr(parsed_args, key))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import Parameter, ParameterValue
 from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
@@ -13,6 +13,9 @@ from ros2cli.helpers import call_service
 from ros2cli.node.direct import DirectNode
 
 from coursekit.cli import param_text
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 
 def get_value(*, parameter_value: ParameterValue) -> Any:
@@ -104,7 +107,7 @@ def _set_and_tell(node: Any, node_name: str, parameters: list[Parameter]) -> Non
 class ParameterNameCompleter:
     """Names of the parameters of the node on the command line, for argcomplete."""
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """The names that begin with `prefix`."""
         with DirectNode(parsed_args) as node:
             names = call_list_parameters(node=node, node_name=parsed_args.node_name)

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ros2pkg.api import PackageNotFound, get_executable_paths
 
 from coursekit.systems.layout import executable_name as executable_name_of
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 __all__ = ["ExecutableNameCompleter", "MultipleExecutables", "PackageNotFound", "get_executable_path"]
 
@@ -39,7 +42,7 @@ class ExecutableNameCompleter:
     def __init__(self, *, package_name_key: str) -> None:
         self.package_name_key = package_name_key
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """The executables of the package on the command line; none if it does not exist."""
         package = getattr(parsed_args, self.package_name_key)
         try:

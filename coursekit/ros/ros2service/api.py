@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from rclpy.expand_topic_name import expand_topic_name
@@ -13,6 +13,9 @@ from rosidl_runtime_py import get_service_interfaces, message_to_yaml
 from rosidl_runtime_py.utilities import get_service
 
 from coursekit.processes.session import current
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 POLL_SECONDS = 0.1
 
@@ -68,7 +71,7 @@ class ServiceNameCompleter:
     def __init__(self, *, include_hidden_services_key: str | None = None) -> None:
         self.include_hidden_services_key = include_hidden_services_key
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """The names of the existing services."""
         key = self.include_hidden_services_key
         hidden = bool(key and getattr(parsed_args, key))
@@ -82,7 +85,7 @@ class ServiceTypeCompleter:
     def __init__(self, *, service_name_key: str | None = None) -> None:
         self.service_name_key = service_name_key
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """The types."""
         if self.service_name_key is not None:
             with NodeStrategy(parsed_args) as node:
@@ -99,6 +102,6 @@ class ServicePrototypeCompleter:
     def __init__(self, *, service_type_key: str | None = None) -> None:
         self.service_type_key = service_type_key
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """The values as YAML."""
         return [message_to_yaml(get_service(getattr(parsed_args, str(self.service_type_key))).Request())]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from argparse import ArgumentParser, ArgumentTypeError
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from rclpy.duration import Duration
@@ -24,6 +24,9 @@ from rosidl_runtime_py import get_message_interfaces, message_to_yaml
 from rosidl_runtime_py.utilities import get_message
 
 from coursekit.processes.session import current
+
+if TYPE_CHECKING:
+    from argparse import Namespace
 
 POLL_SECONDS = 0.1
 POLICIES = (
@@ -171,7 +174,7 @@ class TopicNameCompleter:
     def __init__(self, *, include_hidden_topics_key: str | None = None) -> None:
         self.include_hidden_topics_key = include_hidden_topics_key
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """The names of the existing topics."""
         key = self.include_hidden_topics_key
         hidden = bool(key and getattr(parsed_args, key))
@@ -190,7 +193,7 @@ class TopicTypeCompleter:
     def __init__(self, *, topic_name_key: str | None = None) -> None:
         self.topic_name_key = topic_name_key
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """The types."""
         if self.topic_name_key is not None:
             with NodeStrategy(parsed_args) as node:
@@ -207,6 +210,6 @@ class TopicMessagePrototypeCompleter:
     def __init__(self, *, topic_type_key: str | None = None) -> None:
         self.topic_type_key = topic_type_key
 
-    def __call__(self, prefix: str, parsed_args: Any, **_: Any) -> list[str]:
+    def __call__(self, prefix: str, parsed_args: Namespace, **_: Any) -> list[str]:
         """The values as YAML."""
         return [message_to_yaml(get_message(getattr(parsed_args, str(self.topic_type_key)))())]

@@ -4,13 +4,16 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 
 class Inbox:
     """A queue of actions that run one after the other in the thread of the node's callbacks."""
 
-    def __init__(self, node: Any) -> None:
+    def __init__(self, node: Node) -> None:
         self._acts: deque[Callable[[], Any]] = deque()
         self._guard = node.create_guard_condition(self._work)
 

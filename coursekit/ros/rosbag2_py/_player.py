@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy.clock import Clock, ClockType
 from rclpy.duration import Duration
@@ -27,6 +27,9 @@ from rosbag2_py._qos import offer_for, parse_offers
 from rosbag2_py._reader import SequentialReader
 from rosbag2_py._storage import StorageFilter, StorageOptions
 
+if TYPE_CHECKING:
+    from rclpy.context import Context
+
 _WITHOUT_PAUSE = 64
 """The maximum number of messages published in a row before services and keys are handled."""
 
@@ -34,7 +37,7 @@ _WITHOUT_PAUSE = 64
 class PlayerNode(Node):
     """Publishes the messages of a bag at the times at which they were recorded."""
 
-    def __init__(self, storage: StorageOptions, options: Any, context: Any) -> None:
+    def __init__(self, storage: StorageOptions, options: Any, context: Context) -> None:
         self.reader = SequentialReader()
         self.reader.open(storage)
         super().__init__("rosbag2_player", context=context, cli_args=options.topic_remapping_options)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import contextlib
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy.clock import Clock, ClockType
 from rclpy.executors import SingleThreadedExecutor
@@ -24,11 +24,14 @@ from rosbag2_py._keys import NAMES, SPACE, Keyboard
 from rosbag2_py._qos import offers_text, request_for
 from rosbag2_py._topic_filter import TopicFilter
 
+if TYPE_CHECKING:
+    from rclpy.context import Context
+
 
 class RecorderNode(Node):
     """Subscribes to topics as they appear, and writes their messages to a bag."""
 
-    def __init__(self, settings: WriteSettings, options: Any, context: Any) -> None:
+    def __init__(self, settings: WriteSettings, options: Any, context: Context) -> None:
         sim_time = Parameter("use_sim_time", value=options.use_sim_time)
         name = options.node_name
         super().__init__(name, context=context, parameter_overrides=[sim_time])

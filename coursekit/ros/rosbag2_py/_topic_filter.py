@@ -4,17 +4,20 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rosidl_runtime_py.utilities import get_message
 
 from coursekit.rcl.names import is_hidden
 
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
 
 class TopicFilter:
     """Decides for each topic in the graph whether it is recorded; warns once of a topic that cannot be recorded."""
 
-    def __init__(self, options: Any, topics: list[str], node: Any) -> None:
+    def __init__(self, options: Any, topics: list[str], node: Node) -> None:
         self._options = options
         self._topics = topics
         self._node = node

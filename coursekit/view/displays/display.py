@@ -15,6 +15,8 @@ from .facts import Fact, header_facts, point_text, world
 from .silence import why_nothing
 
 if TYPE_CHECKING:
+    from rclpy.node import Node
+
     from coursekit.view.scene_stage import Stage
 
 LEVELS = ("Ok", "Warn", "Error")
@@ -55,7 +57,7 @@ class Display:
         """The options, by their names in the configuration."""
         return self.config.options
 
-    def connect(self, node: Any) -> None:
+    def connect(self, node: Node) -> None:
         """Subscribe, if the display is on and has a topic."""
         kind = KINDS[self.kind]
         if not kind.type or not self.config.enabled or self._subscription is not None:
@@ -84,7 +86,7 @@ class Display:
             reliability=ReliabilityPolicy[reliability.upper().replace(" ", "_")],
         )
 
-    def disconnect(self, node: Any) -> None:
+    def disconnect(self, node: Node) -> None:
         """Drop the subscription and its messages."""
         if self._subscription is not None:
             node.destroy_subscription(self._subscription)

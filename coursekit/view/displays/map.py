@@ -18,6 +18,8 @@ from .facts import Fact
 from .poses import numbers
 
 if TYPE_CHECKING:
+    from rclpy.node import Node
+
     from coursekit.view.scene_stage import Stage
 
 _UNKNOWN, _BELOW = (112, 137, 134), 0.004
@@ -58,14 +60,14 @@ class Map(StampedDisplay):
         self._parts: deque[Any] = deque(maxlen=100)
         self._updates: Any = None
 
-    def connect(self, node: Any) -> None:
+    def connect(self, node: Node) -> None:
         """Subscribe to the map, and to its partial updates on the topic with the suffix `_updates`."""
         super().connect(node)
         if self._subscription is not None and self._updates is None:
             kind = load("map_msgs/msg/OccupancyGridUpdate")
             self._updates = node.create_subscription(kind, f"{self.config.topic}_updates", self._parts.append, 10)
 
-    def disconnect(self, node: Any) -> None:
+    def disconnect(self, node: Node) -> None:
         """Drop the subscriptions."""
         if self._updates is not None:
             node.destroy_subscription(self._updates)

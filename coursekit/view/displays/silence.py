@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from coursekit.nodes.rviz.kinds import KINDS
 
 if TYPE_CHECKING:
+    from rclpy.node import Node
+
     from .display import Display
 
 
-def why_nothing(node: Any, display: Display) -> str:
+def why_nothing(node: Node, display: Display) -> str:
     """Name the cause: another type, incompatible QoS, a missed earlier message, a silent publisher, or no publisher."""
     topic, wanted = display.config.topic, KINDS[display.kind].type
     resolved = dict(node.get_topic_names_and_types())
@@ -23,7 +25,7 @@ def why_nothing(node: Any, display: Display) -> str:
     return f"Nobody publishes {topic}." + (f" There is: {', '.join(others[:4])}" if others else "")
 
 
-def _unfit(node: Any, display: Display) -> str:
+def _unfit(node: Node, display: Display) -> str:
     """Name the publisher whose QoS is incompatible with the display's, in rclpy's words."""
     from rclpy.qos import QoSCompatibility, qos_check_compatible
 
@@ -34,7 +36,7 @@ def _unfit(node: Any, display: Display) -> str:
     return ""
 
 
-def _missed(node: Any, display: Display) -> str:
+def _missed(node: Node, display: Display) -> str:
     """Name a publisher that keeps messages for late joiners, which the display does not request."""
     from rclpy.qos import DurabilityPolicy
 

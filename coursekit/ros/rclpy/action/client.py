@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import weakref
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from action_msgs.msg import GoalStatusArray
 from action_msgs.srv import CancelGoal
@@ -20,6 +20,9 @@ from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile
 from rclpy.task import Future
 from rclpy.type_support import check_for_type_support
 from rclpy.waitable import NumberOfEntities, Waitable
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 __getattr__ = lender(__name__)  # names that programs import from here
 
@@ -39,7 +42,7 @@ class ActionClient(Waitable):
 
     def __init__(
         self,
-        node: Any,
+        node: Node,
         action_type: Any,
         action_name: str,
         *,

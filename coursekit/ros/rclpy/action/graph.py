@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 NamesAndTypes = list[tuple[str, list[str]]]
 
@@ -20,19 +23,19 @@ def _actions(topics: NamesAndTypes) -> NamesAndTypes:
 
 
 def get_action_client_names_and_types_by_node(
-    node: Any, remote_node_name: str, remote_node_namespace: str
+    node: Node, remote_node_name: str, remote_node_namespace: str
 ) -> NamesAndTypes:
     """Return the actions that a node is a client of."""
     return _actions(node.get_subscriber_names_and_types_by_node(remote_node_name, remote_node_namespace))
 
 
 def get_action_server_names_and_types_by_node(
-    node: Any, remote_node_name: str, remote_node_namespace: str
+    node: Node, remote_node_name: str, remote_node_namespace: str
 ) -> NamesAndTypes:
     """Return the actions that a node serves."""
     return _actions(node.get_publisher_names_and_types_by_node(remote_node_name, remote_node_namespace))
 
 
-def get_action_names_and_types(node: Any) -> NamesAndTypes:
+def get_action_names_and_types(node: Node) -> NamesAndTypes:
     """Return all actions."""
     return _actions(node.get_topic_names_and_types())

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from lifecycle_msgs.msg import State, Transition, TransitionDescription, TransitionEvent
 from lifecycle_msgs.srv import ChangeState, GetAvailableStates, GetAvailableTransitions, GetState
@@ -12,6 +12,9 @@ from rclpy._rclpy_pybind11 import RCLError
 from rclpy.lifecycle import state_machine
 from rclpy.lifecycle.state_machine import STATES, StateMachine
 from rclpy.lifecycle.state_machine import TransitionCallbackReturnType as TransitionCallbackReturn
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
 
 ChangeById = Callable[[int], TransitionCallbackReturn]
 
@@ -35,7 +38,7 @@ def _description(each: state_machine.Transition) -> TransitionDescription:
 class LifecycleServices:
     """The services of one node; they act on its state machine through `change`."""
 
-    def __init__(self, node: Any, machine: StateMachine, change: ChangeById, callback_group: Any) -> None:
+    def __init__(self, node: Any, machine: StateMachine, change: ChangeById, callback_group: CallbackGroup) -> None:
         self._machine = machine
         self._change = change
         offers = [

@@ -5,9 +5,12 @@ from __future__ import annotations
 import argparse
 import inspect
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ros2cli.plugin_system import PLUGIN_SYSTEM_VERSION, get_first_line_doc, instantiate_extensions, satisfies_version
+
+if TYPE_CHECKING:
+    from argparse import ArgumentParser, Namespace
 
 
 class CommandExtension:
@@ -19,10 +22,10 @@ class CommandExtension:
     def __init__(self) -> None:
         satisfies_version(PLUGIN_SYSTEM_VERSION, "^0.1")
 
-    def add_arguments(self, parser: Any, cli_name: str, *, argv: Any = None) -> None:
+    def add_arguments(self, parser: ArgumentParser, cli_name: str, *, argv: Any = None) -> None:
         """Add the command's arguments."""
 
-    def main(self, *, parser: Any, args: Any) -> Any:
+    def main(self, *, parser: ArgumentParser, args: Namespace) -> Any:
         """Run the command."""
         raise NotImplementedError()
 
@@ -40,7 +43,7 @@ def named(extensions: dict[str, Any]) -> dict[str, Any]:
 
 
 def add_subparsers_on_demand(
-    parser: Any,
+    parser: ArgumentParser,
     cli_name: str,
     dest: str,
     group_name: str,

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from types import SimpleNamespace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy._node_graph import NodeGraph
 from rclpy.action import graph as action_graph
 
 from coursekit.cli import ask, daemon
 from ros2cli.helpers import get_ros_domain_id
+
+if TYPE_CHECKING:
+    from argparse import ArgumentParser, Namespace
 
 _METHODS = [
     *(name for name in vars(NodeGraph) if name.startswith(("get_", "count_"))),
@@ -39,7 +42,7 @@ class _View(NodeGraph):
 class DaemonNode:
     """Answers as the daemon does, with lists where a node returns tuples."""
 
-    def __init__(self, args: Any) -> None:
+    def __init__(self, args: Namespace) -> None:
         self._args = args
         self._view = _View()
         self.system = SimpleNamespace(shutdown=lambda: shutdown_daemon(args), list_methods=lambda: self.methods)
@@ -72,21 +75,21 @@ def _lists(answer: Any) -> Any:
     return [_lists(each) for each in answer] if isinstance(answer, (list, tuple)) else answer
 
 
-def is_daemon_running(args: Any) -> bool:
+def is_daemon_running(args: Namespace) -> bool:
     """Whether the daemon runs."""
     return daemon.is_running(ask.graph())
 
 
-def spawn_daemon(args: Any, timeout: float | None = None, debug: bool = False) -> bool:
+def spawn_daemon(args: Namespace, timeout: float | None = None, debug: bool = False) -> bool:
     """Start the daemon; return False if it is already running."""
     return daemon.start(ask.graph(), get_ros_domain_id())
 
 
-def shutdown_daemon(args: Any, timeout: float | None = None) -> bool:
+def shutdown_daemon(args: Namespace, timeout: float | None = None) -> bool:
     """Stop the daemon; return False if it is not running."""
     return daemon.stop(ask.graph())
 
 
-def add_arguments(parser: Any) -> None:
+def add_arguments(parser: ArgumentParser) -> None:
     """Add the option `--no-daemon`."""
     parser.add_argument("--no-daemon", action="store_true", help="Do not spawn nor use an already running daemon")

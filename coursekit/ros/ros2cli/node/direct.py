@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import os
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from rclpy.parameter import Parameter
 
 from . import NODE_NAME_PREFIX
+
+if TYPE_CHECKING:
+    from argparse import ArgumentParser, Namespace
 
 DEFAULT_TIMEOUT = 0.5
 """Seconds for discovery in ROS 2; here the graph is known at once."""
@@ -20,7 +23,7 @@ class DirectNode:
     It spins for `args.spin_time` [s] first. With `args.use_sim_time`, it follows /clock.
     """
 
-    def __init__(self, args: Any, *, node_name: str | None = None) -> None:
+    def __init__(self, args: Namespace, *, node_name: str | None = None) -> None:
         self._owns_context = not rclpy.ok()
         if self._owns_context:
             rclpy.init(args=getattr(args, "argv", []))
@@ -50,7 +53,7 @@ class DirectNode:
             rclpy.try_shutdown()
 
 
-def add_arguments(parser: Any) -> None:
+def add_arguments(parser: ArgumentParser) -> None:
     """Add the options `--spin-time` and `--use-sim-time`."""
     parser.add_argument(
         "--spin-time", type=float, default=DEFAULT_TIMEOUT, help="Spin time in seconds to wait for discovery"

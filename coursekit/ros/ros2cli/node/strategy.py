@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ros2cli.node import daemon, direct
 from ros2cli.node.daemon import DaemonNode, is_daemon_running, spawn_daemon
 from ros2cli.node.direct import DirectNode
+
+if TYPE_CHECKING:
+    from argparse import ArgumentParser, Namespace
 
 
 class NodeStrategy:
@@ -17,7 +20,7 @@ class NodeStrategy:
     '/'
     """
 
-    def __init__(self, args: Any, *, node_name: str | None = None) -> None:
+    def __init__(self, args: Namespace, *, node_name: str | None = None) -> None:
         self._args = args
         self._node_name = node_name
         self._daemon_node: DaemonNode | None = None
@@ -57,7 +60,7 @@ class NodeStrategy:
             self._direct_node.__exit__(*error)
 
 
-def add_arguments(parser: Any) -> None:
+def add_arguments(parser: ArgumentParser) -> None:
     """Add the options of the command's own node and of the daemon."""
     direct.add_arguments(parser)
     daemon.add_arguments(parser)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ros2cli.command import named
 from ros2cli.plugin_system import PLUGIN_SYSTEM_VERSION, instantiate_extensions, satisfies_version
+
+if TYPE_CHECKING:
+    from argparse import ArgumentParser, Namespace
 
 
 class VerbExtension:
@@ -17,10 +20,10 @@ class VerbExtension:
     def __init__(self) -> None:
         satisfies_version(PLUGIN_SYSTEM_VERSION, "^0.1")
 
-    def add_arguments(self, parser: Any, cli_name: str) -> None:
+    def add_arguments(self, parser: ArgumentParser, cli_name: str) -> None:
         """Add the verb's arguments."""
 
-    def main(self, *, args: Any) -> Any:
+    def main(self, *, args: Namespace) -> Any:
         """Run the verb."""
         raise NotImplementedError()
 

@@ -175,7 +175,7 @@ class VirtualClock:
         variables = contextvars.copy_context()
         context = GreenletContext.__new__(GreenletContext)
 
-        def run(*_result_of_the_lane_that_ended: Any) -> None:
+        def run(*_result_of_the_context_that_ended: Any) -> None:
             try:
                 function()
             finally:

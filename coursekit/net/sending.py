@@ -31,7 +31,7 @@ class Sender:
         self._session = zenoh_session
         self._gid = gid
         self._key_of = key_of
-        self._outlets: dict[str, Any] = {}
+        self._zenoh_publishers: dict[str, Any] = {}
         self._lines: tuple[Line, ...] = ()
         qos = publisher.qos
         self._keeps = is_latched(publisher)
@@ -48,17 +48,17 @@ class Sender:
         `lines` are the direct lines to all listeners, if there are any. Once Zenoh carries a topic, it continues to do so:
         otherwise messages could overtake those in transit.
         """
-        for gone in self._outlets.keys() - hashes:
+        for gone in self._zenoh_publishers.keys() - hashes:
             with self._lock:
-                outlet = self._outlets.pop(gone)
-            outlet.undeclare()
+                zenoh_publisher = self._zenoh_publishers.pop(gone)
+            zenoh_publisher.undeclare()
         begins = bool(hashes) and self.publisher.tap != self._take
         if begins or self._lines:
             with self._lock:
                 self._take_lines(() if self._keeps or self._may_block else lines)
         if begins:
             self._read_kept()
-        for new in hashes - self._outlets.keys():
+        for new in hashes - self._zenoh_publishers.keys():
             self._add(new)
         if begins or not hashes:
             self._tap(bool(hashes))
@@ -88,11 +88,11 @@ class Sender:
         options: dict[str, Any] = {"congestion_control": control}
         if self._keeps:
             options |= {"cache": ext.CacheConfig(self._kept.maxlen), "publisher_detection": True}
-        outlet = ext.declare_advanced_publisher(self._session, self._key_of(type_hash), **options)
+        zenoh_publisher = ext.declare_advanced_publisher(self._session, self._key_of(type_hash), **options)
         with self._lock:
             for data, attachment in self._kept:
-                outlet.put(data, attachment=attachment)
-            self._outlets[type_hash] = outlet
+                zenoh_publisher.put(data, attachment=attachment)
+            self._zenoh_publishers[type_hash] = zenoh_publisher
 
     def _take(self, msg: Any, stamp: int) -> None:
         with self._lock:
@@ -100,8 +100,8 @@ class Sender:
                 return  # it was one of the kept messages
             data, attachment = self._packed(msg)
             if not self._sent_directly(data, attachment):
-                for outlet in self._outlets.values():
-                    outlet.put(data, attachment=attachment)
+                for zenoh_publisher in self._zenoh_publishers.values():
+                    zenoh_publisher.put(data, attachment=attachment)
         self.traffic.count(self.publisher.graph.clock.now())
 
     def _sent_directly(self, data: bytes, attachment: bytes) -> bool:

@@ -64,7 +64,7 @@ class Topic:
         self._ear: Any = None
         self._ear_profile: Any = None
         self._hearing: Any = None
-        self._outlets: dict[str, Any] = {}
+        self._zenoh_publishers: dict[str, Any] = {}
         self._numbers = itertools.count(1)
         self._in_order = MutuallyExclusiveCallbackGroup()
 
@@ -103,12 +103,12 @@ class Topic:
             self._stop_hearing()
             self._ear_profile = wanted
         hashes = {type_hash for type_hash, _ in self._listeners.values()} if wanted is not None else set()
-        for gone in self._outlets.keys() - hashes:
-            self._outlets.pop(gone).undeclare()
+        for gone in self._zenoh_publishers.keys() - hashes:
+            self._zenoh_publishers.pop(gone).undeclare()
         if wanted is not None:
             profile = profile_of(wanted)
-            for new in hashes - self._outlets.keys():
-                self._outlets[new] = self._outlet(new, profile)
+            for new in hashes - self._zenoh_publishers.keys():
+                self._zenoh_publishers[new] = self._zenoh_publisher(new, profile)
             if self._hearing is None:
                 self._hearing = self._gateway.node.create_subscription(
                     self._kind, self._name, self._from_ros, profile, raw=True, callback_group=self._in_order
@@ -132,7 +132,7 @@ class Topic:
             depth=max(LEAST_DEPTH, *(profile.depth for profile in asked)),
         )
 
-    def _outlet(self, type_hash: str, profile: Any) -> Any:
+    def _zenoh_publisher(self, type_hash: str, profile: Any) -> Any:
         may_block = int(profile.history) == 2 and int(profile.reliability) == 1
         options: dict[str, Any] = {"congestion_control": CongestionControl.BLOCK if may_block else CongestionControl.DROP}
         if is_latched(profile):
@@ -143,9 +143,9 @@ class Topic:
         if self._hearing is not None:
             self._gateway.node.destroy_subscription(self._hearing)
             self._hearing = None
-        for outlet in self._outlets.values():
-            outlet.undeclare()
-        self._outlets.clear()
+        for zenoh_publisher in self._zenoh_publishers.values():
+            zenoh_publisher.undeclare()
+        self._zenoh_publishers.clear()
 
     def _key(self, type_hash: str) -> str:
         return str(self._gateway.key(self._name, self._type_name, type_hash))
@@ -163,5 +163,5 @@ class Topic:
         if not self._echo.is_own(data, info["source_timestamp"]):
             gid = self._gateway.announced.gid_of_publisher(self._name, self._type_name)
             attachment = Attachment(next(self._numbers), time.time_ns(), gid).data()
-            for outlet in list(self._outlets.values()):
-                outlet.put(data, attachment=attachment)
+            for zenoh_publisher in list(self._zenoh_publishers.values()):
+                zenoh_publisher.put(data, attachment=attachment)

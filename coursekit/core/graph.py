@@ -202,7 +202,16 @@ class Graph:
     # -- watch
 
     def watch(self, callback: Callable[[], None]) -> None:
-        """Call `callback()` after every change; it must not block."""
+        """Call `callback()` after every change; it must not block.
+
+        >>> from coursekit.core.virtual_clock import VirtualClock
+        >>> graph = Graph(VirtualClock())
+        >>> graph.watch(lambda: print([node.full_name for node in graph.nodes]))
+        >>> robot = graph.add_node("camera", "/robot1")
+        ['/robot1/camera']
+        >>> robot.close()
+        []
+        """
         self._watchers.append(callback)
 
     def unwatch(self, callback: Callable[[], None]) -> None:
@@ -219,7 +228,14 @@ class Graph:
     # -- look
 
     def find_nodes(self, name: str, namespace: str) -> list[GraphNode]:
-        """Return the nodes with this name and namespace."""
+        """Return the nodes with this name and namespace: none, one, or several, as ROS warns of but allows.
+
+        >>> from coursekit.core.virtual_clock import VirtualClock
+        >>> graph = Graph(VirtualClock())
+        >>> twins = [graph.add_node("talker", "/"), graph.add_node("talker", "/")]
+        >>> graph.find_nodes("talker", "/") == twins, graph.find_nodes("talker", "/robot1")
+        (True, [])
+        """
         return [node for node in list(self.nodes) if node.name == name and node.namespace == namespace]
 
     def topics(self) -> list[tuple[str, list[str]]]:
@@ -235,7 +251,15 @@ class Graph:
         return names_and_types([*_all(self.publishers), *_all(self.subscriptions)])
 
     def services(self) -> list[tuple[str, list[str]]]:
-        """(name, types) of every service with a server or client, by name."""
+        """(name, types) of every service with a server or client, by name.
+
+        >>> from std_srvs.srv import Empty
+        >>> from coursekit.core.virtual_clock import VirtualClock
+        >>> graph = Graph(VirtualClock())
+        >>> _ = graph.add_node("turtlesim", "/").server("/clear", Empty, Qos())
+        >>> graph.services()
+        [('/clear', ['std_srvs/srv/Empty'])]
+        """
         return names_and_types([*_all(self.servers), *_all(self.clients)])
 
 

@@ -92,7 +92,20 @@ class Publisher(Endpoint):
             self._sign_of_life()
 
     def kept(self) -> list[tuple[Any, int]]:
-        """The messages and stamps kept for late joiners."""
+        """The messages and stamps kept for late joiners: none, unless the publisher is transient local.
+
+        >>> from std_msgs.msg import Int8
+        >>> from coursekit.core.graph import Graph
+        >>> from coursekit.core.virtual_clock import VirtualClock
+        >>> node = Graph(VirtualClock()).add_node("map_server", "/")
+        >>> said = node.publisher("/map", Int8, Qos(depth=1, durability=TRANSIENT_LOCAL))
+        >>> said.publish(Int8(data=1)); said.publish(Int8(data=2))
+        >>> [msg.data for msg, stamp in said.kept()]
+        [2]
+        >>> late = node.subscription("/map", Int8, Qos(durability=TRANSIENT_LOCAL))
+        >>> late.take()[0].data
+        2
+        """
         return list(self._history or ())
 
     def replay(self, target: Subscription) -> None:

@@ -168,6 +168,10 @@ EXECUTABLES: dict[str, dict[str, str]] = {
         "rectify_node": "coursekit.nodes.image_pipeline.rectify:main",
         "resize_node": "coursekit.nodes.image_pipeline.resize:main",
     },
+    "image_publisher": {
+        "components/image_publisher": "coursekit.nodes.cameras.image_publisher:component",
+        "image_publisher_node": "coursekit.nodes.cameras.image_publisher:main",
+    },
     "image_tools": {
         "cam2image": "coursekit.nodes.image_tools.cam2image:main",
         "showimage": "coursekit.nodes.image_tools.showimage:main",
@@ -411,6 +415,12 @@ EXECUTABLES: dict[str, dict[str, str]] = {
     "urdfdom": {
         "check_urdf": "coursekit.cli.robot_commands:check_urdf",
         "urdf_to_graphviz": "coursekit.cli.robot_commands:urdf_to_graphviz",
+    },
+    "usb_cam": {
+        "usb_cam_node_exe": "coursekit.nodes.cameras.usb_cam:main",
+    },
+    "v4l2_camera": {
+        "v4l2_camera_node": "coursekit.nodes.cameras.v4l2_camera:main",
     },
     "xacro": {
         "xacro": "coursekit.cli.robot_commands:xacro",

@@ -6,7 +6,7 @@ session, `install` adds
 - imshow, namedWindow, waitKey, waitKeyEx, pollKey, destroyWindow, destroyAllWindows, getWindowProperty,
   setWindowTitle, resizeWindow, moveWindow, trackbars and the mouse (`window_controls`): windows are kept here, and
   a notebook shows them (`coursekit.lab.windows()`);
-- VideoCapture: camera 0 is the virtual one; files and URLs are opened by OpenCV itself;
+- VideoCapture: camera 0, also called /dev/video0, is the virtual one; files and URLs are opened by OpenCV itself;
 - names of Humble's OpenCV that a newer one lacks (`older_opencv`).
 
 It does not replace working functions: windows stay OpenCV's own where it can open them (a display, and a build with a
@@ -17,6 +17,7 @@ the camera's choice.
 from __future__ import annotations
 
 import os
+import re
 import sys
 from typing import Any
 
@@ -110,10 +111,12 @@ def moveWindow(winname: str, x: int, y: int) -> None:
 
 
 class VideoCapture:
-    """`cv2.VideoCapture`: the virtual camera for a number, OpenCV's own reader for a file or URL."""
+    """`cv2.VideoCapture`: the virtual camera for a number or device, OpenCV's own reader for a file or URL."""
 
     def __new__(cls, *args: Any, **kwargs: Any) -> Any:
         index = args[0] if args else kwargs.get("index", kwargs.get("filename"))
+        if isinstance(index, str) and (device := re.fullmatch(r"/dev/video(\d+)", index)):
+            index = int(device[1])
         if index is None or isinstance(index, (int, np.integer)):
             return VirtualCapture(-1 if index is None else int(index))
         return _RealCapture(*args, **kwargs)

@@ -175,3 +175,9 @@ def test_helpers_are_called_after_the_import_of_their_module(session, tmp_path, 
     assert needy.ready
     for name in ("needy", "helper_of_needy"):
         del sys.modules[name]
+
+
+def test_the_virtual_camera_has_the_name_of_a_device_too(session):
+    camera = cv2.VideoCapture("/dev/video0", cv2.CAP_V4L2)
+    assert camera.isOpened() and camera.read()[1].shape == (480, 640, 3)
+    assert not cv2.VideoCapture("/dev/video7").isOpened()

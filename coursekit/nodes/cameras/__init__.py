@@ -1,0 +1,1 @@
+"""Drivers of cameras: nodes that publish what a device or a file shows."""

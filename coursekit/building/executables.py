@@ -405,6 +405,7 @@ EXECUTABLES: dict[str, dict[str, str]] = {
         "turtlesim_node": "coursekit.nodes.turtlesim.turtlesim_node:main",
     },
     "twist_mux": {
+        "joystick_relay.py": "coursekit.nodes.twist_mux.joystick:main",
         "twist_marker": "coursekit.nodes.twist_mux.marker:main",
         "twist_mux": "coursekit.nodes.twist_mux.mux:main",
     },

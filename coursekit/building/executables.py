@@ -297,6 +297,9 @@ EXECUTABLES: dict[str, dict[str, str]] = {
         "component_container_isolated": "coursekit.nodes.components.container:main",
         "component_container_mt": "coursekit.nodes.components.container:main",
     },
+    "rf2o_laser_odometry": {
+        "rf2o_laser_odometry_node": "coursekit.nodes.laser_odometry.rf2o:main",
+    },
     "robot_localization": {
         "ekf_node": "coursekit.nodes.robot_localization.filter_node:ekf",
         "navsat_transform_node": "coursekit.nodes.robot_localization.navsat_node:main",

@@ -18,6 +18,8 @@ _REPOSITORIES = {
     "turtlebot3_manipulation of ROBOTIS-GIT": r"turtlebot3_manipulation\w*|open_manipulator\w*",
     "Universal_Robots_ROS2_Description of UniversalRobots": r"ur_description",
     "moveit_resources of moveit": r"moveit_resources\w*",
+    "moveit_msgs of moveit": r"moveit_msgs",
+    "ros2_aruco of JMU-ROBOTICS-VIVA": r"ros2_aruco\w*",
     "realsense-ros of IntelRealSense": r"realsense2_description",
     "andino of Ekumen-OS": r"andino_\w+",
     "linorobot2 of linorobot": r"linorobot2_\w+",
@@ -36,12 +38,20 @@ _REPOSITORIES = {
     "aws-robomaker-small-warehouse-world of aws-robotics": r"aws_robomaker_small_warehouse_world",
 }
 """GitHub repositories with packages that are often used and build here."""
+_PARTS = {
+    "mavros of mavlink": r"mavros_msgs",
+    "micro_ros_msgs of micro-ROS": r"micro_ros_msgs",
+    "realsense-ros of IntelRealSense": r"realsense2_camera_msgs",
+    "yolo_ros of mgonzs13": r"yolo_msgs",
+}
+"""GitHub repositories with a package of interfaces that builds here, beside others that do not."""
 _ON_PIP = {
     "py_trees": "py_trees", "urdf_parser_py": "urdf-parser-py", "rospkg": "rospkg", "serial": "pyserial",
     "skimage": "scikit-image", "sklearn": "scikit-learn", "paho": "paho-mqtt", "pynput": "pynput", "pygame": "pygame",
     "flask": "flask", "pyproj": "pyproj", "utm": "utm",
 }  # fmt: skip
 """Python packages that a robot has from ROS or from its system, and their names for pip, which may be others."""
+_CAMERA = "`ros2 run v4l2_camera v4l2_camera_node` publishes a webcam, or what the simulated robot sees, on image_raw"
 _QT = "needs Qt for windows of its own"
 _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"\w+_description", "describes a robot", "its source builds here: put it into the src folder of your workspace, then "
@@ -49,6 +59,7 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"\w+_(msgs|interfaces)", "holds interfaces", "its source builds here: put it into the src folder of your workspace, "
      "then `colcon build`"),
     (r"cartographer_ros|slam_gmapping|gmapping|hector_\w+|rtabmap\w*", _CPP, _SLAM),
+    (r"(imu_)?bno055\w*|\w*mpu(6050|9250)\w*|wit\w*imu|witmotion_ros|xsens_\w+|phidgets_\w+", _DRIVER, _SENSORS),
     (r"imu_(?!sensor_broadcaster$|tools$|filter_madgwick$|complementary_filter$)\w+|robot_pose_ekf", _CPP,
      "robot_localization's ekf_node takes an IMU's messages as they are"),
     (r"spacenav|wiimote", _DRIVER, f"`ros2 run joy joy_node` reads a gamepad; {_DRIVE}"),
@@ -58,15 +69,17 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
      "there are ros_gz_sim, ros_gz_bridge, ros_gz_image, ros_gz_interfaces and gz_ros2_control"),
     (r"webots_ros2\w*|ignition\w*|isaac\w*|carla\w*|stage_ros2", "needs a simulator of its own",
      "`ros2 launch gazebo_ros gazebo.launch.py`"),
-    (r"rplidar_ros|sllidar_ros2|ydlidar\w*|ldlidar\w*|ld08_driver|hls_lfcd_lds_driver|urg_node|velodyne\w*|lslidar\w*",
-     _DRIVER, _SENSORS),
-    (r"camera_ros|realsense2_\w+|gscam|depthai\w*|astra_camera|zed_\w+", _DRIVER, _SENSORS),
-    (r"turtlebot3_node|micro_ros_agent|rosserial\w*|diffdrive_arduino|serial_driver|mavros|dynamixel\w*", _DRIVER, _SENSORS),
+    (r"rplidar_ros|sllidar_ros2|ydlidar\w*|ldlidar\w*|ld08_driver|hls_lfcd_lds_driver|urg_node2?|velodyne\w*|lslidar\w*"
+     r"|livox_\w+|rslidar_\w+|ouster_ros|xv_11_driver|sick_\w+", _DRIVER, _SENSORS),
+    (r"camera_ros|gscam2?|cv_camera|opencv_cam", _DRIVER, _CAMERA),
+    (r"realsense2_\w+|depthai\w*|astra_camera|orbbec_camera|zed_\w+", _DRIVER, _SENSORS),
+    (r"micro_ros_\w+|rosserial\w*", "passes on the topics of a microcontroller", _SENSORS),
+    (r"turtlebot3_node|diffdrive_arduino|serial_driver|mavros|dynamixel\w*", _DRIVER, _SENSORS),
     (r"rqt_(?!(graph|console|gui|plot|image_view)$)\w+|plotjuggler\w*|foxglove\w*",
      "opens windows or ports of its own",
      "look at topics with `ros2 topic echo TOPIC` and `ros2 topic hz TOPIC`, or viewer() in a notebook"),
     (r"python_qt_binding|qt_gui\w*|qt_dotgraph", _QT, "a panel of ipywidgets in a notebook shows and asks as well"),
-    (r"nmea_\w+_driver|ublox\w*|sick_scan\w*|sound_play|audio_(capture|play)", _DRIVER, _SENSORS),
+    (r"nmea_\w+_driver|ublox\w*|sound_play|audio_(capture|play)", _DRIVER, _SENSORS),
     (r"RPi|Jetson|smbus2?|spidev|pigpio|gpiozero|lgpio", "talks to the pins of a board", _SENSORS),
     (r"PyKDL|tf2_kdl|kdl_parser_py", _CPP,
      "tf_transformations turns and multiplies rotations, and a tf2_ros Buffer transforms poses"),
@@ -89,10 +102,11 @@ def remark(package: str) -> str:
     >>> remark("irobot_create_description")
     'irobot_create_description is not part of coursekit, but builds here: clone create3_sim of iRobotEducation into ...'
     """
-    for repository, pattern in _REPOSITORIES.items():
-        if re.fullmatch(pattern, package):
-            where = f"clone {repository} into the src folder of your workspace, then `colcon build`"
-            return f"{package} is not part of coursekit, but builds here: {where}"
+    for repositories, options in ((_REPOSITORIES, ""), (_PARTS, f" --packages-up-to {package}")):
+        for repository, pattern in repositories.items():
+            if re.fullmatch(pattern, package):
+                where = f"clone {repository} into the src folder of your workspace, then `colcon build{options}`"
+                return f"{package} is not part of coursekit, but builds here: {where}"
     if package in _ON_PIP:
         return f"{package} is not part of coursekit, but pip has it: `pip install {_ON_PIP[package]}`"
     for pattern, why, instead in _FAMILIES:

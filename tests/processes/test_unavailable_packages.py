@@ -1,6 +1,7 @@
 """ROS packages that are not part of coursekit are told with the reason and with what to type instead."""
 
 import importlib
+import re
 
 import pytest
 from ament_index_python.packages import PackageNotFoundError, get_package_share_directory
@@ -18,9 +19,20 @@ from coursekit.urdf import UrdfError, load
 @pytest.mark.parametrize(
     "package",
     [
-        *("cartographer_ros", "spacenav", "moveit_configs_utils", "ros_gz_sim_demos", "aruco_ros", "moveit_msgs"),
+        *("cartographer_ros", "spacenav", "moveit_configs_utils", "ros_gz_sim_demos", "aruco_ros", "moveit_servo"),
         *("nmea_navsat_driver", "ublox_gps", "web_video_server", "ira_laser_tools", "multirobot_map_merge"),
-        *("PyKDL", "tf2_kdl", "RPi", "smbus", "sound_play"),
+        *(
+            "micro_ros_agent",
+            "imu_bno055",
+            "mpu6050_driver",
+            "camera_ros",
+            "livox_ros_driver2",
+            "PyKDL",
+            "tf2_kdl",
+            "RPi",
+            "smbus",
+            "sound_play",
+        ),
     ],
 )
 def test_a_known_package_has_a_reason_and_a_way_out(package):
@@ -47,6 +59,11 @@ def test_a_python_package_is_told_with_where_it_comes_from(package, command):
 def test_nothing_is_said_of_what_the_underlay_has():
     nodes = [name for name in executables.packages() if not name.endswith(("_msgs", "_interfaces"))]
     assert [name for name in nodes if remark(name)] == []
+
+
+def test_a_camera_driver_is_told_with_one_that_is_here():
+    driver = re.search(r"`ros2 run (\S+) (\S+)`", remark("gscam"))
+    assert find(*driver.groups())
 
 
 def test_run_and_the_index_tell_it():
@@ -77,6 +94,12 @@ def test_an_import_tells_it_and_stays_an_import_error():
         ("irobot_create_description", "clone create3_sim of iRobotEducation into the src folder"),
         ("turtlebot3_gazebo", "turtlebot3_simulations"),
         ("ur_description", "Universal_Robots_ROS2_Description"),
+        ("moveit_msgs", "clone moveit_msgs of moveit"),
+        (
+            "mavros_msgs",
+            "clone mavros of mavlink into the src folder of your workspace, then `colcon build --packages-up-to",
+        ),
+        ("ros2_aruco_interfaces", "clone ros2_aruco of JMU"),
         ("somebodys_description", "put it into the src folder of your workspace"),
     ],
 )

@@ -25,8 +25,8 @@ ROBOT = Path(__file__).parents[2] / "robots" / "urdf" / "rdk_x3_robot.urdf"
 HEIGHT, CELL = 0.15, 0.05
 
 
-def true_map(world: str, cell: float = CELL) -> GridMap:
-    """The map of a world without what moves: walls as a LiDAR meets them, free where the start's floor goes on."""
+def true_map(world: str, cell: float = CELL, start: tuple[float, float] | None = None) -> GridMap:
+    """The map of a world without what moves: walls as a LiDAR meets them, free where the floor of a start goes on."""
     made = open_world(world).world
     outline = Simulation(made).scene(HEIGHT).fixed
     x0, y0, x1, y1 = (round(edge / cell) * cell for edge in made.bounds())
@@ -41,7 +41,8 @@ def true_map(world: str, cell: float = CELL) -> GridMap:
     at = np.floor((np.concatenate(points) - (x0, y0)) / cell).astype(int)
     cells[at[:, 1], at[:, 0]] = 100
     areas, _ = ndimage.label(cells == 0)
-    home = areas[int((made.start.y - y0) / cell), int((made.start.x - x0) / cell)]
+    x, y = start or (made.start.x, made.start.y)
+    home = areas[int((y - y0) / cell), int((x - x0) / cell)]
     cells[(cells == 0) & (areas != home)] = -1
     return GridMap(cells, cell, (x0, y0, 0.0))
 

@@ -170,11 +170,3 @@ def test_the_bringup_composes_its_nodes_in_one_process_when_asked(session, run, 
     assert launch.output.count("in container '/nav2_container'") == 11
     launch.interrupt()
     assert launch.wait(20.0) == 0
-
-
-def test_the_launch_file_of_nav2_s_pages_brings_up_a_world_a_robot_and_navigation(session, program):
-    words = ["launch", "nav2_bringup", "tb3_simulation_launch.py", "use_rviz:=False"]
-    launched = session.start(lambda: run_cli(words), name="ros2", argv=words)
-    assert program(("", 0.0)) == "ended SUCCEEDED"
-    launched.interrupt()
-    assert launched.wait(10.0) == 0

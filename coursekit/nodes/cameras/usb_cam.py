@@ -83,7 +83,9 @@ class UsbCam(CppNode):
         return response
 
     def _publish(self) -> None:
-        seen, picture = self._camera.read() if self._capturing else (False, None)
+        if not self._capturing:
+            return
+        seen, picture = self._camera.read()
         if not seen:
             return
         header = Header(stamp=self.get_clock().now().to_msg(), frame_id=self.given["frame_id"])

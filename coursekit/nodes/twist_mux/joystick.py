@@ -52,7 +52,7 @@ class Turbo:
                 f"Initial step {self._first} outside range [1, {self._steps}]! Falling back to default {middle}"
             )
             self._first = middle
-        self.reset()
+        self._step = self._angular_step = self._first
 
     def _given(self, name: str, default: float) -> float:
         value = self._node.declare_parameter(f"turbo.{name}", default).value

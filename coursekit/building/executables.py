@@ -13,6 +13,9 @@ EXECUTABLES: dict[str, dict[str, str]] = {
         "fibonacci_action_client": "coursekit.nodes.demo_nodes.fibonacci_action_client:main",
         "fibonacci_action_server": "coursekit.nodes.demo_nodes.fibonacci_action_server:main",
     },
+    "apriltag_ros": {
+        "apriltag_node": "coursekit.nodes.apriltag.node:main",
+    },
     "composition": {
         "client_component": "coursekit.nodes.composition.nodes:client",
         "dlopen_composition": "coursekit.nodes.composition.dlopen:main",

@@ -85,7 +85,7 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
      "tf_transformations turns and multiplies rotations, and a tf2_ros Buffer transforms poses"),
     (r"ira_laser_tools|\w*laser_(scan_)?merger|multirobot_map_merge", _CPP, "leave it out, or write the node in Python"),
     (r"web_video_server", "opens a port of its own", "windows() in a notebook, or `ros2 run image_view image_view`"),
-    (r"image_pipeline|stereo_image_proc|apriltag_ros|aruco\w*|octomap\w*|pcl_\w+|ros1_bridge|nav2_mppi_controller", _CPP,
+    (r"image_pipeline|stereo_image_proc|aruco\w*|octomap\w*|pcl_\w+|ros1_bridge|nav2_mppi_controller", _CPP,
      "leave it out, or write the node in Python"),
 )  # fmt: skip
 

@@ -1,0 +1,1 @@
+"""apriltag_ros: the places of AprilTags in a camera's images."""

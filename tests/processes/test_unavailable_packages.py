@@ -20,7 +20,7 @@ from coursekit.urdf import UrdfError, load
     "package",
     [
         *("cartographer_ros", "spacenav", "moveit_configs_utils", "ros_gz_sim_demos", "aruco_ros", "moveit_servo"),
-        *("nmea_navsat_driver", "ublox_gps", "web_video_server", "ira_laser_tools", "multirobot_map_merge"),
+        *("laser_scan_matcher", "mapviz", "ublox_gps", "web_video_server", "ira_laser_tools", "multirobot_map_merge"),
         *(
             "micro_ros_agent",
             "imu_bno055",
@@ -45,6 +45,7 @@ def test_a_known_package_has_a_reason_and_a_way_out(package):
         ("py_trees_ros", "clone py_trees_ros and py_trees_ros_interfaces"),
         ("rosbridge_server", "clone rosbridge_suite of RobotWebTools"),
         ("joy_teleop", "clone teleop_tools of ros-teleop"),
+        ("nmea_navsat_driver", "clone branch ros2 of nmea_navsat_driver of ros-drivers"),
         ("smach_ros", "clone executive_smach of ros"),
         ("urdf_parser_py", "`pip install urdf-parser-py`"),
         ("serial", "`pip install pyserial`"),
@@ -94,10 +95,10 @@ def test_an_import_tells_it_and_stays_an_import_error():
         ("irobot_create_description", "clone create3_sim of iRobotEducation into the src folder"),
         ("turtlebot3_gazebo", "turtlebot3_simulations"),
         ("ur_description", "Universal_Robots_ROS2_Description"),
-        ("moveit_msgs", "clone moveit_msgs of moveit"),
+        ("moveit_msgs", "clone branch ros2 of moveit_msgs of moveit"),
         (
             "mavros_msgs",
-            "clone mavros of mavlink into the src folder of your workspace, then `colcon build --packages-up-to",
+            "clone branch ros2 of mavros of mavlink into the src folder of your workspace, then `colcon build --packages-up-to",
         ),
         ("ros2_aruco_interfaces", "clone ros2_aruco of JMU"),
         ("somebodys_description", "put it into the src folder of your workspace"),

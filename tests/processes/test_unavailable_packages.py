@@ -96,10 +96,8 @@ def test_an_import_tells_it_and_stays_an_import_error():
         ("turtlebot3_gazebo", "turtlebot3_simulations"),
         ("ur_description", "Universal_Robots_ROS2_Description"),
         ("moveit_msgs", "clone branch ros2 of moveit_msgs of moveit"),
-        (
-            "mavros_msgs",
-            "clone branch ros2 of mavros of mavlink into the src folder of your workspace, then `colcon build --packages-up-to",
-        ),
+        ("mavros_msgs", "clone branch ros2 of mavros of mavlink"),
+        ("mavros_msgs", "`colcon build --packages-up-to mavros_msgs`"),
         ("ros2_aruco_interfaces", "clone ros2_aruco of JMU"),
         ("somebodys_description", "put it into the src folder of your workspace"),
     ],

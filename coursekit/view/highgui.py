@@ -4,8 +4,8 @@ The OpenCV wheel of the course opens no windows, and most lab machines have no w
 session, `install` adds
 
 - imshow, namedWindow, waitKey, waitKeyEx, pollKey, destroyWindow, destroyAllWindows, getWindowProperty,
-  setWindowTitle, resizeWindow, moveWindow, trackbars and the mouse (`window_controls`): windows are kept here, and
-  a notebook shows them (`coursekit.lab.windows()`);
+  setWindowTitle, resizeWindow, moveWindow, selectROI, trackbars and the mouse (`window_controls`): windows are kept here,
+  and a notebook shows them (`coursekit.lab.windows()`);
 - VideoCapture: camera 0, also called /dev/video0, is the virtual one; files and URLs are opened by OpenCV itself;
 - names of Humble's OpenCV that a newer one lacks (`older_opencv`).
 
@@ -29,6 +29,7 @@ from coursekit.processes.patching import IMPORTS, Patch, always, patch_manager
 from . import older_opencv
 from .capture import VirtualCapture
 from .desk import desk, tell
+from .region_selection import selectROI, selectROIs
 from .window_controls import CONTROLS, existing
 
 _RealCapture = cv2.VideoCapture
@@ -133,6 +134,8 @@ _WINDOWS = (
     getWindowProperty,
     resizeWindow,
     moveWindow,
+    selectROI,
+    selectROIs,
     *CONTROLS,
 )
 

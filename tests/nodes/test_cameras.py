@@ -93,16 +93,16 @@ def test_usb_cam_pauses_and_sends_jpeg_alone(run, heard, ros2):
 
 
 @pytest.mark.parametrize(
-    ("name", "value", "told"),
-    [
-        ("video_device", "/dev/video9", "not available"),
-        ("pixel_format", "h264", "unsupported"),
-        ("framerate", 0.0, "framerate"),
-    ],
+    ("name", "value", "told"), [("pixel_format", "h264", "unsupported"), ("framerate", 0.0, "framerate")]
 )
-def test_usb_cam_ends_where_it_cannot_run(run, heard, name, value, told):
+def test_usb_cam_refuses_what_no_camera_has(run, heard, name, value, told):
     camera = run("usb_cam", "usb_cam_node_exe", *given(**{name: value}))
-    assert camera.wait(10) != 0 and told in camera.output
+    assert camera.wait(10) not in (0, None) and told in camera.output
+
+
+def test_usb_cam_ends_without_its_device(run, heard):
+    camera = run("usb_cam", "usb_cam_node_exe", *given(video_device="/dev/video9"))
+    assert camera.wait(10) == 0 and "not a vaild V4L2 device: `/dev/video9`" in camera.output
 
 
 def test_usb_cams_launch_file_has_a_calibrated_camera(session, heard):

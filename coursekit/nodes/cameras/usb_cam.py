@@ -6,6 +6,7 @@ from typing import Any
 
 import cv2
 from camera_info_manager import CameraInfoManager
+from rclpy.executors import ExternalShutdownException
 from std_msgs.msg import Header
 from std_srvs.srv import SetBool
 
@@ -35,7 +36,10 @@ _CONTROLS = {
 
 
 class UsbCam(CppNode):
-    """Publishes at `framerate` until set_capture says false. ValueError for parameters that no camera has."""
+    """Publishes at `framerate` until set_capture says false. ValueError for parameters that no camera has.
+
+    ExternalShutdownException where there is no such camera.
+    """
 
     def __init__(self) -> None:
         super().__init__("usb_cam")
@@ -44,7 +48,11 @@ class UsbCam(CppNode):
             raise ValueError(f"Specified format `{given['pixel_format']}` is unsupported: give {', '.join(_FORMATS)}")
         if not given["framerate"] > 0:
             raise ValueError(f"framerate is {given['framerate']}: give images a second, for example 30.0")
-        self._camera = opened(given["video_device"])
+        try:
+            self._camera = opened(given["video_device"])
+        except NoDevice as missing:
+            self.get_logger().error(f"Device specified is not available or is not a vaild V4L2 device: `{missing}`")
+            raise ExternalShutdownException() from None  # as Humble's, which shuts rclcpp down
         self._start()
 
     def _start(self) -> None:
@@ -97,13 +105,6 @@ class UsbCam(CppNode):
             self._outputs.publish_jpeg(picture, header, info)
 
 
-def _made() -> UsbCam:
-    try:
-        return UsbCam()
-    except NoDevice as missing:
-        raise ValueError(f"Device specified is not available or is not a vaild V4L2 device: `{missing}`") from None
-
-
 def main(args: list[str] | None = None) -> int:
     """Publish until Ctrl-C."""
-    return run(_made, args, refuses=(ValueError,))
+    return run(UsbCam, args, refuses=(ValueError,))

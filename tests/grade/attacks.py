@@ -203,3 +203,9 @@ NEEDS_BUBBLEWRAP = {
     "reading the hidden tests", "the network", "a fork bomb", "a thread bomb",
     "signals to everybody", "what starts it is stopped",  # without its own processes these reach all that the user has open
 }  # fmt: skip
+ONLY_POSIX = {
+    "a child that answers, too": "there is no fork",
+    "all of /tmp, and no name left": "there is no /tmp",
+    "a folder that is gone": "a program's own folder cannot be removed",
+}
+"""Attacks that Windows refuses by itself, and why: the answer is then another one."""

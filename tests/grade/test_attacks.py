@@ -9,8 +9,9 @@ from coursekit.grade.exercise import find
 from coursekit.grade.mark import mark
 from coursekit.grade.sandbox import Limits
 from coursekit.grade.submissions import Submission
+from tests.needs import ON_WINDOWS
 
-from .attacks import DESERVE, ESCAPE, FOLDERS, NAMELESS, NEEDS_BUBBLEWRAP, NOTEBOOKS, RIGHT
+from .attacks import DESERVE, ESCAPE, FOLDERS, NAMELESS, NEEDS_BUBBLEWRAP, NOTEBOOKS, ONLY_POSIX, RIGHT
 
 
 def cells(answer):
@@ -48,6 +49,8 @@ def test_folders_in_folders_end_no_marking(tmp_path):
 def test_each_attack_gets_what_it_deserves(tmp_path, attack):
     if attack in NEEDS_BUBBLEWRAP and sandbox.tier() != "bubblewrap":
         pytest.skip(f"NOT TESTED: {attack} needs bubblewrap, which does not work here")
+    if ON_WINDOWS and attack in ONLY_POSIX:
+        pytest.skip(f"Windows: {ONLY_POSIX[attack]}")
     answer, deserved = DESERVE[attack]
     marked = grade(tmp_path / "student", answer)
     verdict = marked.verdicts[0]

@@ -32,5 +32,5 @@ class Hook(BuildHookInterface):  # type: ignore[type-arg]
             made.write_text(json.dumps(notebook, indent=1) + "\n", encoding="utf-8")
             build_data["force_include"][str(made)] = f"coursekit/notebooks/{source.name}"
         beside = (Path(self.root) / "notebooks").glob("*/*.*")  # translations and images
-        for file in sorted(one for one in beside if one.suffix in (".po", ".svg")):
+        for file in sorted(path for path in beside if path.suffix in (".po", ".svg")):
             build_data["force_include"][str(file)] = f"coursekit/{file.relative_to(self.root).as_posix()}"

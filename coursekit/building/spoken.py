@@ -48,7 +48,7 @@ def _all() -> Iterator[tuple[Path, Iterator[str]]]:
     yield displays, _of_judge(_constants(ast.parse(read_text(displays)))["ABOUT"])
     for file in sorted((PACKAGE / "lab" / "static").glob("*.js")):
         yield file, said_in(read_text(file))
-    for file in sorted(one for room in ("grade", "lab", "view") for one in (PACKAGE / room).rglob("*.py")):
+    for file in sorted(path for room in ("grade", "lab", "view") for path in (PACKAGE / room).rglob("*.py")):
         yield file, _of_calls(ast.parse(read_text(file)))
 
 
@@ -56,7 +56,7 @@ def _of_calls(tree: ast.Module) -> Iterator[str]:
     """Yield the texts passed to gettext()."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "gettext":
-            yield from filter(_words, (template(one) for one in node.args if isinstance(one, (ast.Constant, ast.JoinedStr))))
+            yield from filter(_words, (template(arg) for arg in node.args if isinstance(arg, (ast.Constant, ast.JoinedStr))))
 
 
 def _of_errors(tree: ast.Module) -> Iterator[str]:
@@ -65,13 +65,15 @@ def _of_errors(tree: ast.Module) -> Iterator[str]:
     for node in ast.walk(tree):
         if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call) and ast.unparse(node.exc.func) in _PLAIN:
             yield from _of_judge(node.exc)
-            for one in ast.walk(node.exc):
-                if isinstance(one, ast.Name) and isinstance(words := constants.get(one.id), ast.Constant):
+            for part in ast.walk(node.exc):
+                if isinstance(part, ast.Name) and isinstance(words := constants.get(part.id), ast.Constant):
                     yield from _of_judge(words)
 
 
 def _constants(tree: ast.Module) -> dict[str, ast.expr]:
-    return {ast.unparse(one.targets[0]): one.value for one in tree.body if isinstance(one, ast.Assign)}
+    return {
+        ast.unparse(statement.targets[0]): statement.value for statement in tree.body if isinstance(statement, ast.Assign)
+    }
 
 
 def _of_judge(tree: ast.AST) -> Iterator[str]:
@@ -96,8 +98,8 @@ def _alternatives(node: ast.JoinedStr) -> Iterator[str]:
     for inner in ast.walk(node):
         choices = [inner.body, inner.orelse] if isinstance(inner, ast.IfExp) else []
         choices += inner.values if isinstance(inner, ast.BoolOp) else []
-        for one in choices:
-            text = template(one) if isinstance(one, ast.Constant) else ""
+        for choice in choices:
+            text = template(choice) if isinstance(choice, ast.Constant) else ""
             if len(text) > 2 and text.replace(" ", "").isalpha():
                 yield text
 
@@ -111,14 +113,14 @@ def template(node: ast.Constant | ast.JoinedStr) -> str:
     if isinstance(node, ast.Constant):
         return node.value if isinstance(node.value, str) else ""
     numbers = iter(range(len(node.values)))
-    parts = (str(one.value) if isinstance(one, ast.Constant) else f"{{{next(numbers)}}}" for one in node.values)
+    parts = (str(value.value) if isinstance(value, ast.Constant) else f"{{{next(numbers)}}}" for value in node.values)
     return "".join(parts)
 
 
 def update_words(language: str) -> str:
     """Update the catalogue of a language's texts: add new ones without a translation, drop unused ones."""
     file = catalogue_of(language)
-    old = {one.msgid: one.msgstr for one in polib.pofile(str(file))} if file.is_file() else {}
+    old = {entry.msgid: entry.msgstr for entry in polib.pofile(str(file))} if file.is_file() else {}
     made = polib.POFile(wrapwidth=0)
     made.metadata = {"Content-Type": "text/plain; charset=utf-8", "Content-Transfer-Encoding": "8bit"}
     for text, where in spoken().items():

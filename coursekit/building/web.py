@@ -87,7 +87,7 @@ def write_sources(folder: Path, language: str, others: Sequence[str]) -> None:
         names.append(chapter.stem)
     shutil.copytree(notebooks_folder() / IMAGES, folder / IMAGES)
     top = "" if language == ENGLISH else "../"
-    elsewhere = [_link(one, f"{top}{'' if one == ENGLISH else one + '/'}index.html") for one in others]
+    elsewhere = [_link(other, f"{top}{'' if other == ENGLISH else other + '/'}index.html") for other in others]
     tree = "\n".join(["```{toctree}", ":maxdepth: 1", "", *names, "```"])
     (folder / "index.md").write_text(f"# {title}\n\n{sentence}\n\n{' '.join(elsewhere)}\n\n{tree}\n", encoding="utf-8")
     (folder / "conf.py").write_text(CONF.format(language=language, title=title), encoding="utf-8")
@@ -108,7 +108,7 @@ def build(out: Path) -> int:
     for language in known:
         where = out if language == ENGLISH else out / language
         with tempfile.TemporaryDirectory() as folder:
-            write_sources(Path(folder), language, [one for one in known if one != language])
+            write_sources(Path(folder), language, [other for other in known if other != language])
             code = int(sphinx(["-q", "-W", "--keep-going", "-d", f"{folder}/.trees", folder, str(where)]))
         if code:
             return code

@@ -28,7 +28,7 @@ def with_underlay(environ: MutableMapping[str, str]) -> None:
     >>> environ["AMENT_PREFIX_PATH"].split(os.pathsep) == ["/ws/install", str(UNDERLAY)]
     True
     """
-    sourced = [one for one in environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
+    sourced = [folder for folder in environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if folder]
     if str(UNDERLAY) not in sourced:
         environ["AMENT_PREFIX_PATH"] = os.pathsep.join([*sourced, str(UNDERLAY)])
 

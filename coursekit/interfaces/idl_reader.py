@@ -69,13 +69,13 @@ def _parser() -> Lark:
 class _Definition:
     def __init__(self, path: Path, tree: Tree[Any]) -> None:
         self.path = path
-        self.kinds = [str(one.children[0]) for one in tree.iter_subtrees_topdown() if one.data == "module"]
-        self.types = {str(one.children[-1].children[0]): one for one in tree.find_data("typedef")}
-        self.structs = {str(_name(one)): one for one in tree.find_data("struct")}
-        self.constants = {str(one.children[0]): one for one in tree.find_data("module")}
+        self.kinds = [str(module.children[0]) for module in tree.iter_subtrees_topdown() if module.data == "module"]
+        self.types = {str(typedef.children[-1].children[0]): typedef for typedef in tree.find_data("typedef")}
+        self.structs = {str(_name(struct)): struct for struct in tree.find_data("struct")}
+        self.constants = {str(module.children[0]): module for module in tree.find_data("module")}
 
     def text(self) -> tuple[str, str]:
-        kind = next((one for one in self.kinds if one in _PARTS), "")
+        kind = next((part for part in self.kinds if part in _PARTS), "")
         if not kind:
             raise self._error("its structures are to be in a module msg, srv or action")
         return kind, "---\n".join(self._part(self.path.stem + end) for end in _PARTS[kind])
@@ -93,9 +93,9 @@ class _Definition:
         return "".join(f"{line}\n" for line in lines)
 
     def _fields(self, member: Tree[Any]) -> list[str]:
-        default = next((f" {_value(one.children[0])}" for one in member.find_data("default")), "")
-        kind = next(one for one in member.children if one.data not in ("default", "other", "declared"))
-        declared = [one.children for one in member.children if one.data == "declared"]
+        default = next((f" {_value(child.children[0])}" for child in member.find_data("default")), "")
+        kind = next(child for child in member.children if child.data not in ("default", "other", "declared"))
+        declared = [child.children for child in member.children if child.data == "declared"]
         named = [(str(name), str(size[0]) if size else "") for name, *size in declared if name != _FILLER]
         return [f"{self._type(kind, size)} {name}{default}" for name, size in named]
 
@@ -113,7 +113,7 @@ class _Definition:
         if kind.data == "basic":
             words = " ".join(str(kind.children[0]).split())
             return _BASIC.get(words, words) + ends
-        names = [str(one) for one in kind.children]
+        names = [str(child) for child in kind.children]
         alias = self.types.get(names[-1]) if len(names) == 1 else None
         if alias is None:
             return "/".join(name for name in names if name != "msg") + ends
@@ -125,12 +125,12 @@ class _Definition:
 
 
 def _name(struct: Tree[Any]) -> Token:
-    return next(one for one in struct.children if isinstance(one, Token))
+    return next(child for child in struct.children if isinstance(child, Token))
 
 
 def _value(value: Tree[Any]) -> str:
     """Return a constant or a default in .msg syntax; IDL writes lists as strings in parentheses."""
-    parts = [str(one) for one in value.children]
+    parts = [str(child) for child in value.children]
     if not parts[0].startswith('"'):
         return {"TRUE": "true", "FALSE": "false"}.get(parts[0], parts[0])
     text = "".join(part[1:-1] for part in parts)

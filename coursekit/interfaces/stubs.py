@@ -40,7 +40,7 @@ def stub(package: str, interfaces: Iterable[Interface]) -> str:
     True
     """
     known = list(interfaces)
-    imports = sorted({used.split("/")[0] for one in known for m in _messages(one) for used in m.dependencies()})
+    imports = sorted({used.split("/")[0] for interface in known for m in _messages(interface) for used in m.dependencies()})
     lines = [_HEAD, *(f"import {name}.msg" for name in imports), ""]
     for interface in known:
         lines += _declare(interface)

@@ -19,7 +19,7 @@ def quaternion(angles: Iterable[float]) -> Quaternion:
     >>> [round(one, 3) for one in quaternion([0.0, 0.0, 3.0])]
     [0.0, 0.0, 0.997, 0.071]
     """
-    roll, pitch, yaw = (float(one) for one in angles)
+    roll, pitch, yaw = (float(angle) for angle in angles)
     return quaternion_of((roll, pitch, yaw))
 
 

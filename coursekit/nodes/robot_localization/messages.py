@@ -15,12 +15,12 @@ from coursekit.nodes.robot_localization.geometry import quaternion
 
 
 def _put(target: Any, numbers: Any) -> None:
-    target.x, target.y, target.z = (float(one) for one in numbers)
+    target.x, target.y, target.z = (float(number) for number in numbers)
 
 
 def pose_of(estimate: Estimate) -> Pose:
     """The pose as a tuple."""
-    x, y, z = (float(one) for one in estimate.state[POSITION])
+    x, y, z = (float(number) for number in estimate.state[POSITION])
     return (x, y, z, *quaternion(estimate.state[ANGLES]))
 
 

@@ -65,7 +65,7 @@ def optional(node: Node, name: str) -> list[float] | None:
     if not node.has_parameter(name):
         node.declare_parameter(name, descriptor=ParameterDescriptor(dynamic_typing=True))
     value = node.get_parameter(name).value
-    return None if value is None else [float(one) for one in value]
+    return None if value is None else [float(number) for number in value]
 
 
 def covariance(node: Node, name: str) -> Array | None:

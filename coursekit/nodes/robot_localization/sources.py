@@ -49,7 +49,7 @@ class Source:
 
 def sources(node: Node) -> list[Source]:
     """All sensors in a node's parameters: odom0, odom1 and so on without a gap, then poses, twists and IMUs."""
-    return [one for kind in MEASURES for one in _of_kind(node, kind)]
+    return [source for kind in MEASURES for source in _of_kind(node, kind)]
 
 
 def _of_kind(node: Node, kind: str) -> list[Source]:

@@ -59,7 +59,7 @@ PACKAGES = (
     "transmission_interface",
 )  # fmt: skip
 """The packages found here in addition to those with a folder in the underlay's share."""
-NOT_COMPILED = {"gazebo_plugins", "gazebo_ros", "nav2_util"}
+NOT_COMPILED = {"gazebo_plugins", "gazebo_ros"}
 """Packages that come with coursekit, but without C++ headers for others."""
 _MADE_OF = (".hpp", ".h", ".cpp", ".txt", ".msg", ".srv", ".action", ".py")
 SHARED = "COURSEKIT_SHARED"

@@ -15,16 +15,16 @@ function(pluginlib_export_plugin_description_file category file)
     "share/${PROJECT_NAME}/${file}\n")
   get_property(content DIRECTORY "${PROJECT_SOURCE_DIR}" PROPERTY COURSEKIT_PLUGINS_${category})
   ament_index_register_resource(${category}__pluginlib__plugin CONTENT "${content}")
-  if(category MATCHES "^(hardware|controller)_interface$")
-    set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY COURSEKIT_CONTROLLED "${PROJECT_SOURCE_DIR}/${file}")
+  if(category MATCHES "^((hardware|controller)_interface|nav2_(core|costmap_2d))$")
+    set_property(DIRECTORY "${PROJECT_SOURCE_DIR}" APPEND PROPERTY COURSEKIT_SERVED "${PROJECT_SOURCE_DIR}/${file}")
     cmake_language(DEFER DIRECTORY "${PROJECT_SOURCE_DIR}" CALL _coursekit_add_plugin_programs)  # when all libraries are known
   endif()
 endfunction()
 
-# Each library of ros2_control's hardware or controllers also becomes a program, which the controller manager starts where a
-# robot would load the library.
+# Each library of plugins for ros2_control or nav2 also becomes a program, which their servers start where a robot would load
+# the library.
 function(_coursekit_add_plugin_programs)
-  get_property(files DIRECTORY "${PROJECT_SOURCE_DIR}" PROPERTY COURSEKIT_CONTROLLED)
+  get_property(files DIRECTORY "${PROJECT_SOURCE_DIR}" PROPERTY COURSEKIT_SERVED)
   set(libraries "")
   foreach(file ${files})
     file(READ "${file}" text)

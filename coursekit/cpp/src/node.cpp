@@ -5,6 +5,18 @@ namespace rclcpp
 {
 using node_interfaces::NodeBaseInterface;
 
+/// What the session says about a node: its number, its names, and its group.
+static void take_facts(NodeBaseInterface & node, Unpacker answer)
+{
+  node.id = answer.i();
+  node.name = answer.s();
+  node.space = answer.s();
+  node.full_name = answer.s();
+  node.logger = Logger(answer.s());
+  node.group = std::make_shared<CallbackGroup>(answer.i(), CallbackGroupType::MutuallyExclusive);
+  node.enter(node.group);
+  node.clock = std::make_shared<Clock>(RCL_ROS_TIME, node.id);
+}
 NodeFace::NodeFace(const std::string & name, const std::string & space, const NodeOptions & options, bool lifecycle)
 : base_(std::make_shared<NodeBase>()), options_(options)
 {
@@ -22,17 +34,15 @@ NodeFace::NodeFace(const std::string & name, const std::string & space, const No
     with.m(parameter.to_parameter_msg());
     base_->overrides[parameter.get_name()] = parameter.get_parameter_value();
   }
-  Unpacker answer = ask("node", with);
-  base_->id = answer.i();
-  base_->name = answer.s();
-  base_->space = answer.s();
-  base_->full_name = answer.s();
-  base_->logger = Logger(answer.s());
-  base_->group = std::make_shared<CallbackGroup>(answer.i(), CallbackGroupType::MutuallyExclusive);
-  base_->enter(base_->group);
-  base_->clock = std::make_shared<Clock>(RCL_ROS_TIME, base_->id);
+  take_facts(*base_, ask("node", with));
   base_->topic_statistics = options.enable_topic_statistics();
   base_->intra_process = options.use_intra_process_comms();
+}
+NodeFace::NodeFace(SharedNode node)
+: base_(std::make_shared<NodeBase>()), options_()
+{
+  base_->context = options_.context();
+  take_facts(*base_, ask("shared_node", Packer{}.i(node.id)));
 }
 // -- QoS: events, and policies that parameters override
 

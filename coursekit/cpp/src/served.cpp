@@ -1,15 +1,24 @@
-// Serving the controller manager.
+// Serving the process that the program is a part of.
 #include "coursekit/plugins.hpp"
 #include "rclcpp/rclcpp.hpp"
 
 namespace coursekit
 {
+static Handler handler_of(const std::string & kind, const std::string & type)
+{
+  static const std::map<std::string, Handler (*)(const std::string &)> known = {
+    {"hardware", hardware_of}, {"controller", controller_of}, {"planner", planner_of},
+    {"path_controller", path_controller_of}, {"goal_checker", goal_checker_of}, {"progress_checker", progress_checker_of},
+    {"layer", layer_of}};
+  return known.at(kind)(type);
+}
+
 int run_plugins(int argc, char ** argv)
 {
   rclcpp::init(argc, argv);
   const std::string kind = argc > 1 ? argv[1] : "", type = argc > 2 ? argv[2] : "";
-  const int64_t handler = add_handler(kind == "controller" ? controller_of(type) : hardware_of(type));
-  request("serve", Packer{}.i(handler));  // until the manager ends
+  const int64_t handler = add_handler(handler_of(kind, type));
+  request("serve", Packer{}.i(handler));  // until the process ends
   remove_handler(handler);  // which has the object
   return 0;
 }

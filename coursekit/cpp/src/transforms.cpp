@@ -48,6 +48,11 @@ BufferCore::BufferCore(Duration cache_time, int64_t node)
 {
   id = asked("tf_buffer", Packer{}.i(cache_time.count()).i(node)).i();
 }
+BufferCore::BufferCore(Shared buffer)
+: cache_time_(BUFFER_CORE_DEFAULT_CACHE_TIME)
+{
+  id = buffer.id;
+}
 geometry_msgs::msg::TransformStamped BufferCore::lookupTransform(
   const std::string & target, const std::string & source, const TimePoint & time) const
 {

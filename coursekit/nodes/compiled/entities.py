@@ -23,6 +23,7 @@ from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.lifecycle import CompiledLifecycleNode
 from coursekit.nodes.compiled.living import check_context_of_timer, living_node
 from coursekit.nodes.compiled.node import CompiledNode
+from coursekit.nodes.compiled.sharing import facts
 from coursekit.nodes.components.loading import LoadedComponent
 
 if TYPE_CHECKING:
@@ -77,10 +78,7 @@ def do_node(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
         allow_undeclared_parameters=allow,
         automatically_declare_parameters_from_overrides=automatic,
     )
-    host.node_clocks.append(node.get_clock())
-    full_name = node.get_fully_qualified_name()
-    group = host.keep(node.default_callback_group)
-    return packed(host.keep(node), node.get_name(), node.get_namespace(), full_name, node.get_logger().name, group)
+    return facts(host, host.keep(node))
 
 
 def do_callback_group(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

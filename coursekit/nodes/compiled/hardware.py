@@ -1,4 +1,4 @@
-"""A compiled program's requests about ros2_control: descriptions of hardware, and waiting for the controller manager."""
+"""A compiled program's requests about ros2_control: descriptions of hardware."""
 
 from __future__ import annotations
 
@@ -12,13 +12,6 @@ from coursekit.urdf.xml_tree import Element, read
 if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
-
-
-def do_serve(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Offer a handler to the process that the program is a part of, and wait until that needs it no longer."""
-    if host.served is None:
-        raise RuntimeError("it is started by the controller manager")
-    host.served.offer(frame.integer())
 
 
 def do_hardware_infos(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:

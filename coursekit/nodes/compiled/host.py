@@ -39,6 +39,7 @@ from coursekit.nodes.compiled import (
     plugins,
     program,
     robots,
+    sharing,
     topics,
     transforms,
     vision,
@@ -86,7 +87,7 @@ _NOT_VALID = (
 """rclcpp's messages for nodes and executors made before init() or after shutdown()."""
 _ROOMS = (
     program, entities, topics, graph, parameters, executing, waiting, waitables, lifecycle, listening, actions, transforms,
-    vision, bags, plugins, robots, calibrations, components, hardware,
+    vision, bags, plugins, robots, calibrations, components, hardware, sharing,
 )  # fmt: skip
 OPERATIONS = {name[3:]: do for room in _ROOMS for name, do in vars(room).items() if name.startswith("do_")}
 

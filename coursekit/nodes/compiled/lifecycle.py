@@ -54,11 +54,6 @@ class CompiledLifecycleNode(LifecycleNodeMixin, CompiledNode):
             self.get_logger().error(text)
             return TransitionCallbackReturn.ERROR
 
-    @property
-    def state_id(self) -> int:
-        """The number of the current state."""
-        return self._state_machine.current_state[0]
-
     def change(self, transition_id: int) -> int:
         """Perform a transition; 97 for success, 98 for failure, 99 for an error."""
         return int(self._rclpy_change_if_possible(transition_id))
@@ -87,7 +82,7 @@ def do_lifecycle(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 def do_lifecycle_state(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """The number of a node's state."""
-    return packed(host.things[frame.integer()].state_id)
+    return packed(host.things[frame.integer()]._state_machine.current_state[0])
 
 
 def do_lifecycle_change(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

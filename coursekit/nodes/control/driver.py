@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 import struct
 
+from coursekit.nodes.compiled.classes import Program, check
 from coursekit.nodes.compiled.frames import Unpacker
 
 from .description import HardwareInfo
 from .hardware import ACTIVE, FINALIZED, INACTIVE, UNCONFIGURED, Hardware
-from .programs import Program, check
 
 _STATES = ("unknown", UNCONFIGURED, INACTIVE, ACTIVE, FINALIZED)
 """The states by lifecycle_msgs's numbers."""

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 from rclpy.logging import get_logger
 from rclpy.node import Node
 
+from coursekit.nodes.compiled.classes import CppFault, PluginFault, Program, check, plugins_of, program_of
 from coursekit.nodes.compiled.frames import Unpacker
 
 from .controller import ControlError, Controller, Interfaces
-from .programs import CppFault, PluginFault, Program, check, plugins_of, program_of
 
 if TYPE_CHECKING:
     from rclpy.executors import Executor

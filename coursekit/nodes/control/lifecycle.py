@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from coursekit.nodes.compiled.classes import CppFault
+
 from .hardware import ACTIVE, FINALIZED, INACTIVE, TRANSITIONS, UNCONFIGURED, Hardware
-from .programs import CppFault
 
 _WAYS: dict[str, dict[str, tuple[str, ...]]] = {
     UNCONFIGURED: {INACTIVE: ("cleanup",), ACTIVE: ("deactivate", "cleanup")},

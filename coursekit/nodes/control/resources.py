@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
+from coursekit.nodes.compiled.classes import CppFault, PluginFault, plugins_of, program_of
+
 from .description import HardwareInfo
 from .driver import Driver
 from .hardware import MOCKS, GenericSystem, Hardware
-from .programs import CppFault, PluginFault, plugins_of, program_of
 
 _BASE = "hardware_interface::{}Interface"
 

@@ -44,8 +44,9 @@ class FilterChain(Node):
         full, name = str(values.get("type", "")), str(values["name"])
         kind = full.removeprefix("laser_filters/")
         if kind not in KINDS:
-            raise ValueError(no_such_plugin("filter", name, full, "filters::FilterBase<sensor_msgs::msg::LaserScan>",
-                                            (f"laser_filters/{name}" for name in KINDS)))  # fmt: skip
+            known = (f"laser_filters/{short}" for short in KINDS)
+            base = "filters::FilterBase<sensor_msgs::msg::LaserScan>"
+            raise ValueError(no_such_plugin(f"filter {name} of type '{full}'", full, base, known))
         work, wanted = KINDS[kind]
         given = {key: values.get(f"params.{key}", default) for key, default in wanted.items()}
         missing = [key for key, value in given.items() if isinstance(value, type)]

@@ -85,7 +85,7 @@ class BehaviorServer(Server):
         plugin = declare(self, {"plugin": USUAL.get(name, "")}, name)["plugin"]
         self.get_logger().info(f"Creating behavior plugin {name} of type {plugin}")
         if plugin not in KINDS:
-            raise ValueError(no_such_plugin("behavior", name, plugin, "nav2_core::Behavior", KINDS))
+            raise ValueError(no_such_plugin(f"behavior {name} of type {plugin}", plugin, "nav2_core::Behavior", KINDS))
         return KINDS[plugin]
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:

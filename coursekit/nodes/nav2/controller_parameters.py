@@ -80,7 +80,7 @@ def controller(node: Node, name: str, costmap: CostmapNode, period: float) -> Co
         kind = declare(node, {"primary_controller": _DWB_NAME}, name)["primary_controller"]
         turn_first = declare(node, _SHIM_ANGLE, name)["angular_dist_threshold"]
     if kind not in _MAKERS:
-        raise ValueError(no_such_plugin("controller", name, kind, "nav2_core::Controller", [*_MAKERS, _SHIM]))
+        raise ValueError(no_such_plugin("controller", kind, "nav2_core::Controller", [*_MAKERS, _SHIM]))
     make, defaults = _MAKERS[kind]
     made = make(declare(node, defaults, name))
     made.turn_first, made.period = turn_first or made.turn_first, period
@@ -131,7 +131,7 @@ def goal_checkers(node: Node, names: Iterable[str]) -> dict[str, GoalChecker]:
     for name in names:
         kind, one = declare(node, _GOAL_KIND, name)["plugin"], declare(node, _GOAL, name)
         if kind not in _GOAL_KINDS:
-            raise ValueError(no_such_plugin("goal checker", name, kind, "nav2_core::GoalChecker", _GOAL_KINDS))
+            raise ValueError(no_such_plugin("goal checker", kind, "nav2_core::GoalChecker", _GOAL_KINDS))
         still = declare(node, _STOPPED, name) if kind == _GOAL_KINDS[1] else None
         speeds = (still["trans_stopped_velocity"], still["rot_stopped_velocity"]) if still else None
         found[name] = GoalChecker(one["xy_goal_tolerance"], one["yaw_goal_tolerance"], one["stateful"], speeds)
@@ -142,7 +142,7 @@ def progress_checker(node: Node, name: str) -> ProgressChecker:
     """Return the progress checker; PoseProgressChecker counts rotation as well."""
     kind, given = declare(node, _PROGRESS_KIND, name)["plugin"], declare(node, _PROGRESS, name)
     if kind not in _PROGRESS_KINDS:
-        raise ValueError(no_such_plugin("progress_checker", name, kind, "nav2_core::ProgressChecker", _PROGRESS_KINDS))
+        raise ValueError(no_such_plugin("progress_checker", kind, "nav2_core::ProgressChecker", _PROGRESS_KINDS))
     turns = declare(node, {"required_movement_angle": 0.5}, name) if kind == _PROGRESS_KINDS[1] else {}
     angle = turns.get("required_movement_angle", math.inf)
     return ProgressChecker(given["required_movement_radius"], given["movement_time_allowance"], angle)

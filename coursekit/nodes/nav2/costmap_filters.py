@@ -131,6 +131,7 @@ def filters(node: Any, names: list[str], where: Whereabouts) -> list[Filter]:
     for name in names:
         kind = declare(node, {"plugin": ""}, name)["plugin"]
         if kind not in _KINDS:
-            raise ValueError(no_such_plugin("costmap filter", name, kind, "nav2_costmap_2d::Layer", _KINDS))
+            what = f"costmap filter {name} of type '{kind}'"
+            raise ValueError(no_such_plugin(what, kind, "nav2_costmap_2d::Layer", _KINDS))
         found.append(_KINDS[kind](node, name, where))
     return found

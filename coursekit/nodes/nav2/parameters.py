@@ -63,13 +63,17 @@ def _checked(name: str, value: Any, default: Any) -> Any:
     return value
 
 
-def no_such_plugin(what: str, name: str, kind: str, base: str, known: Iterable[str]) -> str:
+class NoPlugin(ValueError):
+    """A plugin that cannot be made; the message is nav2's."""
+
+
+def no_such_plugin(what: str, kind: str, base: str, known: Iterable[str]) -> str:
     """Return nav2's error message for a missing plugin.
 
-    >>> no_such_plugin("global planner", "GridBased", "Astar", "nav2_core::GlobalPlanner", ["a/B", "c/D"])[-67:]
-    'nav2_core::GlobalPlanner does not exist. Declared types are a/B c/D'
+    >>> no_such_plugin("global planner", "Astar", "nav2_core::GlobalPlanner", ["a/B", "c/D"])[-68:]
+    'nav2_core::GlobalPlanner does not exist. Declared types are  a/B c/D'
     """
     return (
-        f"Failed to create {what} {name} of type '{kind}'. Exception: According to the loaded plugin descriptions the class "
-        f"{kind} with base class type {base} does not exist. Declared types are {' '.join(known)}"
+        f"Failed to create {what}. Exception: According to the loaded plugin descriptions the class {kind} with base class "
+        f"type {base} does not exist. Declared types are  {' '.join(known)}"
     )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from typing import Any
 
-import numpy as np
+from geometry_msgs.msg import PoseStamped
 from nav2_msgs.action import ComputePathThroughPoses, ComputePathToPose
 from nav2_msgs.srv import IsPathValid
 from nav_msgs.msg import Path
@@ -16,10 +16,12 @@ from tf2_ros import TransformException
 from coursekit.geometry.plane import Pose2D
 from coursekit.nav.costmap import Costmap
 from coursekit.nav.planner import PlanError, Planner
+from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.nav2.costmap_node import CostmapNode
-from coursekit.nodes.nav2.parameters import Obedience, declare, no_such_plugin
+from coursekit.nodes.nav2.foreign import ForeignPlanner, change_all, end_programs, refused, retire, where_is
+from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import Beat, Server, run
-from coursekit.nodes.nav2.whereabouts import path_message
+from coursekit.nodes.nav2.whereabouts import path_message, stamped
 from coursekit.nodes.scanning.planar import plane
 
 _SERVER = {"planner_plugins": ["GridBased"], "expected_planner_frequency": 1.0}
@@ -44,7 +46,7 @@ class PlannerServer(Server):
         super().__init__("planner_server")
         declare(self, _SERVER)
         self.costmap = CostmapNode("global_costmap", self)
-        self._planners: dict[str, Planner] = {}
+        self._planners: dict[str, Planner | ForeignPlanner] = {}
         self._ends: list[tuple[Pose2D, tuple[float, float]]] = []
         """The goals of the last plan, and where the ways to them ended."""
 
@@ -55,10 +57,10 @@ class PlannerServer(Server):
             return TransitionCallbackReturn.FAILURE
         try:
             self._make_planners()
-        except ValueError as fault:
-            self.get_logger().error(str(fault))
+        except (ValueError, CppFault) as fault:
+            end_programs(self._planners)
             self.costmap.trigger_cleanup()
-            return TransitionCallbackReturn.FAILURE
+            return refused(self, fault)
         self._obedience = Obedience(self, self._make_planners)
         self._plan_out = self.create_lifecycle_publisher(Path, "plan", 1)
         self.serve(ComputePathToPose, "compute_path_to_pose", self._to_pose)
@@ -68,33 +70,43 @@ class PlannerServer(Server):
 
     def _make_planners(self) -> None:
         """Take the parameters; ValueError when they cannot work."""
-        self._planners = {name: self._make(name) for name in declare(self, _SERVER)["planner_plugins"]}
+        for name in declare(self, _SERVER)["planner_plugins"]:
+            self._planners[name] = self._make(name)
 
-    def _make(self, name: str) -> Planner:
-        kind = declare(self, {"plugin": _USUAL}, name)["plugin"]
-        if kind not in _KINDS:
-            raise ValueError(no_such_plugin("global planner", name, kind, "nav2_core::GlobalPlanner", _KINDS))
-        given = declare(self, {**_PLUGIN, "tolerance": _KINDS[kind]}, name)
-        if name not in self._planners:
+    def _make(self, name: str) -> Planner | ForeignPlanner:
+        kind, there = declare(self, {"plugin": _USUAL}, name)["plugin"], self._planners.get(name)
+        if isinstance(there, ForeignPlanner):
+            return there
+        if kind in _KINDS:
+            given = declare(self, {**_PLUGIN, "tolerance": _KINDS[kind]}, name)
+            made = Planner(given["tolerance"], given["allow_unknown"], given["cost_factor"])
+        else:
+            where = where_is("global planner", kind, "nav2_core::GlobalPlanner", _KINDS)
+            made = self._planners[name] = ForeignPlanner("planner", where, name, self, self.costmap)
+        if there is None:
             self.get_logger().info(f"Created global planner plugin {name} of type {kind}")
-        return Planner(given["tolerance"], given["allow_unknown"], given["cost_factor"])
+        if isinstance(made, ForeignPlanner):
+            made.configure()
+        return made
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Plan."""
         if self.costmap.trigger_activate() is not TransitionCallbackReturn.SUCCESS:
             return TransitionCallbackReturn.FAILURE
+        change_all(self._planners.values(), "activate")
         return super().on_activate(state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Plan no more."""
+        change_all(self._planners.values(), "deactivate")
         self.costmap.trigger_deactivate()
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Forget planners and costmap."""
         self._obedience.end()
+        retire(self._planners)
         self.costmap.trigger_cleanup()
-        self._planners.clear()
         self.destroy_service(self._valid)
         self.destroy_lifecycle_publisher(self._plan_out)
         return super().on_cleanup(state)
@@ -114,12 +126,11 @@ class PlannerServer(Server):
             return result
         begin, stopwatch = self.get_clock().now(), time.perf_counter()
         try:
-            poses = self._plan(handle.request, goals)
+            result.path = self._plan(handle.request, goals, begin.to_msg())
         except (PlanError, TransformException) as fault:
             self.get_logger().warning(str(fault))
             handle.abort()
             return result
-        result.path = path_message(poses, self.costmap.frame, begin.to_msg())
         result.planning_time = Duration(nanoseconds=(self.get_clock().now() - begin).nanoseconds).to_msg()
         self._plan_out.publish(result.path)
         self._complain(time.perf_counter() - stopwatch)
@@ -133,30 +144,48 @@ class PlannerServer(Server):
                 f"Planner loop missed its desired rate of {wanted:.4f} Hz. Current loop rate is {1 / seconds:.4f} Hz"
             )
 
-    def _plan(self, request: Any, goals: list[Any]) -> np.ndarray:
-        """Poses (n, 3) of the whole way; PlanError or TransformException."""
+    def _plan(self, request: Any, goals: list[Any], stamp: Any) -> Path:
+        """Return the whole way. Raises PlanError, TransformException."""
         name = request.planner_id or next(iter(self._planners))
         if name not in self._planners:
-            known = ", ".join(self._planners)
+            known = " ".join(self._planners)
             raise PlanError(f"planner {name} is not a valid planner. Planner names are: {known}")
         if not goals:
             raise PlanError("Compute path through poses requested a plan with no viapoint poses, returning.")
         costs = self._costs()
         frame, where = self.costmap.frame, self.costmap.where
         at = where.pose_in(frame, request.start) if request.use_start else where.robot(frame)
-        pieces, ends = [], []
+        whole, ends = Path(), []
         for goal in goals:
             to = where.pose_in(frame, goal)
-            before = next((end for last, end in self._ends if last.distance(to) < costs.resolution), None)
-            try:
-                pieces.append(self._planners[name].plan(costs, at, to, before))
-            except PlanError as fault:
-                text = f'{name} plugin failed to plan calculation to ({to.x:.2f}, {to.y:.2f}): "{fault}"'
-                raise PlanError(text) from None
-            at = Pose2D(*pieces[-1][-1].tolist())
+            piece = self._piece(name, costs, stamped(at, frame, stamp), stamped(to, frame, stamp))
+            whole.header = piece.header
+            met = bool(whole.poses) and whole.poses[-1].pose == piece.poses[0].pose
+            whole.poses += piece.poses[met:]
+            last = piece.poses[-1].pose
+            at = plane(last.position, last.orientation)
             ends.append((to, (at.x, at.y)))
         self._ends = ends
-        return np.vstack([piece if k == 0 else piece[1:] for k, piece in enumerate(pieces)])
+        return whole
+
+    def _piece(self, name: str, costs: Costmap, start: PoseStamped, goal: PoseStamped) -> Path:
+        """Return the way from a pose to another. Raises PlanError."""
+        planner, to = self._planners[name], goal.pose.position
+        try:
+            if isinstance(planner, ForeignPlanner):
+                path = planner.plan(start, goal)
+            else:
+                path = self._searched(planner, costs, start, goal)
+        except (PlanError, CppFault) as fault:
+            raise PlanError(f'{name} plugin failed to plan calculation to ({to.x:.2f}, {to.y:.2f}): "{fault}"') from None
+        if not path.poses:
+            raise PlanError(f"Planning algorithm {name} failed to generate a valid path to ({to.x:.2f}, {to.y:.2f})")
+        return path
+
+    def _searched(self, planner: Planner, costs: Costmap, start: PoseStamped, goal: PoseStamped) -> Path:
+        at, to = (plane(one.pose.position, one.pose.orientation) for one in (start, goal))
+        before = next((end for last, end in self._ends if last.distance(to) < costs.resolution), None)
+        return path_message(planner.plan(costs, at, to, before), self.costmap.frame, start.header.stamp)
 
     async def _costs_come(self, handle: Any) -> bool:
         """Wait a little for the first map and the first transform; whether someone still wants the path."""

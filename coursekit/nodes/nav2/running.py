@@ -7,9 +7,10 @@ from typing import Any
 
 import rclpy
 from rclpy.action import ActionServer, CancelResponse, GoalResponse
-from rclpy.lifecycle import LifecycleNode
+from rclpy.lifecycle import LifecycleNode, TransitionCallbackReturn
 from rclpy.task import Future
 
+from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.running import spin_to_the_end
 
 
@@ -104,6 +105,19 @@ class Server(LifecycleNode):
         super().__init__(name, **options)
         self.get_logger().info("Creating")
         self.actions: list[SingleGoal] = []
+
+    def _rclpy_tell_exception(self, error: Exception, where: str) -> None:
+        """Log an exception of a C++ plugin as rclcpp's managed nodes do."""
+        if not isinstance(error, CppFault):
+            super()._rclpy_tell_exception(error, where)
+            return
+        self.get_logger().error(f"Caught exception in callback for transition {self._state_machine.current_state[0]}")
+        self.get_logger().error(f"Original error: {error}")
+
+    def on_error(self, state: Any) -> Any:
+        """Become unconfigured, as all servers of nav2 do."""
+        self.get_logger().fatal(f"Lifecycle node {self.get_name()} does not have error state implemented")
+        return TransitionCallbackReturn.SUCCESS
 
     def number(self, name: str) -> float:
         """A parameter as a real number; raises ValueError if it is not a number."""

@@ -69,7 +69,7 @@ class SmootherServer(Server):
         for name in declare(self, _SERVER)["smoother_plugins"]:
             given = declare(self, _PLUGIN, name)
             if given["plugin"] not in _KINDS:
-                raise ValueError(no_such_plugin("smoother", name, given["plugin"], "nav2_core::Smoother", _KINDS))
+                raise ValueError(no_such_plugin("smoother", given["plugin"], "nav2_core::Smoother", _KINDS))
             rounds[name] = given["max_its"]
         self._rounds = rounds
 

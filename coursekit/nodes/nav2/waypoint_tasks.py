@@ -139,7 +139,7 @@ def task_of(node: Any, name: str) -> Task:
     """Return the task that the parameters under `name.` describe; ValueError for a plugin that does not exist."""
     plugin = declare(node, {"plugin": "nav2_waypoint_follower::WaitAtWaypoint"}, name)["plugin"]
     if plugin not in KINDS:
-        raise ValueError(no_such_plugin("waypoint task executor", name, plugin, _BASE, KINDS))
+        raise ValueError(no_such_plugin("waypoint_task_executor", plugin, _BASE, KINDS))
     kind = KINDS[plugin]
     made: Task = kind(node, declare(node, kind.DEFAULTS, name))
     return made

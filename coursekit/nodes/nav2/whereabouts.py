@@ -10,7 +10,7 @@ from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Path
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.time import Time
-from tf2_ros import TransformException, TransformListener
+from tf2_ros import Buffer, TransformException, TransformListener
 
 from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.scanning.planar import of_transform, plane, to_pose
@@ -26,19 +26,35 @@ class Whereabouts:
         self.buffer = WakingBuffer(node=node)
         self._space = (listener or node).get_namespace()
         self._listener = TransformListener(self.buffer, listener or node)
+        self._apart: TransformListener | None = None
 
     def close(self) -> None:
         """Destroy the subscriptions to tf."""
         self._listener.unregister()
+        if self._apart is not None:
+            self._apart.executor.shutdown(0)
+            self._apart.node.destroy_node()
+            self._apart = None
+
+    def buffer_for_plugins(self) -> Buffer:
+        """Return a buffer with a thread of its own: the calls of plugins may wait for transforms in it."""
+        if self._apart is None:
+            self._apart = TransformListener(Buffer(), self._ears("listens_for_plugins"), spin_thread=True)
+        buffer: Buffer = self._apart.buffer
+        return buffer
+
+    def _ears(self, what: str) -> Any:
+        """Make a node that subscribes to tf."""
+        name = f"{self.node.get_name()}_{what}"
+        names = ["--ros-args", "-r", f"__node:={name}", "-r", f"__ns:={self._space}"]
+        return rclpy.create_node(name, namespace=self._space, cli_args=names, context=self.node.context)
 
     def wait_for_robot(self, frame: str, tell: Callable[[str], None]) -> None:
         """Wait until the robot's pose in a frame is known; until then, call `tell` twice a second with the reason.
 
         This is for callbacks: they block the node's own executor, so a temporary node subscribes to tf.
         """
-        name = f"{self.node.get_name()}_waits_for_tf"
-        names = ["--ros-args", "-r", f"__node:={name}", "-r", f"__ns:={self._space}"]
-        ears = rclpy.create_node(name, namespace=self._space, cli_args=names, context=self.node.context)
+        ears = self._ears("waits_for_tf")
         executor = SingleThreadedExecutor(context=self.node.context)
         executor.add_node(ears)
         listener = TransformListener(self.buffer, ears)

@@ -1,4 +1,4 @@
-// The program that has the hardware and controllers of a package's library, for the controller manager.
+// The program that has the classes of a package's library, for a process of Python that would load the library on a robot.
 #pragma once
 #include <exception>
 #include <string>
@@ -8,11 +8,16 @@
 
 namespace coursekit
 {
-/// Make the object that the arguments name ("hardware" or "controller", and its class), and serve it until the manager ends.
+/// Make the object that the arguments name (its kind, such as "hardware", and its class), and serve it until the process ends.
 int run_plugins(int argc, char ** argv);
-/// A handler of the manager's requests to an object of that class.
+/// A handler of the process's requests to an object of that class.
 Handler hardware_of(const std::string & type);
 Handler controller_of(const std::string & type);
+Handler planner_of(const std::string & type);
+Handler path_controller_of(const std::string & type);
+Handler goal_checker_of(const std::string & type);
+Handler progress_checker_of(const std::string & type);
+Handler layer_of(const std::string & type);
 
 /// Do what may fail without an end of the program. Packs what was thrown, type and text, or two empty texts and the result.
 template<class F>

@@ -6,6 +6,12 @@
 
 namespace rclcpp
 {
+/// A node of the Python process that this program is a part of, by its number at the session.
+struct SharedNode
+{
+  int64_t id;
+};
+
 /// All that nodes have in common, with or without a lifecycle.
 class NodeFace
 {
@@ -13,6 +19,7 @@ public:
   using NodeBase = node_interfaces::NodeBaseInterface;
   using Descriptor = NodeBase::Descriptor;
   NodeFace(const std::string & name, const std::string & space, const NodeOptions & options, bool lifecycle);
+  explicit NodeFace(SharedNode node);
   virtual ~NodeFace() = default;
   NodeFace(const NodeFace &) = delete;
 

@@ -21,6 +21,9 @@ public:
   LifecycleNode(
     const std::string & node_name, const std::string & namespace_,
     const rclcpp::NodeOptions & options = rclcpp::NodeOptions(), bool enable_communication_interface = true);
+  /// A node of another process has its own transitions.
+  explicit LifecycleNode(rclcpp::SharedNode node)
+  : NodeFace(node) {}
   ~LifecycleNode() override;
 
   template<class T, class Alloc = std::allocator<void>>

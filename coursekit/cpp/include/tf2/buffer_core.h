@@ -16,6 +16,9 @@ class BufferCore : public coursekit::Entity, public BufferCoreInterface
 {
 public:
   explicit BufferCore(Duration cache_time = BUFFER_CORE_DEFAULT_CACHE_TIME);
+  /// A buffer that the session has already, by its number.
+  struct Shared {int64_t id;};
+  explicit BufferCore(Shared buffer);
   virtual ~BufferCore() = default;
 
   geometry_msgs::msg::TransformStamped lookupTransform(

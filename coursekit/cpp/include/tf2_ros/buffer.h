@@ -34,6 +34,8 @@ public:
   explicit Buffer(
     rclcpp::Clock::SharedPtr clock, tf2::Duration cache_time = tf2::BUFFER_CORE_DEFAULT_CACHE_TIME,
     rclcpp::Node::SharedPtr node = nullptr);
+  Buffer(Shared buffer, rclcpp::Clock::SharedPtr clock)
+  : BufferCore(buffer), clock_(std::move(clock)) {}
   ~Buffer() override;
 
   using tf2::BufferCore::canTransform;

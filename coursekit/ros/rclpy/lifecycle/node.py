@@ -147,11 +147,14 @@ class LifecycleNodeMixin(ManagedEntity):
         callback = _CALLBACKS[self._state_machine.current_state[0]]
         try:
             answer = TransitionCallbackReturn(getattr(self, callback)(before))
-        except Exception:
-            self._rclpy_logger_of().error(f"{callback} raised in state {before.label}:\n{traceback.format_exc()}")
+        except Exception as error:
+            self._rclpy_tell_exception(error, f"{callback} raised in state {before.label}")
             answer = TransitionCallbackReturn.ERROR
         self._state_machine.trigger_transition_by_label(answer.to_label())
         return answer
+
+    def _rclpy_tell_exception(self, error: Exception, where: str) -> None:
+        self._rclpy_logger_of().error(f"{where}:\n{traceback.format_exc()}")
 
     def _rclpy_logger_of(self) -> Any:
         node: Any = self

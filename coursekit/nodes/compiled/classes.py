@@ -1,9 +1,9 @@
-"""The programs of C++ packages that have the classes of their libraries: hardware and controllers."""
+"""The programs of C++ packages that have the classes of their libraries, for processes of Python."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from coursekit.cpp.age import is_of_another_age
 from coursekit.nodes.compiled.channel import Gone
@@ -58,7 +58,7 @@ def program_of(plugin: Plugin) -> tuple[str, str]:
 
 
 class Program:
-    """A program that has the class `type` of the kind "hardware" or "controller".
+    """A program that has the class `type` of a kind that `cpp/src/served.cpp` knows.
 
     As on a robot, where a library would be loaded into this process, what ends the program ends this process.
     """
@@ -76,6 +76,10 @@ class Program:
             return self._part.ask(packed(*words) + rest)
         except Gone:
             self._end()
+
+    def share(self, thing: Any) -> int:
+        """Let it use an object of this process. Returns its number there."""
+        return self._part.keep(thing)
 
     def close(self) -> None:
         """Destroy the object, and end the program."""

@@ -1,0 +1,139 @@
+"""Plugins of nav2 that a package brings as C++ classes: they are built by colcon, and nav2's servers use them."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import textwrap
+from pathlib import Path
+
+import pytest
+import yaml
+
+from coursekit.interfaces.find import UNDERLAY
+from tests.needs import compiler_or_skip
+from tests.packages.test_cpp_workspace import SOURCES, colcon, scripted
+
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]
+ROOT = Path(__file__).parents[2]
+PARAMETERS = UNDERLAY / "share" / "nav2_bringup" / "params" / "nav2_params.yaml"
+
+
+@pytest.fixture(scope="module")
+def workspace(tmp_path_factory):
+    compiler_or_skip()
+    folder = tmp_path_factory.mktemp("nav_ws")
+    shutil.copytree(SOURCES.parent.parent / "nav_ws" / "src", folder / "src")
+    built = colcon(folder, "build")
+    assert built.returncode == 0 and "1 package finished" in built.stdout, built.stdout + built.stderr
+    assert "stderr" not in built.stdout + built.stderr
+    return folder
+
+
+STAGE = """
+import sys
+from pathlib import Path
+
+sys.path.insert(0, ROOT)
+from action_msgs.msg import GoalStatus
+from coursekit.geometry.plane import Pose2D
+from coursekit.processes.session import Session
+from nav2_msgs.action import ComputePathThroughPoses, ComputePathToPose, FollowPath, NavigateToPose
+from rclpy.action import ActionClient
+from tests.nodes.nav2_stage import ROBOT, Stage
+
+STATUS = {1: "accepted", 2: "executing", 4: "succeeded", 5: "canceled", 6: "aborted"}
+
+
+def ask(kind, name, **fields):
+    client = ActionClient(stage.node, kind, name)
+    if not client.wait_for_server(timeout_sec=5.0):
+        return None
+    handle = stage.until(client.send_goal_async(kind.Goal(**fields)))
+    answer = stage.until(handle.get_result_async())
+    print(name, STATUS[answer.status])
+    return answer.result
+
+
+def at(x, y, theta=0.0):
+    return stage.stamped(Pose2D(x, y, theta))
+
+
+with (session := Session(virtual=True)).use():
+    stage = Stage(session, Path("."), "tec_warehouse", ROBOT, "params_file:=parameters.yaml")
+    stage.tell_pose(Pose2D(0.0, 0.0, 0.0))
+    BODY
+    stage.close()
+print(stage.launch.output)
+"""
+
+
+def told(folder, body, **changed):
+    """What the script prints, and then nav2, without stamps; `changed` are parameters of servers."""
+    parameters = yaml.safe_load(PARAMETERS.read_text())
+    for server, values in changed.items():
+        inner = parameters[server].get(server, parameters[server])
+        inner["ros__parameters"].update(values)
+    (folder / "parameters.yaml").write_text(yaml.safe_dump(parameters))
+    text = STAGE.replace("BODY", textwrap.indent(textwrap.dedent(body), "    ").strip())
+    done = scripted(folder, f"ROOT = {str(ROOT)!r}\n{text}")
+    assert done.returncode == 0, done.stdout + done.stderr
+    return re.sub(r"\[\d+\.\d+\] ", "", done.stdout)
+
+
+def lines(text, node):
+    """The level and text of a node's lines."""
+    return re.findall(rf"\[(INFO|WARN|ERROR|FATAL)\] \[{node}\]: (.*)", text)
+
+
+def planner(plugin="k_nav/CornerPlanner", **given):
+    return {"planner_plugins": ["GridBased"], "GridBased": {"plugin": plugin, **given}}
+
+
+def test_a_path_is_that_of_the_planner_in_cpp(workspace):
+    body = """
+    path = ask(ComputePathToPose, "compute_path_to_pose", goal=at(2.0, 1.0)).path
+    places = [(round(one.pose.position.x, 1), round(one.pose.position.y, 1)) for one in path.poses]
+    print(path.header.frame_id, (2.0, 0.0) in places, places[-1], max(x for x, y in places), len(places))
+    path = ask(ComputePathThroughPoses, "compute_path_through_poses", goals=[at(1.0, 0.0), at(1.0, 1.0)]).path
+    places = [(round(one.pose.position.x, 1), round(one.pose.position.y, 1)) for one in path.poses]
+    print((1.0, 0.0) in places, places[-1])
+    ask(ComputePathToPose, "compute_path_to_pose", goal=at(40.0, 0.0))
+    ask(ComputePathToPose, "compute_path_to_pose", goal=at(1.5, 0.0))
+    """
+    said = told(workspace, body, planner_server=planner(step=0.2))
+    assert "compute_path_to_pose succeeded\nmap True (2.0, 1.0) 2.0 1" in said
+    assert "compute_path_through_poses succeeded\nTrue (1.0, 1.0)\ncompute_path_to_pose aborted" in said
+    assert said.count("compute_path_to_pose succeeded") == 2
+    spoken = lines(said, "planner_server")
+    assert ("INFO", "Created global planner plugin GridBased of type k_nav/CornerPlanner") in spoken
+    assert ("INFO", "GridBased: configured in map for base_link") in spoken and ("INFO", "GridBased: activated") in spoken
+    fault = 'GridBased plugin failed to plan calculation to (40.00, 0.00): "the way leaves the map"'
+    assert ("WARN", fault) in spoken
+    assert "process has died" not in said
+
+
+def test_a_goal_is_reached_on_the_path_of_the_planner_in_cpp(workspace):
+    body = """
+    ask(NavigateToPose, "navigate_to_pose", pose=at(1.5, 0.0))
+    print(stage.distance_to(Pose2D(1.5, 0.0, 0.0)) < 0.4)
+    """
+    assert "navigate_to_pose succeeded\nTrue" in told(workspace, body, planner_server=planner())
+
+
+def test_a_planner_that_is_not_there_or_throws_is_told_as_on_a_robot(workspace):
+    def spoken(**changed):
+        body = 'print(ask(ComputePathToPose, "compute_path_to_pose", goal=at(1.0, 0.0)))'
+        return lines(told(workspace, body, **changed), "planner_server")
+
+    unknown = next(text for level, text in spoken(planner_server=planner("k_nav/Cornr")) if level == "FATAL")
+    assert unknown.startswith(
+        "Failed to create global planner. Exception: According to the loaded plugin descriptions the class k_nav/Cornr with "
+        "base class type nav2_core::GlobalPlanner does not exist. Declared types are  nav2_navfn_planner/NavfnPlanner"
+    )
+    assert unknown.endswith(" k_nav/CornerPlanner k_nav/LostPlanner")
+    thrown = spoken(planner_server=planner(fault="configure"))
+    assert ("ERROR", "Caught exception in callback for transition 10") in thrown
+    assert ("ERROR", "Original error: the planner has no compass") in thrown
+    lost = spoken(planner_server=planner("k_nav/LostPlanner"))
+    assert any(level in ("FATAL", "ERROR") and "k_nav::LostPlanner" in text for level, text in lost)

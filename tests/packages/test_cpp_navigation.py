@@ -137,3 +137,76 @@ def test_a_planner_that_is_not_there_or_throws_is_told_as_on_a_robot(workspace):
     assert ("ERROR", "Original error: the planner has no compass") in thrown
     lost = spoken(planner_server=planner("k_nav/LostPlanner"))
     assert any(level in ("FATAL", "ERROR") and "k_nav::LostPlanner" in text for level, text in lost)
+
+
+CHECKERS = {
+    "goal_checker_plugins": ["near"],
+    "near": {"plugin": "k_nav::NearChecker", "near": 0.35},
+    "progress_checker_plugin": "count",
+    "count": {"plugin": "k_nav::CountingChecker", "tries": 1000},
+}
+
+
+def controller(plugin="k_nav::Pursuit", **given):
+    return {"controller_plugins": ["FollowPath"], "FollowPath": {"plugin": plugin, **given}}
+
+
+@pytest.mark.parametrize("checkers", [{}, CHECKERS], ids=["checkers of nav2", "checkers in C++"])
+def test_the_robot_arrives_with_a_controller_in_cpp(workspace, checkers):
+    body = """
+    from nav2_msgs.msg import SpeedLimit
+    from rclpy.qos import QoSProfile
+    limits = stage.node.create_publisher(SpeedLimit, "speed_limit", 10)
+    stage.spin(0.5)
+    limits.publish(SpeedLimit(speed_limit=50.0, percentage=True))
+    stage.spin(0.5)
+    begin = stage.session.clock.now()
+    ask(NavigateToPose, "navigate_to_pose", pose=at(2.0, 0.5))
+    print(stage.distance_to(Pose2D(2.0, 0.5, 0.0)) < 0.4, (stage.session.clock.now() - begin) * 1e-9 > 1.6 / 0.15)
+    """
+    said = told(workspace, body, planner_server=planner(), controller_server=controller(speed=0.3) | checkers)
+    assert "navigate_to_pose succeeded\nTrue True" in said
+    spoken = [text for level, text in lines(said, "controller_server")]
+    assert "Created controller : FollowPath of type k_nav::Pursuit" in spoken and "pursuit: activated" in spoken
+    assert "pursuit: 0.15 m/s" in spoken and "Reached the goal!" in spoken
+    assert f"pursuit: near is {0.35 if checkers else 0.25:.2f} m" in spoken and "pursuit: arrived 0, size 60" in spoken
+    assert any(re.match(r"pursuit: \d+ poses in map", text) for text in spoken)
+    assert ("near: reset" in spoken) == ("near: for 16 corners" in spoken) == bool(checkers)
+
+
+FOLLOW = """
+path = ask(ComputePathToPose, "compute_path_to_pose", goal=at(2.0, 0.0)).path
+begin = stage.session.clock.now()
+ask(FollowPath, "follow_path", path=path)
+print("took", round((stage.session.clock.now() - begin) * 1e-9))
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "patience", "seconds", "expected"),
+    [
+        ({"fault": "unsure"}, 0.0, 0, [("ERROR", "the controller is not sure")]),
+        ({"fault": "unsure"}, 1.0, 1, [("WARN", "the controller is not sure"), ("ERROR", "Controller patience exceeded")]),
+        ({"fault": "broken"}, 1.0, 0, [("ERROR", "the controller is broken")]),
+    ],
+)
+def test_a_controller_that_throws_ends_the_goal_not_the_server(workspace, given, patience, seconds, expected):
+    wrong = controller(**given) | {"failure_tolerance": patience}
+    said = told(workspace, FOLLOW + "ask(FollowPath, 'follow_path', path=path)", controller_server=wrong)
+    assert f"follow_path aborted\ntook {seconds}\nfollow_path aborted" in said
+    spoken = lines(said, "controller_server")
+    assert all(line in spoken for line in expected) and "process has died" not in said
+
+
+def test_a_progress_checker_in_cpp_ends_a_goal(workspace):
+    count = CHECKERS | {"count": CHECKERS["count"] | {"tries": 20}}
+    said = told(workspace, FOLLOW, controller_server=controller() | count)
+    assert "follow_path aborted\ntook 1" in said
+    assert ("ERROR", "Failed to make progress") in lines(said, "controller_server")
+
+
+def test_a_controller_that_is_not_there_is_told_as_on_a_robot(workspace):
+    said = told(workspace, "pass", controller_server=controller("k_nav::Pursued"))
+    fatal = [text for level, text in lines(said, "controller_server") if level == "FATAL"]
+    assert fatal
+    assert fatal[0].startswith("Failed to create controller. Exception: According to the loaded plugin descriptions the class")

@@ -11,7 +11,9 @@ from rclpy.node import Node
 from coursekit.nav.checkers import GoalChecker, ProgressChecker
 from coursekit.nav.controller import Controller, Limits
 from coursekit.nodes.nav2.costmap_node import CostmapNode
-from coursekit.nodes.nav2.parameters import declare, no_such_plugin
+from coursekit.nodes.nav2.foreign import ForeignPlugins
+from coursekit.nodes.nav2.foreign_controller import ForeignController, ForeignGoalChecker, ForeignProgressChecker
+from coursekit.nodes.nav2.parameters import declare
 
 SERVER: dict[str, Any] = {
     "controller_frequency": 20.0,
@@ -72,15 +74,17 @@ _PURSUIT_NAME = "nav2_regulated_pure_pursuit_controller::RegulatedPurePursuitCon
 _MPPI_NAME = "nav2_mppi_controller::MPPIController"
 
 
-def controller(node: Node, name: str, costmap: CostmapNode, period: float) -> Controller:
-    """Create a controller by its plugin name. All sample velocities in the same way, within their own limits."""
+def controller(
+    node: Node, name: str, costmap: CostmapNode, period: float, foreign: ForeignPlugins
+) -> Controller | ForeignController:
+    """Create a controller by its plugin name. Those in Python sample velocities in the same way, within their own limits."""
     kind = declare(node, {"plugin": _DWB_NAME}, name)["plugin"]
     turn_first = None
     if kind == _SHIM:
         kind = declare(node, {"primary_controller": _DWB_NAME}, name)["primary_controller"]
         turn_first = declare(node, _SHIM_ANGLE, name)["angular_dist_threshold"]
     if kind not in _MAKERS:
-        raise ValueError(no_such_plugin("controller", kind, "nav2_core::Controller", [*_MAKERS, _SHIM]))
+        return foreign.get(ForeignController, name, kind, [*_MAKERS, _SHIM])
     make, defaults = _MAKERS[kind]
     made = make(declare(node, defaults, name))
     made.turn_first, made.period = turn_first or made.turn_first, period
@@ -125,24 +129,29 @@ _MAKERS: dict[str, tuple[Callable[[dict[str, Any]], Controller], dict[str, Any]]
 }
 
 
-def goal_checkers(node: Node, names: Iterable[str]) -> dict[str, GoalChecker]:
+def goal_checkers(
+    node: Node, names: Iterable[str], foreign: ForeignPlugins
+) -> dict[str, GoalChecker | ForeignGoalChecker]:
     """Return the goal checkers by name; StoppedGoalChecker waits for the robot to stop."""
-    found = {}
-    for name in names:
-        kind, one = declare(node, _GOAL_KIND, name)["plugin"], declare(node, _GOAL, name)
-        if kind not in _GOAL_KINDS:
-            raise ValueError(no_such_plugin("goal checker", kind, "nav2_core::GoalChecker", _GOAL_KINDS))
-        still = declare(node, _STOPPED, name) if kind == _GOAL_KINDS[1] else None
-        speeds = (still["trans_stopped_velocity"], still["rot_stopped_velocity"]) if still else None
-        found[name] = GoalChecker(one["xy_goal_tolerance"], one["yaw_goal_tolerance"], one["stateful"], speeds)
-    return found
+    return {name: _goal_checker(node, name, foreign) for name in names}
 
 
-def progress_checker(node: Node, name: str) -> ProgressChecker:
+def _goal_checker(node: Node, name: str, foreign: ForeignPlugins) -> GoalChecker | ForeignGoalChecker:
+    kind = declare(node, _GOAL_KIND, name)["plugin"]
+    if kind not in _GOAL_KINDS:
+        return foreign.get(ForeignGoalChecker, name, kind, _GOAL_KINDS)
+    one = declare(node, _GOAL, name)
+    still = declare(node, _STOPPED, name) if kind == _GOAL_KINDS[1] else None
+    speeds = (still["trans_stopped_velocity"], still["rot_stopped_velocity"]) if still else None
+    return GoalChecker(one["xy_goal_tolerance"], one["yaw_goal_tolerance"], one["stateful"], speeds)
+
+
+def progress_checker(node: Node, name: str, foreign: ForeignPlugins) -> ProgressChecker | ForeignProgressChecker:
     """Return the progress checker; PoseProgressChecker counts rotation as well."""
-    kind, given = declare(node, _PROGRESS_KIND, name)["plugin"], declare(node, _PROGRESS, name)
+    kind = declare(node, _PROGRESS_KIND, name)["plugin"]
     if kind not in _PROGRESS_KINDS:
-        raise ValueError(no_such_plugin("progress_checker", kind, "nav2_core::ProgressChecker", _PROGRESS_KINDS))
+        return foreign.get(ForeignProgressChecker, name, kind, _PROGRESS_KINDS)
+    given = declare(node, _PROGRESS, name)
     turns = declare(node, {"required_movement_angle": 0.5}, name) if kind == _PROGRESS_KINDS[1] else {}
     angle = turns.get("required_movement_angle", math.inf)
     return ProgressChecker(given["required_movement_radius"], given["movement_time_allowance"], angle)

@@ -4,23 +4,22 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
 from geometry_msgs.msg import Twist
 from nav2_msgs.action import FollowPath
 from nav2_msgs.msg import SpeedLimit
 from nav_msgs.msg import Odometry, Path
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
-from tf2_ros import TransformException
 
-from coursekit.geometry.plane import Pose2D, wrap
 from coursekit.nav.checkers import GoalChecker
-from coursekit.nav.controller import ControlError, Controller
-from coursekit.nav.planner import length
-from coursekit.nodes.nav2.controller_parameters import SERVER, controller, fit, goal_checkers, progress_checker
+from coursekit.nav.controller import Controller
+from coursekit.nodes.compiled.classes import CppFault
+from coursekit.nodes.nav2.controller_parameters import SERVER, controller, goal_checkers, progress_checker
 from coursekit.nodes.nav2.costmap_node import CostmapNode
+from coursekit.nodes.nav2.drive import Drive, ForeignDrive
+from coursekit.nodes.nav2.foreign import ForeignPlugins
+from coursekit.nodes.nav2.foreign_controller import ForeignController, ForeignGoalChecker
 from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import Beat, Server, run
-from coursekit.nodes.scanning.planar import plane
 
 
 class ControllerServer(Server):
@@ -30,6 +29,7 @@ class ControllerServer(Server):
         super().__init__("controller_server")
         declare(self, SERVER)
         self.costmap = CostmapNode("local_costmap", self)
+        self._foreign = ForeignPlugins(self, self.costmap)
 
     # -- states
 
@@ -40,10 +40,9 @@ class ControllerServer(Server):
             return TransitionCallbackReturn.FAILURE
         try:
             self._make_plugins()
-        except ValueError as fault:
-            self.get_logger().error(str(fault))
+        except (ValueError, CppFault) as fault:
             self.costmap.trigger_cleanup()
-            return TransitionCallbackReturn.FAILURE
+            return self._foreign.refused(fault)
         self.get_logger().info(f"Controller frequency set to {1 / self._period:.4f}Hz")
         self.get_logger().info(f"Controller Server has {' '.join(self._controllers)} controllers available.")
         self._make_topics()
@@ -57,15 +56,15 @@ class ControllerServer(Server):
         frequency = given["controller_frequency"]
         if not frequency > 0:
             raise ValueError(f"controller_frequency is {frequency}: give Hz, for example 20.0")
-        self._period, self._patience = 1.0 / frequency, given["failure_tolerance"]
-        self._progress = progress_checker(self, given["progress_checker_plugin"])
-        self._goals = goal_checkers(self, given["goal_checker_plugins"])
+        self._period, self.patience = 1.0 / frequency, given["failure_tolerance"]
+        self.progress = progress_checker(self, given["progress_checker_plugin"], self._foreign)
+        self._goals = goal_checkers(self, given["goal_checker_plugins"], self._foreign)
         self._controllers = {
-            name: controller(self, name, self.costmap, self._period) for name in given["controller_plugins"]
+            name: controller(self, name, self.costmap, self._period, self._foreign) for name in given["controller_plugins"]
         }
 
     def _make_topics(self) -> None:
-        self._speeds, self._limit, self._limit_share = (0.0, 0.0), 0.0, 0.0
+        self.velocity, self._limit, self._limit_share = Twist(), 0.0, 0.0
         self._cmd_out = self.create_lifecycle_publisher(Twist, "cmd_vel", 1)
         self._plan_out = self.create_lifecycle_publisher(Path, "received_global_plan", 1)
         self._heard = [
@@ -77,17 +76,20 @@ class ControllerServer(Server):
         """Activate the costmap and accept goals."""
         if self.costmap.trigger_activate() is not TransitionCallbackReturn.SUCCESS:
             return TransitionCallbackReturn.FAILURE
+        self._foreign.change("activate")
         return super().on_activate(state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Stop the robot and deactivate the costmap."""
-        self._stop()
+        self._foreign.change("deactivate")
+        self.stop()
         self.costmap.trigger_deactivate()
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Destroy the plugins and the costmap."""
         self._obedience.end()
+        self._foreign.retire()
         self.costmap.trigger_cleanup()
         for heard in self._heard:
             self.destroy_subscription(heard)
@@ -98,13 +100,22 @@ class ControllerServer(Server):
     # -- inputs
 
     def _take_odometry(self, msg: Odometry) -> None:
-        self._speeds = msg.twist.twist.linear.x, msg.twist.twist.angular.z
+        self.velocity = msg.twist.twist
 
     def _take_limit(self, msg: SpeedLimit) -> None:
         """Handle a limit in m/s, or in percent of the maximum speed; 0 means no limit."""
         self._limit, self._limit_share = (0.0, msg.speed_limit / 100) if msg.percentage else (msg.speed_limit, 0.0)
+        for one in self._controllers.values():
+            if isinstance(one, ForeignController):
+                one.limit(msg.speed_limit, msg.percentage)
 
-    def _top(self, one: Controller) -> float:
+    @property
+    def speeds(self) -> tuple[float, float]:
+        """The robot's velocity forward and to the left [m/s, rad/s]."""
+        return self.velocity.linear.x, self.velocity.angular.z
+
+    def top(self, one: Controller) -> float:
+        """Return the speed to which a controller is limited; 0 for none."""
         return self._limit or self._limit_share * one.limits.max_speed
 
     # -- path following
@@ -116,14 +127,15 @@ class ControllerServer(Server):
         if fault:
             self.get_logger().error(fault)
             handle.abort()
-            self._stop()
+            self.stop()
             return result
         fresh = self.actions[0].fresh
         self.get_logger().info(
             "Received a goal, begin computing control effort." if fresh else "Passing new path to controller."
         )
         self._plan_out.publish(request.path)
-        drive = _Drive(self, handle, self._controllers[request.controller_id or next(iter(self._controllers))])
+        one = self._controllers[request.controller_id or next(iter(self._controllers))]
+        drive = ForeignDrive(self, handle, one) if isinstance(one, ForeignController) else Drive(self, handle, one)
         beat = Beat(self, self._period)
         try:
             while not drive.step():
@@ -144,113 +156,17 @@ class ControllerServer(Server):
             )
         return "" if request.path.poses else "Invalid path, Path is empty."
 
-    def goal_checker(self, name: str) -> GoalChecker:
+    def goal_checker(self, name: str) -> GoalChecker | ForeignGoalChecker:
         """Return a goal checker by name, or the first one."""
         return self._goals[name or next(iter(self._goals))]
 
-    def drive(self, speeds: tuple[float, float]) -> None:
+    def drive(self, velocity: Twist) -> None:
         """Publish the velocity command."""
-        msg = Twist()
-        msg.linear.x, msg.angular.z = speeds
-        self._cmd_out.publish(msg)
+        self._cmd_out.publish(velocity)
 
-    def _stop(self) -> None:
-        self.drive((0.0, 0.0))
-
-
-class _Drive:
-    """One goal of follow_path, executed step by step."""
-
-    def __init__(self, server: ControllerServer, handle: Any, one: Controller) -> None:
-        self.server, self.handle, self.controller = server, handle, one
-        self.path = handle.request.path
-        self.frame = self.path.header.frame_id or server.costmap.frame
-        poses = [plane(pose.pose.position, pose.pose.orientation) for pose in self.path.poses]
-        self.poses = np.array(poses, dtype=float)
-        self.checker = server.goal_checker(handle.request.goal_checker_id)
-        self.checker.reset()
-        fit(one, server.costmap)
-        one.begin()
-        if server.actions[0].fresh:
-            server._progress.reset()
-        self.since_ns: int | None = None
-
-    def step(self) -> bool:
-        """Publish one command. Returns whether it was the last."""
-        server, handle = self.server, self.handle
-        if server.actions[0].replaced(handle):
-            handle.abort()
-            if not server.actions[0].active:
-                server._stop()
-            return True
-        if handle.is_cancel_requested:
-            server.get_logger().info("Goal was canceled. Stopping the robot.")
-            server._stop()
-            handle.canceled()
-            return True
-        try:
-            return self._drive_on()
-        except (ControlError, TransformException) as fault:
-            return self._failed(str(fault))
-
-    def _drive_on(self) -> bool:
-        server = self.server
-        costs = server.costmap.latest or server.costmap.fresh()
-        if costs is None:
-            raise ControlError("The local costmap does not know where the robot is")
-        frame = server.costmap.frame
-        here = server.costmap.pose()
-        shift = server.costmap.where.between(frame, self.frame)
-        points = shift.transform(self.poses[:, :2])
-        goal = shift @ Pose2D.of(self.poses[-1])
-        if self.checker.reached(here, goal, server._speeds):
-            return self._arrived()
-        now = server.get_clock().now().nanoseconds * 1e-9
-        if not server._progress.gets_on(here.x, here.y, now, here.theta):
-            server.get_logger().error("Failed to make progress")
-            return self._end()
-        server.drive(self._speeds(costs, here, goal, points))
-        self.since_ns = None
-        self._feed_back(here, points)
-        return False
-
-    def _speeds(self, costs: Any, here: Pose2D, goal: Pose2D, points: np.ndarray) -> tuple[float, float]:
-        now = self.server._speeds
-        if self.checker.near(here, goal):
-            if not self.controller.blocked(costs, here):
-                return self.controller.turn(costs, here, now, wrap(goal.theta - here.theta))
-            self.checker.reset()  # something is approaching: avoid it first, then return to the goal
-        return self.controller.command(costs, here, now, points, self.server._top(self.controller))
-
-    def _arrived(self) -> bool:
-        self.server.get_logger().info("Reached the goal!")
-        self.server._stop()
-        self.handle.succeed()
-        return True
-
-    def _failed(self, why: str) -> bool:
-        """Stop the robot; abort if the failure lasts too long."""
-        server = self.server
-        now = server.get_clock().now().nanoseconds
-        server._stop()
-        server.get_logger().warning(why, throttle_duration_sec=2.0)
-        self.since_ns = now if self.since_ns is None else self.since_ns
-        if 0 <= server._patience < (now - self.since_ns) * 1e-9 or server._patience == 0:
-            server.get_logger().error("Controller patience exceeded")
-            return self._end()
-        return False
-
-    def _end(self) -> bool:
-        self.server._stop()
-        self.handle.abort()
-        return True
-
-    def _feed_back(self, here: Pose2D, points: np.ndarray) -> None:
-        feedback = FollowPath.Feedback()
-        nearest = int(np.hypot(points[:, 0] - here.x, points[:, 1] - here.y).argmin())
-        feedback.distance_to_goal = length(points[nearest:])
-        feedback.speed = float(np.hypot(*self.server._speeds[:1], 0.0))
-        self.handle.publish_feedback(feedback)
+    def stop(self) -> None:
+        """Let the robot stand."""
+        self.drive(Twist())
 
 
 def main(args: list[str] | None = None) -> int:

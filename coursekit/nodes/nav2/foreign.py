@@ -3,28 +3,27 @@
 from __future__ import annotations
 
 import struct
-from typing import Any
+from collections.abc import Iterable
+from typing import Any, TypeVar
 
-from geometry_msgs.msg import PoseStamped
-from nav_msgs.msg import Path
 from rclpy.lifecycle import TransitionCallbackReturn
 
 from coursekit.nodes.compiled.classes import CppFault, PluginFault, Program, check, plugins_of, program_of
 from coursekit.nodes.compiled.frames import Unpacker, packed
-from coursekit.nodes.nav2.costmap_node import CostmapNode
 from coursekit.nodes.nav2.parameters import NoPlugin, no_such_plugin
 
 
 class Foreign:
-    """A C++ class with the life of nav2's plugins. Its calls raise CppFault when it throws."""
+    """A C++ class, for the server with this node and costmap. Its calls raise CppFault when it throws."""
 
-    def __init__(self, kind: str, where: tuple[str, str], name: str, node: Any, costmap: CostmapNode) -> None:
-        """`kind` as `cpp/src/served.cpp` knows it, `where` as `program_of` says it."""
-        path, type_ = where
+    served, base, what, created = "", "", "", ""
+    """Its kind in `cpp/src/served.cpp`, its base class, and nav2's words for it and for its making."""
+
+    def __init__(self, path: str, type_: str, name: str, node: Any, costmap: Any) -> None:
         self.name, self.node, self.costmap = name, node, costmap
-        self._program = Program(path, kind, type_)
+        self._program = Program(path, self.served, type_)
         try:
-            check(self._program.ask("make"))
+            self.ask("make")
         except CppFault:
             self._program.close()
             raise
@@ -32,7 +31,7 @@ class Foreign:
     def configure(self) -> None:
         """Lend it the server's node, buffer and costmap."""
         lent = self.node, self.costmap.where.buffer_for_plugins(), self.costmap
-        self.ask("configure", *map(self._program.share, lent), self.name, rest=self._costs())
+        self.ask("configure", *map(self.share, lent), self.name, rest=self.costs())
 
     def change(self, what: str) -> None:
         """Call its activate, deactivate or cleanup."""
@@ -42,72 +41,85 @@ class Foreign:
         """End its program."""
         self._program.close()
 
+    def share(self, thing: Any) -> int:
+        """Let it use an object. Returns the object's number there."""
+        return self._program.share(thing)
+
     def ask(self, *words: str | int, rest: bytes = b"") -> Unpacker:
         """Let it do something. Raises CppFault."""
         answer = self._program.ask(*words, rest=rest)
         check(answer)
         return answer
 
-    def _costs(self) -> bytes:
-        """Pack the newest costs and the robot's outline; `Costmap2DROS::renew` reads them."""
-        costs = self.costmap.latest or self.costmap.layers.costmap
-        outline = self.costmap.robot.corners
-        return b"".join(
-            (
-                struct.pack("<3d", costs.resolution, costs.x, costs.y), packed(*costs.cells.shape, costs.cells.tobytes()),
-                packed(len(outline)), outline.astype("<f8").tobytes(),
-            )
-        )  # fmt: skip
+    def costs(self) -> bytes:
+        """Pack the newest costs and the robot's outline."""
+        return packed_costs(self.costmap.latest or self.costmap.layers.costmap, self.costmap.robot)
 
 
-class ForeignPlanner(Foreign):
-    """A class derived from nav2_core::GlobalPlanner."""
-
-    def plan(self, start: PoseStamped, goal: PoseStamped) -> Path:
-        """Call createPlan."""
-        path: Path = self.ask("plan", rest=self._costs() + packed(start, goal)).message(Path)
-        return path
+Kind = TypeVar("Kind", bound=Foreign)
 
 
-def where_is(what: str, kind: str, base: str, known: Any) -> tuple[str, str]:
-    """Return where a C++ class is, for `Foreign`; `known` are the classes in Python. Raises NoPlugin."""
-    package = base.partition("::")[0]
+class ForeignPlugins:
+    """The C++ classes of a server, by the names of its plugins."""
+
+    def __init__(self, node: Any, costmap: Any) -> None:
+        self._node, self._costmap = node, costmap
+        self._all: dict[str, Foreign] = {}
+
+    def get(self, wanted: type[Kind], name: str, kind: str, known: Iterable[str]) -> Kind:
+        """Return a plugin, made and configured the first time; `known` are the classes in Python.
+
+        Raises NoPlugin, and CppFault when the class throws.
+        """
+        there = self._all.get(name)
+        if isinstance(there, wanted):
+            return there
+        made = wanted(*where_is(wanted, kind, known), name, self._node, self._costmap)
+        self._all[name] = made
+        self._node.get_logger().info(wanted.created.format(name=name, kind=kind))
+        made.configure()
+        return made
+
+    def change(self, what: str) -> None:
+        """Call activate, deactivate or cleanup of all."""
+        for one in self._all.values():
+            one.change(what)
+
+    def retire(self) -> None:
+        """Call cleanup of all, and end their programs."""
+        try:
+            self.change("cleanup")
+        finally:
+            self.end()
+
+    def end(self) -> None:
+        """End all programs."""
+        while self._all:
+            self._all.popitem()[1].close()
+
+    def refused(self, fault: Exception) -> TransitionCallbackReturn:
+        """Log why the server cannot be configured, and return FAILURE. A class's exception is raised again."""
+        self.end()
+        if isinstance(fault, CppFault):
+            raise fault
+        log = self._node.get_logger()
+        (log.fatal if isinstance(fault, NoPlugin) else log.error)(str(fault))
+        return TransitionCallbackReturn.FAILURE
+
+
+def where_is(wanted: type[Foreign], kind: str, known: Iterable[str]) -> tuple[str, str]:
+    """Return the program and the type of a C++ class. Raises NoPlugin."""
     try:
-        declared = plugins_of(package, base)
+        declared = plugins_of(wanted.base.partition("::")[0], wanted.base)
         if kind not in declared:
-            raise NoPlugin(no_such_plugin(what, kind, base, [*known, *declared]))
+            raise NoPlugin(no_such_plugin(wanted.what, kind, wanted.base, [*known, *declared]))
         return program_of(declared[kind])
     except PluginFault as fault:
-        raise NoPlugin(f"Failed to create {what}. Exception: {fault}") from None
+        raise NoPlugin(f"Failed to create {wanted.what}. Exception: {fault}") from None
 
 
-def refused(node: Any, fault: Exception) -> TransitionCallbackReturn:
-    """Log why a server cannot be configured, and return FAILURE. An exception of a C++ class is raised again."""
-    if isinstance(fault, CppFault):
-        raise fault
-    log = node.get_logger()
-    (log.fatal if isinstance(fault, NoPlugin) else log.error)(str(fault))
-    return TransitionCallbackReturn.FAILURE
-
-
-def end_programs(plugins: dict[str, Any]) -> None:
-    """Empty a server's plugins, and end the programs of C++ classes."""
-    while plugins:
-        _, one = plugins.popitem()
-        if isinstance(one, Foreign):
-            one.close()
-
-
-def retire(plugins: dict[str, Any]) -> None:
-    """Empty a server's plugins, with cleanup of the C++ classes among them."""
-    try:
-        change_all(plugins.values(), "cleanup")
-    finally:
-        end_programs(plugins)
-
-
-def change_all(plugins: Any, what: str) -> None:
-    """Call activate, deactivate or cleanup of all C++ classes among some plugins."""
-    for one in plugins:
-        if isinstance(one, Foreign):
-            one.change(what)
+def packed_costs(costs: Any, robot: Any) -> bytes:
+    """Pack costs and a robot's outline; `Costmap2DROS::renew` reads them."""
+    place = struct.pack("<3d", costs.resolution, costs.x, costs.y)
+    cells = packed(*costs.cells.shape, costs.cells.tobytes())
+    return place + cells + packed(len(robot.corners)) + robot.corners.astype("<f8").tobytes()

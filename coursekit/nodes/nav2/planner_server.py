@@ -18,7 +18,8 @@ from coursekit.nav.costmap import Costmap
 from coursekit.nav.planner import PlanError, Planner
 from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.nav2.costmap_node import CostmapNode
-from coursekit.nodes.nav2.foreign import ForeignPlanner, change_all, end_programs, refused, retire, where_is
+from coursekit.nodes.nav2.foreign import ForeignPlugins
+from coursekit.nodes.nav2.foreign_planner import ForeignPlanner
 from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.nav2.whereabouts import path_message, stamped
@@ -46,6 +47,7 @@ class PlannerServer(Server):
         super().__init__("planner_server")
         declare(self, _SERVER)
         self.costmap = CostmapNode("global_costmap", self)
+        self._foreign = ForeignPlugins(self, self.costmap)
         self._planners: dict[str, Planner | ForeignPlanner] = {}
         self._ends: list[tuple[Pose2D, tuple[float, float]]] = []
         """The goals of the last plan, and where the ways to them ended."""
@@ -58,9 +60,8 @@ class PlannerServer(Server):
         try:
             self._make_planners()
         except (ValueError, CppFault) as fault:
-            end_programs(self._planners)
             self.costmap.trigger_cleanup()
-            return refused(self, fault)
+            return self._foreign.refused(fault)
         self._obedience = Obedience(self, self._make_planners)
         self._plan_out = self.create_lifecycle_publisher(Path, "plan", 1)
         self.serve(ComputePathToPose, "compute_path_to_pose", self._to_pose)
@@ -70,43 +71,36 @@ class PlannerServer(Server):
 
     def _make_planners(self) -> None:
         """Take the parameters; ValueError when they cannot work."""
-        for name in declare(self, _SERVER)["planner_plugins"]:
-            self._planners[name] = self._make(name)
+        self._planners = {name: self._make(name) for name in declare(self, _SERVER)["planner_plugins"]}
 
     def _make(self, name: str) -> Planner | ForeignPlanner:
-        kind, there = declare(self, {"plugin": _USUAL}, name)["plugin"], self._planners.get(name)
-        if isinstance(there, ForeignPlanner):
-            return there
-        if kind in _KINDS:
-            given = declare(self, {**_PLUGIN, "tolerance": _KINDS[kind]}, name)
-            made = Planner(given["tolerance"], given["allow_unknown"], given["cost_factor"])
-        else:
-            where = where_is("global planner", kind, "nav2_core::GlobalPlanner", _KINDS)
-            made = self._planners[name] = ForeignPlanner("planner", where, name, self, self.costmap)
-        if there is None:
-            self.get_logger().info(f"Created global planner plugin {name} of type {kind}")
-        if isinstance(made, ForeignPlanner):
-            made.configure()
-        return made
+        kind = declare(self, {"plugin": _USUAL}, name)["plugin"]
+        if kind not in _KINDS:
+            return self._foreign.get(ForeignPlanner, name, kind, _KINDS)
+        given = declare(self, {**_PLUGIN, "tolerance": _KINDS[kind]}, name)
+        if name not in self._planners:
+            self.get_logger().info(ForeignPlanner.created.format(name=name, kind=kind))
+        return Planner(given["tolerance"], given["allow_unknown"], given["cost_factor"])
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Plan."""
         if self.costmap.trigger_activate() is not TransitionCallbackReturn.SUCCESS:
             return TransitionCallbackReturn.FAILURE
-        change_all(self._planners.values(), "activate")
+        self._foreign.change("activate")
         return super().on_activate(state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Plan no more."""
-        change_all(self._planners.values(), "deactivate")
+        self._foreign.change("deactivate")
         self.costmap.trigger_deactivate()
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Forget planners and costmap."""
         self._obedience.end()
-        retire(self._planners)
+        self._foreign.retire()
         self.costmap.trigger_cleanup()
+        self._planners.clear()
         self.destroy_service(self._valid)
         self.destroy_lifecycle_publisher(self._plan_out)
         return super().on_cleanup(state)

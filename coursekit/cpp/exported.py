@@ -38,6 +38,8 @@ EXPORTED = {
     "controller_interface": "hardware_interface rclcpp_lifecycle sensor_msgs",
     "controller_manager": "controller_interface controller_manager_msgs hardware_interface pluginlib rclcpp",
     "hardware_interface": "control_msgs lifecycle_msgs pluginlib rclcpp_lifecycle rcpputils rcutils",
+    "nav2_behaviors": "geometry_msgs nav2_core nav2_costmap_2d nav2_msgs nav2_util nav_msgs pluginlib rclcpp rclcpp_action "
+    "rclcpp_lifecycle std_msgs tf2 tf2_geometry_msgs tf2_ros",
     "nav2_core": "geometry_msgs lifecycle_msgs nav2_costmap_2d nav2_util nav_msgs pluginlib rclcpp rclcpp_lifecycle "
     "std_msgs tf2_ros",
     "nav2_costmap_2d": "geometry_msgs laser_geometry map_msgs message_filters nav2_msgs nav2_util nav_msgs pluginlib rclcpp "

@@ -209,4 +209,112 @@ def test_a_controller_that_is_not_there_is_told_as_on_a_robot(workspace):
     said = told(workspace, "pass", controller_server=controller("k_nav::Pursued"))
     fatal = [text for level, text in lines(said, "controller_server") if level == "FATAL"]
     assert fatal
-    assert fatal[0].startswith("Failed to create controller. Exception: According to the loaded plugin descriptions the class")
+    assert fatal[0].startswith("Failed to create controller. Exception: According to the loaded plugin descriptions the")
+
+
+def fenced(y=1.0, **given):
+    fence = {"plugin": "k_nav::FenceLayer", "y": y, **given}
+    return {"global_costmap": {"plugins": ["static_layer", "fence", "inflation_layer"], "fence": fence}}
+
+
+LOOK = """
+from nav2_msgs.srv import ClearEntireCostmap, GetCostmap
+
+def call(kind, name):
+    client = stage.node.create_client(kind, name)
+    client.wait_for_service(timeout_sec=5.0)
+    return stage.until(client.call_async(kind.Request()))
+
+costs = call(GetCostmap, "/global_costmap/get_costmap").map
+size, x, y = costs.metadata.resolution, costs.metadata.origin.position.x, costs.metadata.origin.position.y
+print("costs", *(costs.data[int((to_y - y) / size) * costs.metadata.size_x + int((0.0 - x) / size)]
+                 for to_y in (0.0, 0.85, 1.1)))
+call(ClearEntireCostmap, "/global_costmap/clear_entirely_global_costmap")
+ask(ComputePathToPose, "compute_path_to_pose", goal=at(0.0, 0.5))
+ask(ComputePathToPose, "compute_path_to_pose", goal=at(0.0, 2.0))
+"""
+
+
+def test_a_layer_in_cpp_is_a_part_of_the_costmap_and_is_inflated(workspace):
+    said = told(workspace, LOOK, planner_server=planner(), **fenced())
+    assert re.search(r"costs \d+ 253 254\ncompute_path_to_pose succeeded\ncompute_path_to_pose aborted", said)
+    spoken = [text for level, text in lines(said, "global_costmap.global_costmap")]
+    assert ('Using plugin "fence"' in spoken, 'Initialized plugin "fence"' in spoken) == (True, True)
+    assert {"fence in map", "fence activated", "fence reset", "fence for a radius of 0.21 m"} <= set(spoken)
+    assert any(re.fullmatch(r"fence has \d+ x \d+ cells", text) for text in spoken)
+    assert any(text.endswith('"there is a wall in the way"') for level, text in lines(said, "planner_server"))
+
+
+def test_a_fence_is_where_its_parameter_says(workspace):
+    said = told(workspace, LOOK, planner_server=planner(), **fenced(y=30.0))
+    costs = [int(one) for one in re.search(r"costs (\d+) (\d+) (\d+)\n", said).groups()]
+    assert max(costs) < 253, costs
+
+
+def test_a_layer_that_throws_ends_its_server_as_on_a_robot(workspace):
+    said = told(workspace, "stage.spin(2.0)", **fenced(fault=True))
+    assert "what():  the fence has fallen" in said
+    assert re.search(r"\[planner_server-\d+\]: process has died", said)
+
+
+def behavior(plugin="k_nav/Nod", **given):
+    return {"behavior_server": {"behavior_plugins": ["wait", "nod"], "nod": {"plugin": plugin, **given}}}
+
+
+NOD = """
+from geometry_msgs.msg import Twist
+from nav2_msgs.action import DummyBehavior, Wait
+from std_msgs.msg import String
+
+speeds = []
+stage.node.create_subscription(Twist, "cmd_vel", lambda said: speeds.append(said.linear.x), 10)
+
+def nod(word):
+    result = ask(DummyBehavior, "nod", command=String(data=word))
+    print(word, round(result.total_elapsed_time.sec + result.total_elapsed_time.nanosec * 1e-9, 1))
+
+"""
+
+
+def test_a_behavior_in_cpp_has_its_own_action(workspace):
+    body = """
+    stage.spin(1.0)
+    nod("yes")
+    print(max(speeds) > 0.05, min(speeds) < -0.05, speeds[-1])
+    nod("no")
+    nod("throw")
+    client = ActionClient(stage.node, DummyBehavior, "nod")
+    handle = stage.until(client.send_goal_async(DummyBehavior.Goal(command=String(data="ever"))))
+    stage.spin(0.5)
+    stage.until(handle.cancel_goal_async())
+    print("ever", STATUS[stage.until(handle.get_result_async()).status])
+    ask(Wait, "wait")
+    """
+    said = told(workspace, NOD + textwrap.dedent(body), **behavior(seconds=2.0))
+    spoken = lines(said, "behavior_server")
+    assert "nod succeeded\nyes 2.0\nTrue True 0.0\nnod aborted\nno 0.0\nnod aborted\nthrow 0.0\n" in said, said
+    assert "ever canceled\nwait succeeded" in said
+    assert ("INFO", "Creating behavior plugin nod of type k_nav/Nod") in spoken and ("INFO", "nod: over") in spoken
+    fault = '[nod] [ActionServer] Action server failed while executing action callback: "the neck is stiff"'
+    assert ("ERROR", fault) in spoken and ("INFO", "Initial checks failed for nod") in spoken
+
+
+def test_a_behavior_that_is_not_there_is_told_as_on_a_robot(workspace):
+    fatal = [text for level, text in lines(told(workspace, "pass", **behavior("k_nav/Nodd")), "behavior_server")]
+    assert any(text.startswith("Failed to create behavior nod of type k_nav/Nodd. Exception: ") for text in fatal)
+
+
+@pytest.mark.parametrize("word", ["hello", "throw"])
+def test_a_task_in_cpp_is_done_at_waypoints(workspace, word):
+    body = """
+    from nav2_msgs.action import FollowWaypoints
+    ask(FollowWaypoints, "follow_waypoints", poses=[at(0.6, 0.0), at(1.2, 0.0)])
+    """
+    given = {"waypoint_task_executor_plugin": "greet", "greet": {"plugin": "k_nav/Greet", "word": word}}
+    said = told(workspace, body, waypoint_follower={**given, "stop_on_failure": True})
+    spoken = [text for level, text in lines(said, "waypoint_follower")]
+    assert "follow_waypoints aborted" in said and "Created waypoint_task_executor : greet of type k_nav/Greet" in spoken
+    if word == "hello":
+        assert "hello 0 at 0.6" in spoken and "hello 1 at 1.2" in spoken and "Task execution at waypoint 1 failed!" in spoken
+    else:
+        assert any(text.endswith('failed while executing action callback: "nobody is there"') for text in spoken)

@@ -76,8 +76,10 @@ void serve(Nav2Plugin<Controller> & host, Unpacker & from, Packer & done)
     const auto velocity = from.m<Twist>();
     LentGoalChecker checker(from.i());
     done.m(host.plugin->computeVelocityCommands(pose, velocity, &checker));
+  } else if (what == "configure") {
+    host.configure(from);
   } else {
-    host.change(what, from);
+    host.change(what);
   }
 }
 void serve(Nav2Plugin<GoalChecker> & host, Unpacker & from, Packer & done)

@@ -101,52 +101,40 @@ struct LayerHost : coursekit::Nav2Server
     meet(from);
     all().addPlugin(layer);
     layer->initialize(&all(), name, buffer.get(), costmap, costmap->get_node_base_interface()->get_default_callback_group());
+    layer->onFootprintChanged();  // the robot's has just been set
   }
-  /// The bounds that the layer makes of those of the layers below.
-  void update_bounds(Unpacker & from, Packer & to)
+  void update(Unpacker & from, Packer & to)
   {
     costmap->renew(from);
     const double x = from.d(), y = from.d(), yaw = from.d();
-    double bounds[] = {from.d(), from.d(), from.d(), from.d()};
-    layer->updateBounds(x, y, yaw, &bounds[0], &bounds[1], &bounds[2], &bounds[3]);
-    for (double bound : bounds) {
-      to.d(bound);
-    }
-    to.i(layer->isCurrent());
-  }
-  void update_costs(Unpacker & from, Packer & to)
-  {
-    costmap->renew(from);
-    int edges[4];
-    for (int & edge : edges) {
-      edge = static_cast<int>(from.i());
-    }
-    Costmap2D & costs = *costmap->getCostmap();
-    layer->updateCosts(costs, edges[0], edges[1], edges[2], edges[3]);
+    all().updateMap(x, y, yaw);
+    const Costmap2D & costs = *costmap->getCostmap();
     const auto size = static_cast<size_t>(costs.getSizeInCellsX()) * costs.getSizeInCellsY();
     to.s(std::string(reinterpret_cast<const char *>(costs.getCharMap()), size));
   }
 };
 
-void serve(LayerHost & host, const std::string & type, Unpacker & from, Packer & done)
+void change(LayerHost & host, const std::string & what, const std::string & type, Unpacker & from)
 {
-  const std::string what = from.s();
   if (what == "make") {
     host.make(type);
   } else if (what == "configure") {
     host.initialize(from);
-  } else if (what == "bounds") {
-    host.update_bounds(from, done);
-  } else if (what == "costs") {
-    host.update_costs(from, done);
   } else if (what == "activate") {
     host.layer->activate();
   } else if (what == "deactivate") {
     host.layer->deactivate();
   } else if (what == "reset") {
     host.layer->reset();
-  } else if (what == "clearable") {
-    done.i(host.layer->isClearable());
+  }
+}
+void serve(LayerHost & host, const std::string & type, Unpacker & from, Packer & to)
+{
+  const std::string what = from.s();
+  if (what == "update") {
+    host.update(from, to);
+  } else {
+    coursekit::careful(to, [&](Packer &) {change(host, what, type, from);});
   }
 }
 }  // namespace
@@ -155,7 +143,5 @@ void serve(LayerHost & host, const std::string & type, Unpacker & from, Packer &
 coursekit::Handler coursekit::layer_of(const std::string & type)
 {
   auto host = std::make_shared<nav2_costmap_2d::LayerHost>();
-  return [host, type](Unpacker & from, Packer & to) {
-           careful(to, [&](Packer & done) {nav2_costmap_2d::serve(*host, type, from, done);});
-         };
+  return [host, type](Unpacker & from, Packer & to) {nav2_costmap_2d::serve(*host, type, from, to);};
 }

@@ -154,8 +154,11 @@ void LayeredCostmap::resizeMap(
 }
 void LayeredCostmap::updateMap(double robot_x, double robot_y, double robot_yaw)
 {
-  minx_ = miny_ = std::numeric_limits<double>::max();
-  maxx_ = maxy_ = std::numeric_limits<double>::lowest();
+  // The server's own layers have made all of it anew.
+  minx_ = costmap_.getOriginX();
+  miny_ = costmap_.getOriginY();
+  maxx_ = minx_ + costmap_.getSizeInMetersX();
+  maxy_ = miny_ + costmap_.getSizeInMetersY();
   for (auto & layer : plugins_) {
     layer->updateBounds(robot_x, robot_y, robot_yaw, &minx_, &miny_, &maxx_, &maxy_);
   }

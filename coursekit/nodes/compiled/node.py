@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from rclpy.callback_groups import CallbackGroup
+from rclpy.node import Node
 
 from coursekit.nodes.cpp_node import CppNode
 
 
-class CompiledNode(CppNode):
+class GroupsApart(Node):
     """Has groups that an executor serves without the node, or that are not served before an executor gets them."""
 
     def __init__(self, node_name: str, **options: Any) -> None:
@@ -24,7 +25,7 @@ class CompiledNode(CppNode):
             if entity.callback_group is group:
                 _serve(entity, executor)
 
-    def serve(self, entity: Any) -> None:
+    def serve_entity(self, entity: Any) -> None:
         """Attach an entity to the executor of its group."""
         group = entity.callback_group
         _serve(entity, self._apart.get(group, self.executor))
@@ -41,6 +42,10 @@ class CompiledNode(CppNode):
         for entity in self._rclpy_entities():
             if entity.callback_group not in self._apart:
                 executor._attach(entity)
+
+
+class CompiledNode(GroupsApart, CppNode):
+    """A node of a compiled program."""
 
 
 def _serve(entity: Any, executor: Any) -> None:

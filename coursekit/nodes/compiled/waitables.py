@@ -51,7 +51,7 @@ class CompiledWaitable:
         if not answer.integer():
             self._host.look_in_vain()
         if self.wait_for(_numbers(answer)):
-            self._node.serve(self)
+            self._node.serve_entity(self)
 
 
 def _numbers(frame: Unpacker) -> list[int]:

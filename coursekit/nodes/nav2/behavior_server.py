@@ -16,9 +16,12 @@ from coursekit.geometry.plane import Pose2D
 from coursekit.nav.controller import Controller, Limits
 from coursekit.nav.costmap import Costmap
 from coursekit.nav.footprint import Footprint
+from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.nav2.behaviors import KINDS, USUAL
+from coursekit.nodes.nav2.foreign import ForeignPlugins, where_is
+from coursekit.nodes.nav2.foreign_behavior import ForeignBehavior
 from coursekit.nodes.nav2.map_message import MAP_QOS
-from coursekit.nodes.nav2.parameters import Obedience, declare, no_such_plugin
+from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.nav2.whereabouts import Whereabouts
 
@@ -48,6 +51,7 @@ class BehaviorServer(Server):
     def __init__(self) -> None:
         super().__init__("behavior_server")
         declare(self, _SERVER)
+        self._foreign = ForeignPlugins(self)
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Create the behaviours in `behavior_plugins`."""
@@ -57,21 +61,43 @@ class BehaviorServer(Server):
             given = self.given
             chosen = {name: self._kind(name) for name in given["behavior_plugins"]}
         except ValueError as fault:
-            self.get_logger().error(str(fault))
-            return TransitionCallbackReturn.FAILURE
+            return self._foreign.refused(fault)
         self._obedience = Obedience(self, self._read)
         self._costs: Costmap | None = None
         self._robot: Footprint | None = None
         self._raw: PolygonStamped | None = None
-        self._where = Whereabouts(self, given["robot_base_frame"])
+        self.where = Whereabouts(self, given["robot_base_frame"])
         self._cmd_out = self.create_lifecycle_publisher(Twist, "cmd_vel", 1)
         self._heard = [
             self.create_subscription(CostmapMessage, given["costmap_topic"], self._take_costmap, MAP_QOS),
             self.create_subscription(PolygonStamped, given["footprint_topic"], self._take_outline, 10),
         ]
-        for name, (action, work) in chosen.items():
-            self.serve(action, name, partial(work, self, name))
+        try:
+            for name, plugin in chosen.items():
+                self._make(name, plugin)
+        except CppFault:
+            self._foreign.end()
+            self.on_cleanup(state)
+            raise
         return super().on_configure(state)
+
+    def _make(self, name: str, plugin: str) -> None:
+        if plugin not in KINDS:
+            self._foreign.get(ForeignBehavior, name, plugin, KINDS)
+            return
+        self.get_logger().info(ForeignBehavior.created.format(name=name, kind=plugin))
+        action, work = KINDS[plugin]
+        self.serve(action, name, partial(work, self, name))
+
+    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Accept goals."""
+        self._foreign.change("activate")
+        return super().on_activate(state)
+
+    def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Reject goals."""
+        self._foreign.change("deactivate")
+        return super().on_deactivate(state)
 
     def _read(self) -> None:
         """Read the parameters. ValueError for invalid ones."""
@@ -80,20 +106,20 @@ class BehaviorServer(Server):
             raise ValueError("cycle_frequency, simulation_time_step and projection_time should be greater than 0")
         self.given = given
 
-    def _kind(self, name: str) -> Any:
-        """Return a behaviour's action and coroutine by its plugin name. ValueError for an unknown one."""
-        plugin = declare(self, {"plugin": USUAL.get(name, "")}, name)["plugin"]
-        self.get_logger().info(f"Creating behavior plugin {name} of type {plugin}")
+    def _kind(self, name: str) -> str:
+        """Return the plugin of a behaviour. NoPlugin for an unknown one."""
+        plugin: str = declare(self, {"plugin": USUAL.get(name, "")}, name)["plugin"]
         if plugin not in KINDS:
-            raise ValueError(no_such_plugin(f"behavior {name} of type {plugin}", plugin, "nav2_core::Behavior", KINDS))
-        return KINDS[plugin]
+            where_is(ForeignBehavior, name, plugin, KINDS)
+        return plugin
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Destroy everything."""
         self._obedience.end()
+        self._foreign.retire()
         for heard in self._heard:
             self.destroy_subscription(heard)
-        self._where.close()
+        self.where.close()
         self.destroy_lifecycle_publisher(self._cmd_out)
         return super().on_cleanup(state)
 
@@ -107,7 +133,7 @@ class BehaviorServer(Server):
     def _take_outline(self, msg: PolygonStamped) -> None:
         self._raw = msg
         try:
-            here = self._where.robot(msg.header.frame_id)
+            here = self.where.robot(msg.header.frame_id)
         except TransformException:
             return
         points = np.array([(one.x, one.y) for one in msg.polygon.points], dtype=float)
@@ -171,7 +197,7 @@ class BehaviorServer(Server):
     def pose(self) -> Pose2D | None:
         """Return the robot's pose in `global_frame`, or None if tf does not have it."""
         try:
-            return self._where.robot(self.given["global_frame"])
+            return self.where.robot(self.given["global_frame"])
         except TransformException:
             return None
 

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from nav_msgs.msg import OccupancyGrid
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.costmap import FREE, UNKNOWN, Costmap, combine, static_costs
 from coursekit.nav.footprint import Footprint
 from coursekit.nav.inflation import Inflation
@@ -14,7 +15,8 @@ from coursekit.nav.movers import Movers
 from coursekit.nav.obstacles import ObstacleLayer
 from coursekit.nodes.nav2.cloud_source import CloudSource
 from coursekit.nodes.nav2.costmap_filters import filters
-from coursekit.nodes.nav2.costmap_parameters import layers, sources
+from coursekit.nodes.nav2.costmap_parameters import KINDS, layers, sources
+from coursekit.nodes.nav2.foreign_layer import ForeignLayer, foreign_layer
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
 from coursekit.nodes.nav2.range_source import RangeSource
 from coursekit.nodes.nav2.scan_source import ScanSource, Source, in_server_space, layer_of
@@ -39,6 +41,9 @@ class Layers:
         self._given: dict[str, dict[str, Any]] = {}
         self._inflation: dict[str, Any] | None = None
         self.has_static = False
+        self.foreign: list[ForeignLayer] = []
+        self._first_above = 0
+        """The number of foreign layers below the inflation."""
         for name, kind, layer in layers(node, given["plugins"]):
             self._given[name] = layer
             getattr(self, f"_add_{kind}")(name, layer, where)
@@ -66,6 +71,10 @@ class Layers:
         self.obstacles.append((made, {**layer, "footprint_clearing_enabled": True}))
         frame = self.given["global_frame"]
         self._sources += [RangeSource(self.node, where, frame, made, {**layer, "topic": one}) for one in layer["topics"]]
+
+    def _add_foreign(self, name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
+        self.foreign.append(foreign_layer(self.node, name, layer["plugin"], KINDS))
+        self._first_above += self._inflation is None
 
     def _add_inflation(self, name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
         self._inflation = layer
@@ -102,6 +111,8 @@ class Layers:
             source.close()
         for one in self._filters:
             one.close()
+        for layer in self.foreign:
+            layer.close()
 
     def _wake(self) -> None:
         for source in self._sources:
@@ -158,10 +169,15 @@ class Layers:
             combine(made.cells, layer.map.cells)
         if self._movers is not None:
             self._movers.see(made, now)
+        at = Pose2D(x, y, yaw)
+        for foreign in self.foreign[: self._first_above]:
+            foreign.update(made, self.robot, at)
         for one in self._filters:  # before the inflation, so that the whole robot stays out of the zones
             one.apply(made, self.given["global_frame"], (x, y))
         if self.inflation is not None:
             self._spread.spread(made.cells, self.inflation["inflate_unknown"])
+        for foreign in self.foreign[self._first_above :]:
+            foreign.update(made, self.robot, at)
         if self._movers is not None:
             self._movers.mark(made, self.robot.inscribed)
         self.costmap = made

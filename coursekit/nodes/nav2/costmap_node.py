@@ -9,19 +9,21 @@ from geometry_msgs.msg import Point32, PolygonStamped
 from nav2_msgs.msg import Costmap as CostmapMessage
 from nav2_msgs.srv import ClearCostmapAroundRobot, ClearCostmapExceptRegion, ClearEntireCostmap, GetCostmap
 from nav_msgs.msg import OccupancyGrid
-from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
+from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 from tf2_ros import TransformException
 
 from coursekit.geometry.plane import Pose2D
 from coursekit.nav.costmap import Costmap, occupancy
+from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.nav2.costmap_layers import Layers
 from coursekit.nodes.nav2.costmap_parameters import COSTMAP, footprint
+from coursekit.nodes.nav2.foreign import PluginsOwner
 from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.whereabouts import Whereabouts
 
 
-class CostmapNode(LifecycleNode):
+class CostmapNode(PluginsOwner):
     """Updates and publishes a costmap while active, and clears it on request."""
 
     def __init__(self, name: str, parent: Any) -> None:
@@ -46,12 +48,24 @@ class CostmapNode(LifecycleNode):
             self.frame = self.given["global_frame"]
             self.where = Whereabouts(self, self.given["robot_base_frame"], self._parent)
             self.layers = Layers(self, self.where, self.given, self.robot)
+            self._configure_layers()
         except ValueError as fault:
             self.get_logger().error(str(fault))
             return TransitionCallbackReturn.FAILURE
         self._obedience = Obedience(self, self._read_again)
         self._make_topics()
         return super().on_configure(state)
+
+    def _configure_layers(self) -> None:
+        """Configure the C++ layers. CppFault when one throws."""
+        try:
+            for layer in self.layers.foreign:
+                layer.configure()
+                self.get_logger().info(f'Initialized plugin "{layer.name}"')
+        except CppFault:
+            self.layers.close()
+            self.where.close()
+            raise
 
     def _read(self) -> None:
         """Read the parameters. ValueError for invalid ones."""
@@ -81,6 +95,7 @@ class CostmapNode(LifecycleNode):
         self.get_logger().info("Checking transform")
         self.where.wait_for_robot(self.frame, self._tell_no_pose)
         self._active = True
+        self._change_layers("activate")
         self._timer = self.create_timer(1.0 / max(self.given["update_frequency"], 0.1), self._work)
         return super().on_activate(state)
 
@@ -89,7 +104,12 @@ class CostmapNode(LifecycleNode):
         self.get_logger().info("Deactivating")
         self._active = False
         self.destroy_timer(self._timer)
+        self._change_layers("deactivate")
         return super().on_deactivate(state)
+
+    def _change_layers(self, what: str) -> None:
+        for layer in self.layers.foreign:
+            layer.change(what)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Destroy everything."""
@@ -177,6 +197,8 @@ class CostmapNode(LifecycleNode):
         """Clear what scans have marked."""
         for layer, _ in self.layers.obstacles:
             layer.forget()
+        for foreign in self.layers.foreign:
+            foreign.reset()
 
     def _clear(self, _request: Any, response: Any) -> Any:
         self.get_logger().info(f"Received request to clear entirely the {self.get_name()}")

@@ -56,7 +56,7 @@ SOURCE = {
     "raytrace_max_range": 3.0,
     "raytrace_min_range": 0.0,
 }
-_KINDS: dict[str, tuple[str, dict[str, Any]]] = {
+KINDS: dict[str, tuple[str, dict[str, Any]]] = {
     "nav2_costmap_2d::StaticLayer": ("static", STATIC),
     "nav2_costmap_2d::ObstacleLayer": ("obstacles", OBSTACLES),
     "nav2_costmap_2d::VoxelLayer": ("obstacles", OBSTACLES),
@@ -72,13 +72,14 @@ _USUAL = {
 
 
 def layers(node: Node, names: list[str]) -> list[tuple[str, str, dict[str, Any]]]:
-    """Return (name, 'static', 'obstacles', 'ranges' or 'inflation', parameters) per layer. ValueError for other types."""
+    """Return (name, 'static', 'obstacles', 'ranges', 'inflation' or 'foreign', parameters) per layer.
+
+    A foreign one is a C++ class, and has its `plugin` only; `KINDS` are the others' classes.
+    """
     found = []
     for name in names:
         kind = declare(node, {"plugin": _USUAL.get(name, "")}, name)["plugin"]
-        if kind not in _KINDS:
-            raise ValueError(f"{name}.plugin is '{kind}': use one of {', '.join(_KINDS)}")
-        what, defaults = _KINDS[kind]
+        what, defaults = KINDS.get(kind, ("foreign", {"plugin": kind}))
         found.append((name, what, declare(node, defaults, name)))
     return found
 

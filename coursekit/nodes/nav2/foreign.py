@@ -6,10 +6,11 @@ import struct
 from collections.abc import Iterable
 from typing import Any, TypeVar
 
-from rclpy.lifecycle import TransitionCallbackReturn
+from rclpy.lifecycle import LifecycleNode, TransitionCallbackReturn
 
 from coursekit.nodes.compiled.classes import CppFault, PluginFault, Program, check, plugins_of, program_of
 from coursekit.nodes.compiled.frames import Unpacker, packed
+from coursekit.nodes.compiled.node import GroupsApart
 from coursekit.nodes.nav2.parameters import NoPlugin, no_such_plugin
 
 
@@ -17,7 +18,7 @@ class Foreign:
     """A C++ class, for the server with this node and costmap. Its calls raise CppFault when it throws."""
 
     served, base, what, created = "", "", "", ""
-    """Its kind in `cpp/src/served.cpp`, its base class, and nav2's words for it and for its making."""
+    """Its kind in `cpp/src/served.cpp`, its base class, and nav2's words for it and its making, of {name} and {kind}."""
 
     def __init__(self, path: str, type_: str, name: str, node: Any, costmap: Any) -> None:
         self.name, self.node, self.costmap = name, node, costmap
@@ -31,7 +32,7 @@ class Foreign:
     def configure(self) -> None:
         """Lend it the server's node, buffer and costmap."""
         lent = self.node, self.costmap.where.buffer_for_plugins(), self.costmap
-        self.ask("configure", *map(self.share, lent), self.name, rest=self.costs())
+        self.ask("configure", self.name, *map(self.share, lent), rest=self.costs())
 
     def change(self, what: str) -> None:
         """Call its activate, deactivate or cleanup."""
@@ -56,13 +57,30 @@ class Foreign:
         return packed_costs(self.costmap.latest or self.costmap.layers.costmap, self.costmap.robot)
 
 
+class PluginsOwner(GroupsApart, LifecycleNode):
+    """A managed node that says what a C++ class has thrown as rclcpp's nodes do, and recovers as nav2's."""
+
+    def _rclpy_tell_exception(self, error: Exception, where: str) -> None:
+        if not isinstance(error, CppFault):
+            super()._rclpy_tell_exception(error, where)
+            return
+        log = self.get_logger()
+        log.error(f"Caught exception in callback for transition {self._state_machine.current_state[0]}")
+        log.error(f"Original error: {error}")
+
+    def on_error(self, state: Any) -> TransitionCallbackReturn:
+        """Become unconfigured."""
+        self.get_logger().fatal(f"Lifecycle node {self.get_name()} does not have error state implemented")
+        return TransitionCallbackReturn.SUCCESS
+
+
 Kind = TypeVar("Kind", bound=Foreign)
 
 
 class ForeignPlugins:
     """The C++ classes of a server, by the names of its plugins."""
 
-    def __init__(self, node: Any, costmap: Any) -> None:
+    def __init__(self, node: Any, costmap: Any = None) -> None:
         self._node, self._costmap = node, costmap
         self._all: dict[str, Foreign] = {}
 
@@ -74,7 +92,7 @@ class ForeignPlugins:
         there = self._all.get(name)
         if isinstance(there, wanted):
             return there
-        made = wanted(*where_is(wanted, kind, known), name, self._node, self._costmap)
+        made = wanted(*where_is(wanted, name, kind, known), name, self._node, self._costmap)
         self._all[name] = made
         self._node.get_logger().info(wanted.created.format(name=name, kind=kind))
         made.configure()
@@ -107,15 +125,16 @@ class ForeignPlugins:
         return TransitionCallbackReturn.FAILURE
 
 
-def where_is(wanted: type[Foreign], kind: str, known: Iterable[str]) -> tuple[str, str]:
-    """Return the program and the type of a C++ class. Raises NoPlugin."""
+def where_is(wanted: type[Foreign], name: str, kind: str, known: Iterable[str]) -> tuple[str, str]:
+    """Return the program and the type of a C++ class for a plugin. Raises NoPlugin."""
+    what = wanted.what.format(name=name, kind=kind)
     try:
         declared = plugins_of(wanted.base.partition("::")[0], wanted.base)
         if kind not in declared:
-            raise NoPlugin(no_such_plugin(wanted.what, kind, wanted.base, [*known, *declared]))
+            raise NoPlugin(no_such_plugin(what, kind, wanted.base, [*known, *declared]))
         return program_of(declared[kind])
     except PluginFault as fault:
-        raise NoPlugin(f"Failed to create {wanted.what}. Exception: {fault}") from None
+        raise NoPlugin(f"Failed to create {what}. Exception: {fault}") from None
 
 
 def packed_costs(costs: Any, robot: Any) -> bytes:

@@ -7,10 +7,10 @@ from typing import Any
 
 import rclpy
 from rclpy.action import ActionServer, CancelResponse, GoalResponse
-from rclpy.lifecycle import LifecycleNode, TransitionCallbackReturn
+from rclpy.lifecycle import LifecycleNode
 from rclpy.task import Future
 
-from coursekit.nodes.compiled.classes import CppFault
+from coursekit.nodes.nav2.foreign import PluginsOwner
 from coursekit.nodes.running import spin_to_the_end
 
 
@@ -98,26 +98,13 @@ class SingleGoal:
         self.server.destroy()
 
 
-class Server(LifecycleNode):
+class Server(PluginsOwner):
     """A managed node with actions, which exist from configuration to cleanup and accept goals while the node is active."""
 
     def __init__(self, name: str, **options: Any) -> None:
         super().__init__(name, **options)
         self.get_logger().info("Creating")
         self.actions: list[SingleGoal] = []
-
-    def _rclpy_tell_exception(self, error: Exception, where: str) -> None:
-        """Log an exception of a C++ plugin as rclcpp's managed nodes do."""
-        if not isinstance(error, CppFault):
-            super()._rclpy_tell_exception(error, where)
-            return
-        self.get_logger().error(f"Caught exception in callback for transition {self._state_machine.current_state[0]}")
-        self.get_logger().error(f"Original error: {error}")
-
-    def on_error(self, state: Any) -> Any:
-        """Become unconfigured, as all servers of nav2 do."""
-        self.get_logger().fatal(f"Lifecycle node {self.get_name()} does not have error state implemented")
-        return TransitionCallbackReturn.SUCCESS
 
     def number(self, name: str) -> float:
         """A parameter as a real number; raises ValueError if it is not a number."""

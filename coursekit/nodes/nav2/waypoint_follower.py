@@ -8,7 +8,9 @@ from typing import Any
 from nav2_msgs.action import FollowWaypoints, NavigateToPose
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 
+from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.nav2.errands import Errand
+from coursekit.nodes.nav2.foreign import ForeignPlugins
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import Server, run
 from coursekit.nodes.nav2.waypoint_tasks import task_of
@@ -26,16 +28,16 @@ class WaypointFollower(Server):
     def __init__(self) -> None:
         super().__init__("waypoint_follower")
         declare(self, _SERVER)
+        self._foreign = ForeignPlugins(self)
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Create the action server; return FAILURE for an invalid parameter."""
         self.get_logger().info("Configuring")
         try:
             self._given = declare(self, _SERVER)
-            self._task = task_of(self, self._given["waypoint_task_executor_plugin"])
-        except ValueError as fault:
-            self.get_logger().error(str(fault))
-            return TransitionCallbackReturn.FAILURE
+            self._task = task_of(self, self._given["waypoint_task_executor_plugin"], self._foreign)
+        except (ValueError, CppFault) as fault:
+            return self._foreign.refused(fault)
         self._go = Errand(self, NavigateToPose, "navigate_to_pose")
         self._action = self.serve(FollowWaypoints, "follow_waypoints", self._follow)
         return super().on_configure(state)
@@ -43,6 +45,7 @@ class WaypointFollower(Server):
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Destroy the client, the action server and the task's subscription."""
         self._go.destroy()
+        self._foreign.retire()
         if self._task.subscription is not None:
             self.destroy_subscription(self._task.subscription)
         return super().on_cleanup(state)
@@ -59,7 +62,11 @@ class WaypointFollower(Server):
 
         for number, pose in enumerate(poses):
             handle.publish_feedback(FollowWaypoints.Feedback(current_waypoint=number))
-            good = await self._visit(pose, number, missed, stop)
+            try:
+                good = await self._visit(pose, number, missed, stop)
+            except CppFault:
+                handle.abort()
+                return result
             if stop():
                 handle.canceled() if handle.is_cancel_requested else handle.abort()
                 return result
@@ -83,7 +90,12 @@ class WaypointFollower(Server):
             log.warning(f"Failed to process waypoint {number}" + (", moving to next." if goes_on else ""))
             return False
         log.info(f"Succeeded processing waypoint {number}, processing waypoint task execution")
-        done = await self._task.process(pose, number, stop)
+        try:
+            done = await self._task.process(pose, number, stop)
+        except CppFault as fault:
+            what = "Action server failed while executing action callback"
+            log.error(f'[follow_waypoints] [ActionServer] {what}: "{fault}"')
+            raise
         log.info(f"Task execution at waypoint {number} {'succeeded' if done else 'failed!'}")
         if done or goes_on:
             log.info(f"Handled task execution on waypoint {number}, moving to next.")

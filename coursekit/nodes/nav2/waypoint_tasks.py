@@ -12,11 +12,12 @@ from rclpy.qos import qos_profile_system_default
 from sensor_msgs.msg import Image
 from std_msgs.msg import Empty
 
-from coursekit.nodes.nav2.parameters import declare, no_such_plugin
+from coursekit.nodes.nav2.foreign import ForeignPlugins
+from coursekit.nodes.nav2.foreign_behavior import ForeignTask
+from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import pause
 
 LOOK_SECONDS = 1 / 50
-_BASE = "nav2_core::WaypointTaskExecutor"
 Stop = Callable[[], bool]
 
 
@@ -135,11 +136,11 @@ KINDS: dict[str, Any] = {
 }
 
 
-def task_of(node: Any, name: str) -> Task:
-    """Return the task that the parameters under `name.` describe; ValueError for a plugin that does not exist."""
+def task_of(node: Any, name: str, foreign: ForeignPlugins) -> Task:
+    """Return the task that the parameters under `name.` describe. Raises NoPlugin, CppFault."""
     plugin = declare(node, {"plugin": "nav2_waypoint_follower::WaitAtWaypoint"}, name)["plugin"]
     if plugin not in KINDS:
-        raise ValueError(no_such_plugin("waypoint_task_executor", plugin, _BASE, KINDS))
+        return foreign.get(ForeignTask, name, plugin, KINDS)
     kind = KINDS[plugin]
     made: Task = kind(node, declare(node, kind.DEFAULTS, name))
     return made

@@ -17,13 +17,18 @@ struct Nav2Server
   std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap;
   std::string name;
 
-  /// Take its numbers, the name of the plugin, and the costs.
-  void meet(Unpacker & from)
+  /// Take the name of the plugin, and the numbers of the server's node and buffer.
+  void meet_node(Unpacker & from)
   {
+    name = from.s();
     node = std::make_shared<nav2_util::LifecycleNode>(rclcpp::SharedNode{from.i()});
     buffer = std::make_shared<tf2_ros::Buffer>(tf2::BufferCore::Shared{from.i()}, node->get_clock());
+  }
+  /// The costmap, too, and its costs.
+  void meet(Unpacker & from)
+  {
+    meet_node(from);
     costmap = std::make_shared<nav2_costmap_2d::Costmap2DROS>(rclcpp::SharedNode{from.i()}, buffer);
-    name = from.s();
     costmap->renew(from);
   }
 };
@@ -40,14 +45,16 @@ struct Nav2Plugin : Nav2Server
     class_loader::ClassLoader own("");
     plugin.reset(own.createUnmanagedInstance<Base>(type));
   }
-  /// A step of its life, for classes with all of them.
-  void change(const std::string & what, Unpacker & from)
+  void configure(Unpacker & from)
+  {
+    meet(from);
+    plugin->configure(node, name, buffer, costmap);
+  }
+  /// Another step of its life, for classes with all of them.
+  void change(const std::string & what)
   {
     if (what == "make") {
       make();
-    } else if (what == "configure") {
-      meet(from);
-      plugin->configure(node, name, buffer, costmap);
     } else if (what == "activate") {
       plugin->activate();
     } else if (what == "deactivate") {

@@ -18,6 +18,8 @@ Handler path_controller_of(const std::string & type);
 Handler goal_checker_of(const std::string & type);
 Handler progress_checker_of(const std::string & type);
 Handler layer_of(const std::string & type);
+Handler behavior_of(const std::string & type);
+Handler waypoint_task_of(const std::string & type);
 
 /// Do what may fail without an end of the program. Packs what was thrown, type and text, or two empty texts and the result.
 template<class F>

@@ -288,12 +288,18 @@ def test_a_behavior_in_cpp_has_its_own_action(workspace):
     stage.spin(0.5)
     stage.until(handle.cancel_goal_async())
     print("ever", STATUS[stage.until(handle.get_result_async()).status])
+    handle = stage.until(client.send_goal_async(DummyBehavior.Goal(command=String(data="ever"))))
+    stage.spin(0.5)
+    nod("again")
+    print("ever", STATUS[stage.until(handle.get_result_async()).status])
     ask(Wait, "wait")
     """
     said = told(workspace, NOD + textwrap.dedent(body), **behavior(seconds=2.0))
     spoken = lines(said, "behavior_server")
     assert "nod succeeded\nyes 2.0\nTrue True 0.0\nnod aborted\nno 0.0\nnod aborted\nthrow 0.0\n" in said, said
-    assert "ever canceled\nwait succeeded" in said
+    assert "ever canceled\nnod succeeded\nagain 2.0\never aborted\nwait succeeded" in said
+    preempted = "Received a preemption request for nod, however feature is currently not implemented. Aborting and stopping."
+    assert ("ERROR", preempted) in spoken
     assert ("INFO", "Creating behavior plugin nod of type k_nav/Nod") in spoken and ("INFO", "nod: over") in spoken
     fault = '[nod] [ActionServer] Action server failed while executing action callback: "the neck is stiff"'
     assert ("ERROR", fault) in spoken and ("INFO", "Initial checks failed for nod") in spoken

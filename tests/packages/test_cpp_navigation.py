@@ -324,3 +324,21 @@ def test_a_task_in_cpp_is_done_at_waypoints(workspace, word):
         assert "hello 0 at 0.6" in spoken and "hello 1 at 1.2" in spoken and "Task execution at waypoint 1 failed!" in spoken
     else:
         assert any(text.endswith('failed while executing action callback: "nobody is there"') for text in spoken)
+
+
+def test_plugins_in_cpp_go_and_come_again_with_their_servers(workspace):
+    body = """
+    from nav2_msgs.srv import ManageLifecycleNodes
+    client = stage.node.create_client(ManageLifecycleNodes, "/lifecycle_manager_navigation/manage_nodes")
+    for command in (ManageLifecycleNodes.Request.RESET, ManageLifecycleNodes.Request.STARTUP):
+        print("managed", stage.until(client.call_async(ManageLifecycleNodes.Request(command=command))).success)
+    stage.spin(2.0)
+    ask(NavigateToPose, "navigate_to_pose", pose=at(0.8, 0.0))
+    """
+    wanted = {"planner_server": planner(), "controller_server": controller() | CHECKERS, **fenced(), **behavior()}
+    said = told(workspace, body, **wanted)
+    assert "managed True\nmanaged True\nnavigate_to_pose succeeded" in said
+    spoken = [text for level, text in lines(said, "planner_server") if text.startswith("GridBased: ")]
+    begun = ["GridBased: configured in map for base_link", "GridBased: activated"]
+    assert spoken == [*begun, "GridBased: deactivated", "GridBased: cleaned up", *begun]
+    assert "process has died" not in said

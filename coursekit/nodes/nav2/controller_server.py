@@ -111,7 +111,7 @@ class ControllerServer(Server):
 
     @property
     def speeds(self) -> tuple[float, float]:
-        """The robot's velocity forward and to the left [m/s, rad/s]."""
+        """How fast the robot drives [m/s] and turns [rad/s]."""
         return self.velocity.linear.x, self.velocity.angular.z
 
     def top(self, one: Controller) -> float:

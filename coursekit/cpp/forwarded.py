@@ -6,7 +6,7 @@ from pathlib import Path
 
 FORWARDED = {
     "rclcpp/rclcpp.hpp": (
-        "allocator/allocator_deleter any_service_callback contexts/default_context create_client "
+        "allocator/allocator_deleter contexts/default_context create_client "
         "create_generic_publisher create_generic_subscription create_publisher create_service create_subscription "
         "create_timer executor_options executors/multi_threaded_executor executors/single_threaded_executor "
         "executors/static_executor_entities_collector executors/static_single_threaded_executor generic_publisher "
@@ -20,14 +20,14 @@ FORWARDED = {
         "node_interfaces/node_time_source node_interfaces/node_time_source_interface node_interfaces/node_timers "
         "node_interfaces/node_timers_interface node_interfaces/node_topics node_interfaces/node_topics_interface "
         "node_interfaces/node_waitables node_interfaces/node_waitables_interface parameter_service publisher_base "
-        "publisher_factory qos_overriding_options serialization subscription_base subscription_content_filter_options "
-        "subscription_factory subscription_options subscription_traits subscription_wait_set_mask topic_statistics_state "
+        "qos_overriding_options serialization subscription_base subscription_content_filter_options "
+        "subscription_options subscription_traits subscription_wait_set_mask topic_statistics_state "
         "type_support_decl wait_result wait_result_kind wait_set_policies/dynamic_storage "
         "wait_set_policies/sequential_synchronization wait_set_policies/static_storage "
         "wait_set_policies/thread_safe_synchronization wait_set_template"
     ),
     "rclcpp/exceptions.hpp": "exceptions/exceptions",
-    "rclcpp/memory_strategy.hpp": "memory_strategies strategies/message_pool_memory_strategy",
+    "rclcpp/memory_strategy.hpp": "memory_strategies",
     "coursekit/visibility.hpp": (
         "/ament_index_cpp/visibility_control.h /message_filters/visibility_control.h /rclcpp_action/visibility_control.hpp "
         "/rclcpp_components/visibility_control.hpp /rcpputils/visibility_control.hpp /rcutils/visibility_control.h "

@@ -97,25 +97,31 @@ void Executor::spin()
 void Executor::spin_once(std::chrono::nanoseconds timeout)
 {
   Turn turn(*this);
-  ask("spin_once", Packer{}.i(id).i(timeout.count()));
+  spin_once_impl(timeout);
 }
+void Executor::spin_once_impl(std::chrono::nanoseconds timeout) {ask("spin_once", Packer{}.i(id).i(timeout.count()));}
 void Executor::spin_some(std::chrono::nanoseconds max_duration)
 {
+  spin_some_impl(max_duration, false);
+}
+void Executor::spin_some_impl(std::chrono::nanoseconds max_duration, bool exhaustive)
+{
   Turn turn(*this);
-  ask("spin_some", Packer{}.i(id).i(max_duration.count()).i(0));
+  ask("spin_some", Packer{}.i(id).i(max_duration.count()).i(exhaustive));
 }
 void Executor::spin_all(std::chrono::nanoseconds max_duration)
 {
   if (max_duration.count() < 0) {
     throw std::invalid_argument("max_duration must be greater than or equal to 0");
   }
-  Turn turn(*this);
-  ask("spin_some", Packer{}.i(id).i(max_duration.count()).i(1));
+  spin_some_impl(max_duration, true);
 }
 void Executor::wait_for_work(std::chrono::nanoseconds timeout)
 {
   if (!found_) {
-    found_ = ask("next_work", Packer{}.i(id).i(timeout.count())).i();
+    Unpacker answer = ask("next_work", Packer{}.i(id).i(timeout.count()));
+    found_ = answer.i();
+    found_entity_ = answer.i();
   }
 }
 bool Executor::get_next_ready_executable(AnyExecutable & found)
@@ -129,7 +135,31 @@ bool Executor::get_next_executable(AnyExecutable & found, std::chrono::nanosecon
     coursekit::note("drop", Packer{}.i(found.id));
   }
   found.id = found_.exchange(0);
+  if (found.id) {
+    describe(found, found_entity_.exchange(0));
+  }
   return found.id != 0;
+}
+void Executor::describe(AnyExecutable & found, int64_t entity)
+{
+  auto is_it = [&](const auto & one) {return one->id == entity;};
+  for (const CallbackGroup::WeakPtr & weak : get_all_callback_groups()) {
+    auto group = weak.lock();
+    if (!group || !entity) {
+      continue;
+    }
+    found.subscription = group->find_subscription_ptrs_if(is_it);
+    found.timer = group->find_timer_ptrs_if(is_it);
+    found.service = group->find_service_ptrs_if(is_it);
+    found.client = group->find_client_ptrs_if(is_it);
+    if (found.subscription || found.timer || found.service || found.client) {
+      found.callback_group = group;
+      auto has_it = [&](const NodeBase & node) {return node->callback_group_in_node(group);};
+      auto owner = std::find_if(nodes_.begin(), nodes_.end(), has_it);
+      found.node_base = owner == nodes_.end() ? nullptr : *owner;
+      return;
+    }
+  }
 }
 void Executor::execute_any_executable(AnyExecutable & found)
 {

@@ -130,6 +130,58 @@ void detail::make_publisher(
   std::copy_n(gid.begin(), std::min(gid.size(), sizeof(made.gid.data)), made.gid.data);
   made.gid.implementation_identifier = "coursekit";
 }
+void PublisherBase::prepare(
+  const node_interfaces::NodeBaseInterface & node, const std::string & type, const std::string & topic, const QoS & wanted,
+  const PublisherOptionsBase & options)
+{
+  name = node.resolve_topic_name(topic);
+  qos = wanted;
+  entering = [this, type, topic, wanted, options = options](detail::NodeBase & taker, CallbackGroup::SharedPtr group) mutable {
+      options.callback_group = group;
+      detail::make_publisher(taker, *this, type, topic, wanted, options);
+    };
+}
+void SubscriptionBase::prepare(
+  const node_interfaces::NodeBaseInterface & node, const std::string & type, const std::string & topic, const QoS & wanted,
+  const SubscriptionOptionsBase & options)
+{
+  name = node.resolve_topic_name(topic);
+  qos = wanted;
+  entering = [this, type, topic, wanted, options = options](detail::NodeBase & taker, CallbackGroup::SharedPtr group) mutable {
+      options.callback_group = group;
+      detail::make_subscription(taker, shared_from_this(), type, topic, wanted, options);
+    };
+}
+PublisherBase::SharedPtr detail::NodeBase::create_publisher(
+  const std::string & topic, const PublisherFactory & factory, const QoS & wanted)
+{
+  return factory.create_typed_publisher(this, topic, wanted);
+}
+SubscriptionBase::SharedPtr detail::NodeBase::create_subscription(
+  const std::string & topic, const SubscriptionFactory & factory, const QoS & wanted)
+{
+  return factory.create_typed_subscription(this, topic, wanted);
+}
+/// Take in what a program constructed, once.
+template<class E>
+static void take_in(detail::NodeBase & node, E & made, const CallbackGroup::SharedPtr & group, const char * refusal)
+{
+  if (group && !node.callback_group_in_node(group)) {
+    throw std::runtime_error(refusal);
+  }
+  if (auto enter = std::exchange(made.entering, nullptr)) {
+    enter(node, group);
+  }
+}
+void detail::NodeBase::add_publisher(PublisherBase::SharedPtr publisher, CallbackGroup::SharedPtr wanted)
+{
+  take_in(*this, *publisher, wanted, "Cannot create publisher, callback group not in node.");
+}
+void detail::NodeBase::add_subscription(SubscriptionBase::SharedPtr subscription, CallbackGroup::SharedPtr wanted)
+{
+  take_in(*this, *subscription, wanted, "Cannot create subscription, callback group not in node.");
+}
+
 void detail::make_subscription(
   NodeBase & node, const SubscriptionBase::SharedPtr & made, const std::string & type, const std::string & topic,
   const QoS & qos, const SubscriptionOptionsBase & options)

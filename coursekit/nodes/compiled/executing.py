@@ -125,17 +125,23 @@ class Work:
 
 
 def do_next_work(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Wait for a callback with a timeout (negative: none). Returns its number, 0 for none."""
+    """Wait for a callback with a timeout (negative: none). Returns its number and that of its entity, 0 for none."""
     executor, nanoseconds = host.things[frame.integer()], frame.integer()
     patience = None if nanoseconds < 0 else nanoseconds / 1e9
     try:
         task, entity, _node = executor.wait_for_ready_callbacks(patience, condition=executor.is_cancelled)
     except (TimeoutException, ShutdownException, ExternalShutdownException):
-        return packed(0)
+        return packed(0, 0)
     except ConditionReachedException:
         executor.cancelled = False
-        return packed(0)
-    return packed(host.keep(Work(executor, task, entity)))
+        return packed(0, 0)
+    return packed(host.keep(Work(executor, task, entity)), _number_of(host, entity))
+
+
+def _number_of(host: Host, entity: Any) -> int:
+    """Return the number of what a node destroys as this entity; 0 if the program does not know it."""
+    kept = list(host.things.items())
+    return next((number for number, thing in kept if isinstance(thing, tuple) and thing[-1] is entity), 0)
 
 
 def do_run_work(host: Host, _channel: Channel, frame: Unpacker) -> None:

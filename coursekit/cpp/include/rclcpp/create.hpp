@@ -11,9 +11,7 @@ std::shared_ptr<PublisherT> create_publisher(
   N && node, const std::string & topic, const QoS & qos,
   const PublisherOptionsWithAllocator<Alloc> & options = PublisherOptionsWithAllocator<Alloc>())
 {
-  auto made = std::make_shared<PublisherT>();
-  detail::make_publisher(*base_of(node), *made, MessageOf<T>::coursekit_type, topic, qos, options);
-  return made;
+  return detail::publisher<PublisherT>(*base_of(node), MessageOf<T>::coursekit_type, topic, qos, options);
 }
 /// The same of the interfaces for parameters and topics.
 template<class T, class Alloc = std::allocator<void>, class PublisherT = Publisher<T, Alloc>>
@@ -34,23 +32,24 @@ GenericPublisher::SharedPtr create_generic_publisher(
   return made;
 }
 template<class T, class F, class Alloc = std::allocator<void>, class N, class ... Strategy>
-typename Subscription<T>::SharedPtr create_subscription(
+typename Subscription<T, Alloc>::SharedPtr create_subscription(
   N && node, const std::string & topic, const QoS & qos, F && callback,
-  const SubscriptionOptionsWithAllocator<Alloc> & options = SubscriptionOptionsWithAllocator<Alloc>(), const Strategy & ...)
+  const SubscriptionOptionsWithAllocator<Alloc> & options = SubscriptionOptionsWithAllocator<Alloc>(), const Strategy & ... strategy)
 {
-  auto made = std::make_shared<Subscription<T>>();
+  auto made = std::make_shared<Subscription<T, Alloc>>();
+  made->take_messages_from(strategy ...);
   made->call_back(std::forward<F>(callback));
   detail::make_subscription(*base_of(node), made, MessageOf<T>::coursekit_type, topic, qos, options);
   return made;
 }
 /// The same of the interfaces for parameters and topics.
 template<class T, class F, class Alloc = std::allocator<void>, class ... Strategy>
-typename Subscription<T>::SharedPtr create_subscription(
+typename Subscription<T, Alloc>::SharedPtr create_subscription(
   node_interfaces::NodeParametersInterface::SharedPtr, node_interfaces::NodeTopicsInterface::SharedPtr topics,
   const std::string & topic, const QoS & qos, F && callback,
-  const SubscriptionOptionsWithAllocator<Alloc> & options = SubscriptionOptionsWithAllocator<Alloc>(), const Strategy & ...)
+  const SubscriptionOptionsWithAllocator<Alloc> & options = SubscriptionOptionsWithAllocator<Alloc>(), const Strategy & ... strategy)
 {
-  return create_subscription<T>(topics, topic, qos, std::forward<F>(callback), options);
+  return create_subscription<T>(topics, topic, qos, std::forward<F>(callback), options, strategy ...);
 }
 template<class F, class Alloc = std::allocator<void>>
 GenericSubscription::SharedPtr create_generic_subscription(

@@ -110,6 +110,8 @@ protected:
   /// The same, waited for.
   bool get_next_executable(AnyExecutable & found, std::chrono::nanoseconds timeout = std::chrono::nanoseconds(-1));
   void execute_any_executable(AnyExecutable & found);
+  void spin_once_impl(std::chrono::nanoseconds timeout);
+  void spin_some_impl(std::chrono::nanoseconds max_duration, bool exhaustive);
 
   std::atomic_bool spinning{false};
   Context::SharedPtr context_;
@@ -119,6 +121,8 @@ private:
   CallbackGroups added_;
   std::atomic<bool> cancelled_{false};
   /// What wait_for_work() has found; 0 for nothing.
-  std::atomic<int64_t> found_{0};
+  std::atomic<int64_t> found_{0}, found_entity_{0};
+  /// Say whose callback was found.
+  void describe(AnyExecutable & found, int64_t entity);
 };
 }  // namespace rclcpp

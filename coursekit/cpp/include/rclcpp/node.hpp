@@ -62,9 +62,7 @@ public:
     const std::string & topic, const QoS & qos,
     const PublisherOptionsWithAllocator<Alloc> & options = PublisherOptionsWithAllocator<Alloc>())
   {
-    auto made = std::make_shared<PublisherT>();
-    detail::make_publisher(*base_, *made, MessageOf<T>::coursekit_type, extended(topic), qos, options);
-    return made;
+    return detail::publisher<PublisherT>(*base_, MessageOf<T>::coursekit_type, extended(topic), qos, options);
   }
   GenericPublisher::SharedPtr create_generic_publisher(
     const std::string & topic, const std::string & type, const QoS & qos, const PublisherOptions & options = {})
@@ -75,12 +73,13 @@ public:
   }
 
   template<class T, class F, class Alloc = std::allocator<void>, class ... Strategy>
-  typename Subscription<T>::SharedPtr create_subscription(
+  typename Subscription<T, Alloc>::SharedPtr create_subscription(
     const std::string & topic, const QoS & qos, F && callback,
     const SubscriptionOptionsWithAllocator<Alloc> & options = SubscriptionOptionsWithAllocator<Alloc>(),
-    const Strategy & ...)
+    const Strategy & ... strategy)
   {
-    auto made = std::make_shared<Subscription<T>>();
+    auto made = std::make_shared<Subscription<T, Alloc>>();
+    made->take_messages_from(strategy ...);
     made->call_back(std::forward<F>(callback));
     detail::make_subscription(*base_, made, MessageOf<T>::coursekit_type, extended(topic), qos, options);
     return made;

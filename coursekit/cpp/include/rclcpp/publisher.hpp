@@ -14,6 +14,11 @@
 
 namespace rclcpp
 {
+namespace node_interfaces
+{
+class NodeBaseInterface;
+}
+
 class PublisherBase : public coursekit::Entity, public std::enable_shared_from_this<PublisherBase>
 {
 public:
@@ -52,8 +57,14 @@ public:
   /// Whether what is published may stay in the program.
   bool intra_process = false;
   EventHandlers<rcl_publisher_event_type_t> events;
+  /// How a node takes in one that the program constructed; empty where it has.
+  std::function<void (node_interfaces::NodeBaseInterface &, CallbackGroup::SharedPtr)> entering;
 
 protected:
+  /// Get ready for the node that will take it in.
+  void prepare(
+    const node_interfaces::NodeBaseInterface & node, const std::string & type, const std::string & topic, const QoS & wanted,
+    const PublisherOptionsBase & options);
   void send(const std::string & cdr) const
   {
     if (ok(context)) {
@@ -94,6 +105,14 @@ public:
   using ROSMessageType = MessageOf<T>;
   using MessageUniquePtr = std::unique_ptr<ROSMessageType>;
   using MessageSharedPtr = std::shared_ptr<const ROSMessageType>;
+  Publisher() = default;
+  /// One that publishes as soon as a node takes it in, with NodeTopicsInterface::add_publisher().
+  Publisher(
+    node_interfaces::NodeBaseInterface * node, const std::string & topic, const QoS & wanted,
+    const PublisherOptionsWithAllocator<Allocator> & options)
+  {
+    prepare(*node, ROSMessageType::coursekit_type, topic, wanted, options);
+  }
 
   virtual void publish(const PublishedType & message) {send(custom_to_cdr<T>(message));}
   template<class Deleter>

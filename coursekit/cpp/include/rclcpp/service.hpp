@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "coursekit/entity.hpp"
+#include "rclcpp/any_service_callback.hpp"
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/macros.hpp"
 #include "rclcpp/qos.hpp"
@@ -69,35 +70,15 @@ public:
   }
   void handle_request(Header header, std::shared_ptr<void> request) override
   {
-    auto response = std::make_shared<Response>();
-    if (answering(header->sequence_number, std::static_pointer_cast<Request>(request), response)) {
+    if (auto response = answer(header, std::static_pointer_cast<Request>(request))) {
       send_response(*header, *response);
     }
   }
-  std::function<bool (int64_t, SharedRequest, SharedResponse)> answering;
-
-  /// Call the program's callback in the form that it takes; whether it has answered.
-  template<class F>
-  bool answer(F & callback, int64_t number, SharedRequest request, SharedResponse response)
+  /// Call the program's callback; its answer, nullptr where it puts that off.
+  SharedResponse answer(const Header & header, SharedRequest request)
   {
-    auto header = std::make_shared<rmw_request_id_t>();
-    header->sequence_number = number;
-    auto me = std::static_pointer_cast<Service<S>>(this->shared_from_this());
-    if constexpr (std::is_invocable_v<F &, SharedRequest, SharedResponse>) {
-      callback(request, response);
-    } else if constexpr (std::is_invocable_v<F &, Header, SharedRequest, SharedResponse>) {
-      callback(header, request, response);
-    } else if constexpr (std::is_invocable_v<F &, Header, SharedRequest>) {
-      callback(header, request);
-      return false;
-    } else {
-      static_assert(
-        std::is_invocable_v<F &, std::shared_ptr<Service<S>>, Header, SharedRequest>,
-        "a service's callback takes (std::shared_ptr<Request>, std::shared_ptr<Response>)");
-      callback(me, header, request);
-      return false;
-    }
-    return true;
+    return callback.dispatch(std::static_pointer_cast<Service<S>>(this->shared_from_this()), header, std::move(request));
   }
+  AnyServiceCallback<S> callback;
 };
 }  // namespace rclcpp

@@ -1,12 +1,18 @@
 // Subscriptions.
 #pragma once
 #include "rclcpp/any_subscription_callback.hpp"
+#include "rclcpp/message_memory_strategy.hpp"
 #include "rclcpp/network_flow_endpoint.hpp"
 #include "rclcpp/publisher_options.hpp"
 #include "rclcpp/typesupport_helpers.hpp"
 
 namespace rclcpp
 {
+namespace node_interfaces
+{
+class NodeBaseInterface;
+}
+
 class SubscriptionBase : public coursekit::Entity, public std::enable_shared_from_this<SubscriptionBase>
 {
 public:
@@ -95,8 +101,14 @@ public:
   const std::type_info * taken_type = nullptr;
   bool owns = false;
   EventHandlers<rcl_subscription_event_type_t> events;
+  /// How a node takes in one that the program constructed; empty where it has.
+  std::function<void (node_interfaces::NodeBaseInterface &, CallbackGroup::SharedPtr)> entering;
 
 protected:
+  /// Get ready for the node that will take it in.
+  void prepare(
+    const node_interfaces::NodeBaseInterface & node, const std::string & type, const std::string & topic, const QoS & wanted,
+    const SubscriptionOptionsBase & options);
   ContentFilterOptions filter_;
 };
 
@@ -108,6 +120,18 @@ public:
   using MessageT = T;
   using SubscribedType = CustomOf<T>;
   using ROSMessageType = MessageOf<T>;
+  using MessageMemoryStrategyType = message_memory_strategy::MessageMemoryStrategy<ROSMessageType, Allocator>;
+  Subscription() = default;
+  /// One that hears as soon as a node takes it in, with NodeTopicsInterface::add_subscription().
+  Subscription(
+    node_interfaces::NodeBaseInterface * node, const rosidl_message_type_support_t &, const std::string & topic, const QoS & wanted,
+    AnySubscriptionCallback<T, Allocator> callback, const SubscriptionOptionsWithAllocator<Allocator> & options,
+    typename MessageMemoryStrategyType::SharedPtr strategy = nullptr, std::nullptr_t = nullptr)
+  {
+    take_messages_from(std::move(strategy));
+    call_back(std::move(callback));
+    prepare(*node, ROSMessageType::coursekit_type, topic, wanted, options);
+  }
   const rosidl_message_type_support_t & get_message_type_support_handle() const override
   {
     return rclcpp::get_message_type_support_handle<T>();
@@ -125,10 +149,37 @@ public:
   {
     return take(*static_cast<ROSMessageType *>(message), info);
   }
-  std::shared_ptr<void> create_message() override {return std::make_shared<ROSMessageType>();}
+  std::shared_ptr<void> create_message() override
+  {
+    return strategy_ ? strategy_->borrow_message() : std::make_shared<ROSMessageType>();
+  }
+  void return_message(std::shared_ptr<void> & message) override
+  {
+    if (strategy_) {
+      auto typed = std::static_pointer_cast<ROSMessageType>(message);
+      strategy_->return_message(typed);
+    }
+    message.reset();
+  }
   void handle_message(std::shared_ptr<void> & message, const MessageInfo & info) override
   {
     dispatch(coursekit::to_cdr(*std::static_pointer_cast<ROSMessageType>(message)), info);
+  }
+  /// Have messages lent by a strategy of the program's.
+  void take_messages_from(typename MessageMemoryStrategyType::SharedPtr strategy) {strategy_ = std::move(strategy);}
+  void take_messages_from() {}
+  void call_back(AnySubscriptionCallback<T, Allocator> given)
+  {
+    auto any = std::make_shared<AnySubscriptionCallback<T, Allocator>>(std::move(given));
+    dispatch = [this, any](const std::string & cdr, const MessageInfo & info) {
+        if (strategy_ && !any->is_serialized_message_callback()) {
+          auto message = strategy_->borrow_message();
+          coursekit::from_cdr(cdr, *message);
+          any->dispatch(message, info);
+          return strategy_->return_message(message);
+        }
+        any->dispatch(std::make_shared<SerializedMessage>(cdr), info);
+      };
   }
   /// Have what comes call a function of the program.
   template<class F>
@@ -147,9 +198,15 @@ public:
             return;
           }
         }
+        if (strategy_) {
+          return call_with_borrowed<T>(callback, *strategy_, cdr, info);
+        }
         call_with_bytes<T>(callback, cdr, info);
       };
   }
+
+private:
+  typename MessageMemoryStrategyType::SharedPtr strategy_;
 };
 
 /// Hears the bytes of a type that only its name tells.

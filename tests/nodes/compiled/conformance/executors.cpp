@@ -29,6 +29,22 @@ public:
     while (!get_next_executable(next, 1s)) {}  // the cancel ends the first wait
     return true;
   }
+  /// What the next callback tells of itself, before it runs.
+  void look_at_next(const std::function<void (const rclcpp::AnyExecutable &)> & look)
+  {
+    rclcpp::AnyExecutable next;
+    if (get_next_executable(next, 1s)) {
+      look(next);
+    }
+    execute_any_executable(next);
+  }
+  int wait_once()
+  {
+    int before = count;
+    spin_once_impl(20ms);
+    spin_some_impl(20ms, true);
+    return count - before;
+  }
   bool run_ready()
   {
     wait_for_work(1s);
@@ -52,6 +68,20 @@ static void of_ones_own()
   check("what it leaves is not run", counting.leave_one() && ticks == 3);
   check("and keeps nobody from running", counting.run_ready() && ticks == 4);
   check("it is not spinning any more", !counting.is_spinning());
+  bool told = false;
+  counting.look_at_next([&](const rclcpp::AnyExecutable & next) {
+      told = next.timer == timer && !next.subscription && next.node_base == node->get_node_base_interface() &&
+      next.callback_group == node->get_node_base_interface()->get_default_callback_group();
+    });
+  check("a callback tells whose timer it is", told);
+  timer->cancel();
+  std::string heard;
+  auto subscription = node->create_subscription<Int32>("told", 10, [&](const Int32 & message) {heard += std::to_string(message.data);});
+  auto publisher = node->create_publisher<Int32>("told", 10);
+  publisher->publish(Int32().set__data(4));
+  counting.look_at_next([&](const rclcpp::AnyExecutable & next) {heard = next.subscription == subscription ? "its" : "another's";});
+  equal("and whose subscription", heard, std::string("its4"));
+  check("a wait of one's own ends", counting.wait_once() == 0);
 }
 
 int main(int argc, char ** argv)

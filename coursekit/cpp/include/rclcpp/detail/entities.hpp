@@ -38,6 +38,22 @@ void make_subscription(
   const QoS & qos, const SubscriptionOptionsBase & options);
 void make_timer(NodeBase & node, const TimerBase::SharedPtr & made, const CallbackGroup::SharedPtr & group);
 
+/// Make a publisher of a program's own class, which may have rclcpp's constructor alone.
+template<class P, class Options>
+std::shared_ptr<P> publisher(
+  NodeBase & node, const std::string & type, const std::string & topic, const QoS & qos, const Options & options)
+{
+  if constexpr (std::is_default_constructible_v<P>) {
+    auto made = std::make_shared<P>();
+    make_publisher(node, *made, type, topic, qos, options);
+    return made;
+  } else {
+    auto made = std::make_shared<P>(&node, topic, qos, options);
+    node.add_publisher(made, options.callback_group);
+    return made;
+  }
+}
+
 template<class F>
 TimerBase::SharedPtr timer(
   NodeBase & node, std::chrono::nanoseconds period, F callback, const CallbackGroup::SharedPtr & group,
@@ -53,20 +69,17 @@ typename Service<S>::SharedPtr service(
   NodeBase & node, const std::string & name, F && callback, const QoS & qos, const CallbackGroup::SharedPtr & group)
 {
   auto made = std::make_shared<Service<S>>();
+  made->callback.set(std::forward<F>(callback));
   std::weak_ptr<Service<S>> weak = made;
-  made->answering =
-    [service = made.get(), callback = std::decay_t<F>(std::forward<F>(callback))](int64_t number, auto request, auto response) mutable {
-      return service->answer(callback, number, request, response);
-    };
   int64_t handler = made->handle(
     [weak](Unpacker & from, Packer & to) {
-      int64_t number = from.i();
+      auto header = std::make_shared<rmw_request_id_t>();
+      header->sequence_number = from.i();
       auto request = std::make_shared<typename S::Request>();
-      auto response = std::make_shared<typename S::Response>();
       coursekit::from_cdr(from.rest(), *request);
       auto me = weak.lock();
-      bool answered = me && me->answering(number, request, response);
-      to.i(answered).m(*response);
+      auto response = me ? me->answer(header, request) : nullptr;
+      to.i(response != nullptr).m(response ? *response : typename S::Response());
     });
   Packer with = Packer{}.i(node.id).s(S::coursekit_type).s(name).i(handler).i(number_of(group));
   qos.pack(with);

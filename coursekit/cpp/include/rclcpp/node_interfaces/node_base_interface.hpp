@@ -17,6 +17,11 @@
 
 namespace rclcpp
 {
+struct PublisherFactory;
+class PublisherBase;
+class QoS;
+struct SubscriptionFactory;
+class SubscriptionBase;
 class Waitable;
 }
 
@@ -77,6 +82,13 @@ public:
   void add_timer(TimerBase::SharedPtr timer, CallbackGroup::SharedPtr group);
 
   // -- topics, services
+
+  std::shared_ptr<PublisherBase> create_publisher(const std::string & topic, const PublisherFactory & factory, const QoS & qos);
+  void add_publisher(std::shared_ptr<PublisherBase> publisher, CallbackGroup::SharedPtr group);
+  std::shared_ptr<SubscriptionBase> create_subscription(
+    const std::string & topic, const SubscriptionFactory & factory, const QoS & qos);
+  /// Have the node's executor serve it, in the node's default group where no other is given.
+  void add_subscription(std::shared_ptr<SubscriptionBase> subscription, CallbackGroup::SharedPtr group);
 
   std::string resolve_topic_name(const std::string & topic, bool only_expand = false) const;
   std::string resolve_service_name(const std::string & service, bool only_expand = false) const;

@@ -46,6 +46,8 @@ FORWARDED = {
     "rcutils/types.h": (
         "/rcl/macros.h types/char_array.h types/string_array.h types/uint8_array.h"
     ),
+    "rosidl_runtime_c/primitives_sequence.h": "primitives_sequence_functions.h",
+    "rosidl_runtime_c/string.h": "string_functions.h u16string.h u16string_functions.h",
     "rcutils/types/rcutils_ret.h": "/rmw/ret_types.h",
     "rcutils/format_string.h": "snprintf.h",
     "rcutils/env.h": "get_env.h",

@@ -1,4 +1,4 @@
-"""Writes the C++ headers of interfaces: `python -m coursekit.cpp.headers FOLDER [PACKAGE ...]`, by default all of them."""
+"""Writes the C++ and C headers of interfaces: `python -m coursekit.cpp.headers FOLDER [PACKAGE ...]`, else all of them."""
 
 from __future__ import annotations
 
@@ -7,19 +7,21 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from coursekit.files import read_text
+from coursekit.interfaces.c_source import c_headers
 from coursekit.interfaces.cpp_source import header, header_name, inner_headers
 from coursekit.interfaces.find import KINDS, interfaces_of, known_interfaces
 from coursekit.interfaces.registry import interface_of
 
 
 def write_headers(folder: Path, names: Iterable[str]) -> list[Path]:
-    """Write `folder/package/kind/name.hpp` for each interface; unchanged files are not rewritten."""
+    """Write `folder/package/kind/name.hpp`, and `.h`, for each interface; unchanged files are not rewritten."""
     written = []
     for full_name in names:
         package, kind, name = full_name.split("/")
         path = folder / package / kind / f"{header_name(name)}.hpp"
-        _write(path, header(interface_of(full_name), kind))
-        for inner, text in inner_headers(package, kind, name).items():
+        interface = interface_of(full_name)
+        _write(path, header(interface, kind))
+        for inner, text in {**inner_headers(package, kind, name), **c_headers(interface, kind)}.items():
             _write(folder / inner, text)
         written.append(path)
     return written

@@ -86,7 +86,7 @@ def runtime_folder(tools: Toolchain) -> Path:
     On a server, the folder named by COURSEKIT_SHARED may contain one for all students.
     """
     seen = hashlib.sha256(version_of(tools.cxx).encode())
-    globs = ("interfaces/cpp_*.py", "share/*/*/*", "share/*/package.xml")
+    globs = ("interfaces/cpp_*.py", "interfaces/c_*.py", "share/*/*/*", "share/*/package.xml")
     for path in in_order([*_files(ROOM), *(path for one in globs for path in UNDERLAY.glob(one))]):
         if path.suffix in _MADE_OF or path.name == "package.xml":
             seen.update(path.relative_to(UNDERLAY).as_posix().encode() + b"\0" + read_bytes(path))

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from coursekit.cpp.exported import exported_by
 from coursekit.files import read_text
+from coursekit.interfaces.c_source import c_headers
 from coursekit.interfaces.cpp_source import header, header_name, inner_headers
 from coursekit.interfaces.errors import InterfaceError, suggestion
 from coursekit.interfaces.find import UNDERLAY
@@ -182,12 +183,13 @@ def python_files(package: str, files: Iterable[Path]) -> dict[str, str]:
 
 
 def cpp_files(package: str, files: Iterable[Path]) -> dict[str, str]:
-    """Return the C++ headers of the definition files with their text, by path relative to the include folder."""
+    """Return the C++ and C headers of the definition files with their text, by path relative to the include folder."""
     made: dict[str, str] = {}
     for path in files:
         kind = path.suffix[1:]
-        made[f"{package}/{kind}/{header_name(path.stem)}.hpp"] = header(parse_file(package, path), kind)
-        made |= inner_headers(package, kind, path.stem)
+        interface = parse_file(package, path)
+        made[f"{package}/{kind}/{header_name(path.stem)}.hpp"] = header(interface, kind)
+        made |= {**inner_headers(package, kind, path.stem), **c_headers(interface, kind)}
     return made
 
 

@@ -48,6 +48,37 @@ int main()
   std::cout << rosidl_generator_traits::name<reader::msg::Length>() << " " << members->members_[0].name_ << std::endl;
 }
 """
+IN_C = """cmake_minimum_required(VERSION 3.8)
+project(in_c{languages})
+find_package(ament_cmake REQUIRED)
+find_package(rosidl_default_generators REQUIRED)
+find_package(std_msgs REQUIRED)
+rosidl_generate_interfaces(${{PROJECT_NAME}} "msg/Named.msg" DEPENDENCIES std_msgs)
+rosidl_get_typesupport_target(generated ${{PROJECT_NAME}} "rosidl_generator_c")
+add_executable(names names.c)
+target_link_libraries(names ${{generated}} std_msgs::std_msgs__rosidl_generator_c)
+install(TARGETS names DESTINATION lib/${{PROJECT_NAME}})
+ament_package()
+"""
+NAMED = """std_msgs/Header header
+string<=9 name "nobody"
+"""
+NAMES = """#include <stdio.h>
+#include "in_c/msg/named.h"
+#include "std_msgs/msg/string.h"
+int main(void)
+{
+  in_c__msg__Named * named = in_c__msg__Named__create();
+  std_msgs__msg__String text;
+  if (!named || !std_msgs__msg__String__init(&text) || !rosidl_runtime_c__String__copy(&named->name, &text.data)) {
+    return 1;
+  }
+  printf("%s %d\\n", text.data.data, (int)in_c__msg__Named__name__MAX_STRING_SIZE);
+  std_msgs__msg__String__fini(&text);
+  in_c__msg__Named__destroy(named);
+  return 0;
+}
+"""
 LATE = """cmake_minimum_required(VERSION 3.8)
 project(late)
 find_package(ament_cmake REQUIRED)
@@ -145,3 +176,17 @@ def test_interfaces_that_are_not_installed_serve_the_package_s_own_tests(tmp_pat
     tested = colcon(tmp_path, "test", "--event-handlers", "console_direct+")
     assert colcon(tmp_path, "test-result").stdout == "Summary: 2 tests, 0 errors, 0 failures, 0 skipped\n", tested.stdout
     assert not (tmp_path / "install" / "tested" / "share" / "tested" / "msg").exists()
+
+
+@posix("bash sources the workspace")
+@pytest.mark.parametrize("languages", ["", " C"])
+def test_a_program_in_c_has_messages_in_c(tmp_path, languages):
+    compiler_or_skip()
+    files = {"CMakeLists.txt": IN_C.format(languages=languages), "msg/Named.msg": NAMED, "names.c": NAMES}
+    package(tmp_path, "in_c", files)
+    manifest = tmp_path / "src" / "in_c" / "package.xml"
+    group = "<member_of_group>rosidl_interface_packages</member_of_group><export>"
+    manifest.write_text(manifest.read_text().replace("<export>", group))
+    built = colcon(tmp_path, "build")
+    assert built.returncode == 0, built.stderr
+    assert sourced(tmp_path, "ros2 run in_c names").stdout == "nobody 9\n"

@@ -15,6 +15,12 @@ if(NOT CMAKE_CXX_STANDARD)
   set(CMAKE_CXX_STANDARD 17)
 endif()
 
+# The runtime in a program is C++, whatever the program is.
+get_property(_coursekit_languages GLOBAL PROPERTY ENABLED_LANGUAGES)
+if("C" IN_LIST _coursekit_languages AND NOT "CXX" IN_LIST _coursekit_languages)
+  enable_language(CXX)
+endif()
+
 # What packages of the underlay give to those that find them: headers. The runtime is linked into programs, once.
 add_library(coursekit_headers INTERFACE IMPORTED GLOBAL)
 target_include_directories(coursekit_headers SYSTEM INTERFACE "${COURSEKIT_ROOT}/include" "${COURSEKIT_CPP}/include")
@@ -33,6 +39,7 @@ function(coursekit_link_runtime target)
   if(NOT TARGET Threads::Threads)  # not before: a package of files has no language to look for it in
     find_package(Threads QUIET)
   endif()
+  set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX)
   set(library "${COURSEKIT_CPP}/lib/libcoursekit.a")
   _coursekit_replaced(replaced)
   if(APPLE)

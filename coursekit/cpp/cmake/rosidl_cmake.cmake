@@ -67,7 +67,7 @@ function(rosidl_generate_interfaces target)
   if(NOT TARGET ${target})
     add_custom_target(${target})
   endif()
-  foreach(suffix __rosidl_typesupport_cpp __rosidl_generator_cpp __rosidl_typesupport_introspection_cpp)
+  foreach(suffix __rosidl_typesupport_cpp __rosidl_generator_cpp __rosidl_typesupport_introspection_cpp __rosidl_generator_c)
     _add_library(${target}${suffix} INTERFACE)
     target_include_directories(${target}${suffix} SYSTEM INTERFACE
       "$<BUILD_INTERFACE:${made}/include>" "$<INSTALL_INTERFACE:include/${PROJECT_NAME}>")

@@ -5,7 +5,7 @@ set(${_coursekit_name}_TARGETS ${_coursekit_name}::${_coursekit_name})
 set(${_coursekit_name}_LIBRARIES ${_coursekit_name}::${_coursekit_name})
 set(${_coursekit_name}_INCLUDE_DIRS "${COURSEKIT_ROOT}/include" "${COURSEKIT_CPP}/include")
 
-foreach(_coursekit_suffix "" __rosidl_typesupport_cpp __rosidl_generator_cpp __rosidl_typesupport_introspection_cpp)
+foreach(_coursekit_suffix "" __rosidl_typesupport_cpp __rosidl_generator_cpp __rosidl_typesupport_introspection_cpp __rosidl_generator_c)
   set(_coursekit_target ${_coursekit_name}::${_coursekit_name}${_coursekit_suffix})
   if(NOT TARGET ${_coursekit_target})
     _add_library(${_coursekit_target} INTERFACE IMPORTED GLOBAL)

@@ -190,15 +190,10 @@ contexts::DefaultContext::SharedPtr contexts::get_global_default_context()
 
 // -- the program
 
-void init(int argc, char const * const * argv, const InitOptions & options, SignalHandlerOptions signals)
+void detail::init(int argc, char const * const * argv, const InitOptions & options, SignalHandlerOptions signals)
 {
   contexts::get_global_default_context()->init(argc, argv, options);
   install_signal_handlers(signals);
-}
-std::vector<std::string> init_and_remove_ros_arguments(int argc, char const * const * argv, const InitOptions & options)
-{
-  init(argc, argv, options);
-  return remove_ros_arguments(argc, argv);
 }
 std::vector<std::string> remove_ros_arguments(int argc, char const * const * argv)
 {

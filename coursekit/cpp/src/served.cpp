@@ -15,7 +15,7 @@ static Handler handler_of(const std::string & kind, const std::string & type)
 
 int run_plugins(int argc, char ** argv)
 {
-  rclcpp::init(argc, argv);
+  rclcpp::detail::init(argc, argv, rclcpp::InitOptions(), rclcpp::SignalHandlerOptions::All);
   const std::string kind = argc > 1 ? argv[1] : "", type = argc > 2 ? argv[2] : "";
   const int64_t handler = add_handler(handler_of(kind, type));
   request("serve", Packer{}.i(handler));  // until the process ends

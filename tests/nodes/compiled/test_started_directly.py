@@ -25,6 +25,15 @@ PLAIN = """
 #include <cstdio>
 int main() {std::puts("plain");}
 """
+EARLY = """
+#include "rclcpp/rclcpp.hpp"
+int main(int argc, char ** argv)
+{
+  std::cout << "before" << std::endl;
+  rclcpp::init(argc, argv);
+  std::cout << rclcpp::Node("early").get_name() << std::endl;
+}
+"""
 ENV = {**os.environ, "COURSEKIT_TIME": "virtual", "PATH": f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"}
 
 
@@ -36,6 +45,10 @@ def started(program, *words, **changed):
 def test_a_node_runs_in_a_session_with_its_own_words_and_code(build):
     done = started(build("alone", NODE), "--turns", "a b", "--ros-args", "-r", "__node:=renamed")
     assert (done.stdout, done.returncode) == ("renamed 6 --turns a b\n", 5), done.stderr
+
+
+def test_what_it_does_before_init_it_does_once(build):
+    assert started(build("early", EARLY)).stdout == "before\nearly\n"
 
 
 def test_what_asks_for_nothing_needs_no_session(build):

@@ -20,6 +20,9 @@ void note(const char * what, const Packer & with = {});
 int64_t add_handler(Handler handler);
 void remove_handler(int64_t number);
 
+/// Have a session start this program anew where none has, if it can; true.
+bool begin_in_session();
+
 /// Let Ctrl-C and `kill` end what waits, as rclcpp::init does.
 void catch_signals(bool interrupt, bool terminate);
 void release_signals();

@@ -37,12 +37,13 @@ public:
   /// Whether a message's publisher is this one, by its number.
   bool operator==(const rmw_gid_t & other) const {return std::equal(std::begin(gid.data), std::end(gid.data), other.data);}
   bool operator==(const rmw_gid_t * other) const {return *this == *other;}
-  std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {return {};}
+  std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {no_network_flows("publisher");}
   bool can_loan_messages() const {return false;}
   template<class Rep = int64_t, class Period = std::milli>
   bool wait_for_all_acked(std::chrono::duration<Rep, Period> = std::chrono::duration<Rep, Period>(-1)) const
   {
-    return true;  // the session has a message as soon as it is published
+    ask("subscription_count", Packer{}.i(id));  // its answer comes behind what was published: the queues have that then
+    return true;
   }
   /// The events that it has callbacks for.
   const EventHandlers<rcl_publisher_event_type_t> & get_event_handlers() const {return events;}

@@ -9,12 +9,33 @@ namespace rclcpp
 {
 enum class SignalHandlerOptions {All, SigInt, SigTerm, None};
 
+namespace detail
+{
+void init(int argc, char const * const * argv, const InitOptions & options, SignalHandlerOptions signals);
+/// A program that calls init() is a session's before its main begins: what it prints before the call would come twice.
+template<class>
+struct Begun {static const bool in_session;};
+template<class T>
+const bool Begun<T>::in_session = coursekit::begin_in_session();
+}  // namespace detail
+
+/// Templates, so that only programs that call them have Begun.
+template<class T = void>
 void init(
   int argc, char const * const * argv, const InitOptions & options = InitOptions(),
-  SignalHandlerOptions signals = SignalHandlerOptions::All);
-std::vector<std::string> init_and_remove_ros_arguments(
-  int argc, char const * const * argv, const InitOptions & options = InitOptions());
+  SignalHandlerOptions signals = SignalHandlerOptions::All)
+{
+  (void)&detail::Begun<T>::in_session;
+  detail::init(argc, argv, options, signals);
+}
 std::vector<std::string> remove_ros_arguments(int argc, char const * const * argv);
+template<class T = void>
+std::vector<std::string> init_and_remove_ros_arguments(
+  int argc, char const * const * argv, const InitOptions & options = InitOptions())
+{
+  init<T>(argc, argv, options);
+  return remove_ros_arguments(argc, argv);
+}
 bool install_signal_handlers(SignalHandlerOptions signals = SignalHandlerOptions::All);
 bool signal_handlers_installed();
 /// The signals that are handled; None where none are.

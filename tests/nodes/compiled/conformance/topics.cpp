@@ -110,7 +110,27 @@ int main(int argc, char ** argv)
   equal("topic's name", std::string(publisher->get_topic_name()), "/number");
   equal("queue's size", publisher->get_queue_size(), 10u);
   check("everybody has acknowledged", publisher->wait_for_all_acked(100ms));
-  check("no packets flow", publisher->get_network_flow_endpoints().empty());
+  auto refusal = [](auto ask) -> std::string {
+      try {
+        ask();
+      } catch (const rclcpp::exceptions::RCLError & error) {
+        return error.what();
+      }
+      return "";
+    };
+  const std::string flows = "error obtaining network flows of ";
+  equal(
+    "no packets flow from a publisher", refusal([&] {publisher->get_network_flow_endpoints();}),
+    flows + "publisher: rmw_publisher_get_network_flow_endpoints not implemented");
+  equal(
+    "nor to a subscription", refusal([&] {subscription->get_network_flow_endpoints();}),
+    flows + "subscription: rmw_subscription_get_network_flow_endpoints not implemented");
+  rclcpp::SubscriptionOptions strict;
+  strict.require_unique_network_flow_endpoints = RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_STRICTLY_REQUIRED;
+  equal(
+    "nobody can insist on a flow of its own", refusal([&] {node->create_subscription<Int32>("number", 3, keep, strict);}),
+    std::string("could not create subscription: ") +
+    "Strict requirement on unique network flow endpoints for subscriptions not supported");
   std::thread later([&] {
       rclcpp::sleep_for(100ms);
       publisher->publish(Int32().set__data(77));

@@ -112,7 +112,7 @@ int main(int argc, char ** argv)
     executor.spin_once(10ms);
   }
   equal("a message of another allocator arrives", heard, 6u);
-  check("and is freed by it", g_made == 1 && g_freed == 1);
+  check("both sides' messages are made and freed by it", g_made == 2 && g_freed == 2, std::to_string(g_made) + std::to_string(g_freed));
 
   // components that are linked in
   auto loader = class_loader::ClassLoader::Make("");

@@ -47,7 +47,7 @@ private:
   template<class F>
   static Response call(F & callback, const Server & server, const Header & header, const Request & request)
   {
-    if constexpr (std::is_invocable_v<F &, Header, Request>&& !std::is_invocable_v<F &, Request, Response>) {
+    if constexpr (std::is_invocable_v<F &, Header, Request> && !std::is_invocable_v<F &, Request, Response>) {
       callback(header, request);
       return nullptr;
     } else if constexpr (std::is_invocable_v<F &, Server, Header, Request>) {

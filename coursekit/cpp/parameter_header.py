@@ -78,7 +78,7 @@ def parameter_header(root: Struct, include: str = "") -> str:
         "fixed": "\n".join(_each(root, "params", "", mapped=False)),
         "mapped": "\n".join(_each(root, "params", "", mapped=True)),
         "forget": "\n".join(_forget(root, "params")),
-        "stack": "\n".join(f"    out.{one} = params.{one};" for one in _on_stack(root, "")),
+        "stack": "\n".join(f"    out.{name} = params.{name};" for name in _on_stack(root, "")),
     }
     return _HEADER.format(**texts)
 
@@ -87,9 +87,9 @@ def parameter_header(root: Struct, include: str = "") -> str:
 
 
 def _fields(struct: Struct, indent: str, stack: bool) -> Iterator[str]:
-    for one in struct.parameters:
-        if not stack or _is_small(one):
-            yield f"{indent}{_type(one)} {one.name}{_default(one)};"
+    for parameter in struct.parameters:
+        if not stack or _is_small(parameter):
+            yield f"{indent}{_type(parameter)} {parameter.name}{_default(parameter)};"
     for inner in struct.structs:
         if stack and inner.mapped:
             continue
@@ -146,9 +146,9 @@ def value_text(value: Any) -> str:
 
 def _each(struct: Struct, place: str, name: str, mapped: bool, keys: int = 0) -> Iterator[str]:
     """Calls for the parameters below a struct, within loops over the `keys` parameters that name them."""
-    for one in struct.parameters:
+    for parameter in struct.parameters:
         if bool(keys) == mapped:
-            yield _call(one, f"{place}.{one.name}", f"{name}{one.name}")
+            yield _call(parameter, f"{place}.{parameter.name}", f"{name}{parameter.name}")
     for inner in struct.structs:
         if not inner.mapped:
             yield from _each(inner, f"{place}.{inner.name}", f"{name}{inner.name}.", mapped, keys)
@@ -209,9 +209,9 @@ def _forget(struct: Struct, place: str) -> Iterator[str]:
 
 
 def _on_stack(struct: Struct, place: str) -> Iterator[str]:
-    for one in struct.parameters:
-        if _is_small(one):
-            yield place + one.name
+    for parameter in struct.parameters:
+        if _is_small(parameter):
+            yield place + parameter.name
     for inner in struct.structs:
         if not inner.mapped:
             yield from _on_stack(inner, f"{place}{inner.name}.")

@@ -87,7 +87,7 @@ def _struct(name: str, tree: dict[str, Any], above: list[str]) -> Struct:
         _checked(key)
         if not isinstance(value, dict):
             raise ParameterFileError(f"No type defined for parameter {'.'.join(above)}")
-        if any(isinstance(one, dict) for word, one in value.items() if word != "validation" or not _is_leaf(value)):
+        if any(isinstance(entry, dict) for word, entry in value.items() if word != "validation" or not _is_leaf(value)):
             made.structs.append(_struct(key, value, [*above, key]))
         elif parameter := _parameter(key, value, [*above, key]):
             made.parameters.append(parameter)
@@ -140,8 +140,8 @@ def _checks(path: str, validation: Any) -> list[tuple[str, list[Any]]]:
         raise ParameterFileError(f"Invalid syntax in parameter {path}. 'validation' has to name checks")
     checks = [(str(name), _arguments(given)) for name, given in validation.items()]
     for name, given in checks:
-        flat = [one for value in given for one in (value if isinstance(value, list) else [value])]
-        if wrong := [one for one in flat if type(one) not in _NAMES]:
+        flat = [item for value in given for item in (value if isinstance(value, list) else [value])]
+        if wrong := [item for item in flat if type(item) not in _NAMES]:
             raise ParameterFileError(f"Invalid syntax in parameter {path}. {name} cannot be given {wrong[0]!r}")
     return checks
 

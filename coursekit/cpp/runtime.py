@@ -87,7 +87,7 @@ def runtime_folder(tools: Toolchain) -> Path:
     """
     seen = hashlib.sha256(version_of(tools.cxx).encode())
     globs = ("interfaces/cpp_*.py", "interfaces/c_*.py", "share/*/*/*", "share/*/package.xml")
-    for path in in_order([*_files(ROOM), *(path for one in globs for path in UNDERLAY.glob(one))]):
+    for path in in_order([*_files(ROOM), *(path for glob in globs for path in UNDERLAY.glob(glob))]):
         if path.suffix in _MADE_OF or path.name == "package.xml":
             seen.update(path.relative_to(UNDERLAY).as_posix().encode() + b"\0" + read_bytes(path))
     name = Path("cpp", seen.hexdigest()[:16])
@@ -128,7 +128,7 @@ def _write_configs(folder: Path) -> None:
 
 
 def _build_library(folder: Path, build: Path, tools: Toolchain) -> None:
-    include, prefix = (one.as_posix() for one in (folder / "include", folder))
+    include, prefix = (path.as_posix() for path in (folder / "include", folder))
     told = {"INTERFACES": include, "KEY": runtime_key(), "CMAKE_INSTALL_PREFIX": prefix}
     defines = {**tools.defines(), **told}
     words = [f"-D{name}={value}" for name, value in defines.items()]

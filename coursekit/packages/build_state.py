@@ -34,8 +34,8 @@ def build_fault(workspace: Path, package: str, of: Collection[str] = ()) -> str:
     if result != "0":
         return f"the last build of {package} failed, so install/ holds an older one"
     source = package_folder(workspace, package)
-    matter = [one for one in _sources(source) if _matters(one, of)] if source is not None else []
-    newer = [one for one in matter if one.lstat().st_mtime_ns > built_ns]
+    matter = [path for path in _sources(source) if _matters(path, of)] if source is not None else []
+    newer = [path for path in matter if path.lstat().st_mtime_ns > built_ns]
     if source is None or not newer:
         return ""
     installed = workspace / "install" / package
@@ -58,7 +58,7 @@ def package_folder(workspace: Path, package: str) -> Path | None:
             inner.clear()  # packages are not nested
             if _name(Path(folder) / "package.xml") == package:
                 return Path(folder)
-        inner[:] = [one for one in inner if not one.startswith(".")]
+        inner[:] = [name for name in inner if not name.startswith(".")]
     return None
 
 
@@ -71,8 +71,8 @@ def _name(manifest: Path) -> str:
 
 def _sources(folder: Path) -> Iterator[Path]:
     for place, inner, files in os.walk(folder):
-        inner[:] = [one for one in inner if not _NOT_BUILT.search(one)]
-        yield from (Path(place) / one for one in sorted(files) if not _NOT_BUILT.search(one))
+        inner[:] = [name for name in inner if not _NOT_BUILT.search(name)]
+        yield from (Path(place) / file for file in sorted(files) if not _NOT_BUILT.search(file))
 
 
 def _linked(folders: list[Path]) -> set[Path]:
@@ -80,20 +80,20 @@ def _linked(folders: list[Path]) -> set[Path]:
     found = set()
     for folder in folders:
         for place, inner, files in os.walk(folder):
-            links = (Path(place) / one for one in (*inner, *files))
-            found |= {one.resolve() for one in links if one.is_symlink()}
+            links = (Path(place) / file for file in (*inner, *files))
+            found |= {link.resolve() for link in links if link.is_symlink()}
     return found
 
 
 def _is_below(path: Path, linked: set[Path]) -> bool:
     path = path.resolve()
-    return path in linked or any(one in linked for one in path.parents)
+    return path in linked or any(parent in linked for parent in path.parents)
 
 
 def _same_bytes(path: Path, installed: Path) -> bool:
     try:
         data = read_bytes(path)
-        return any(one.is_file() and read_bytes(one) == data for one in installed.rglob(path.name))
+        return any(file.is_file() and read_bytes(file) == data for file in installed.rglob(path.name))
     except OSError:
         return False
 

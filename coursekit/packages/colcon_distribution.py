@@ -34,4 +34,4 @@ class Distribution(EnvironmentExtensionPoint):  # type: ignore[misc]
 def _shells() -> list[ShellExtensionPoint]:
     """Return the primary shells, whose scripts all others use."""
     ranks = get_shell_extensions().items()
-    return [one for rank, shells in ranks if rank > ShellExtensionPoint.PRIORITY for one in shells.values()]
+    return [shell for rank, shells in ranks if rank > ShellExtensionPoint.PRIORITY for shell in shells.values()]

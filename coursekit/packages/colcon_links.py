@@ -101,8 +101,8 @@ class PythonBuild(PythonBuildTask):  # type: ignore[misc]
         args, name = self.context.args, self.context.pkg.name
         source = Path(os.path.abspath(args.path))
         folder = source / (setup.get("package_dir") or {}).get("", "")
-        modules = [folder / one for one in _modules(setup)]
-        if all(one.exists() for one in modules):
+        modules = [folder / module for module in _modules(setup)]
+        if all(module.exists() for module in modules):
             hook = ("pythonpath_develop", Path(args.build_base), name, "PYTHONPATH", str(folder))
             self._hooks += create_environment_hook(*hook, mode="prepend")
         else:  # `package_dir` maps them to differently named folders
@@ -122,8 +122,8 @@ def _is_by_setuptools(folder: str) -> bool:
 
 def _modules(setup: dict[str, Any]) -> list[str]:
     """Return the folders and files of a package's modules, derived from their names."""
-    folders = [one for one in setup.get("packages") or [] if "." not in one]
-    return folders + [one.replace(".", os.sep) + ".py" for one in setup.get("py_modules") or []]
+    folders = [package for package in setup.get("packages") or [] if "." not in package]
+    return folders + [module.replace(".", os.sep) + ".py" for module in setup.get("py_modules") or []]
 
 
 __all__ = ["LinksWherePossible", "PythonBuild", "stands_for_links"]

@@ -36,7 +36,7 @@ class Quiet(ArgumentParserDecoratorExtensionPoint):  # type: ignore[misc]
     def decorate_argument_parser(self, *, parser: Any) -> Any:
         """Return the parser unchanged."""
         said = os.environ.get("PYTHONWARNINGS", "")
-        filters = [f"ignore:{one}" for one in NOT_HUMBLE_S]
+        filters = [f"ignore:{text}" for text in NOT_HUMBLE_S]
         os.environ["PYTHONWARNINGS"] = ",".join([*filters, *filter(None, [said])])  # the last matching one applies
         _as_if_warned_of(str(UNDERLAY))
         return parser

@@ -116,7 +116,7 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         return code
 
     def _depends(self) -> set[str]:
-        return {one.name for kind in self.context.pkg.dependencies.values() for one in kind}
+        return {dependency.name for kind in self.context.pkg.dependencies.values() for dependency in kind}
 
     def _fail(self, problems: list[Exception]) -> int:
         for problem in problems:
@@ -192,12 +192,12 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         hooks = create_environment_hook(
             "ament_prefix_path", Path(args.install_base), package, "AMENT_PREFIX_PATH", "", mode="prepend"
         )
-        own = [one for one in self._installed if Path(one).parent.as_posix() == f"share/{package}/environment"]
+        own = [file for file in self._installed if Path(file).parent.as_posix() == f"share/{package}/environment"]
         create_environment_scripts(self.context.pkg, args, additional_hooks=[*hooks, *own])
         for name, text in local_setup_files(Path(args.install_base), package).items():
             create_file(args, name, content=text)
         if skipped:
-            ours = [one.name for one in stand_ins(package)]
+            ours = [path.name for path in stand_ins(package)]
             instead = f"; coursekit's own {', '.join(sorted(ours))} answer in their place" if ours else ""
             names = ", ".join(skipped)
             print(f"Skipped C++ of {package}: {names} ({why}; the rest is installed{instead})", flush=True)

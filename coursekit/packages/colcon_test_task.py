@@ -40,13 +40,13 @@ class FilesTestTask(TaskExtensionPoint):  # type: ignore[misc]
         try:
             reading = read_project(Path(args.path), testing=True)
             chosen = cmake_tests.selection(args.ctest_args or [])
-            depends = {one.name for one in self.context.pkg.dependencies.get("test", ())}
+            depends = {dependency.name for dependency in self.context.pkg.dependencies.get("test", ())}
             tests = [test for test in cmake_tests.commands(reading, self._results(), depends) if chosen(test.name)]
         except (CMakeError, OSError, ValueError) as error:
             return self._fail(error)
         if any([await self._run(test, env) for test in tests]):
             self.context.put_event_into_queue(TestFailure(self.context.pkg.name))
-        skipped = [one for one in cmake_tests.left_out(reading) if chosen(one)]
+        skipped = [test for test in cmake_tests.left_out(reading) if chosen(test)]
         self._tell_skipped(skipped or ([] if tests else [_none(reading)]))
         return 0
 

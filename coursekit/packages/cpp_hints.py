@@ -117,7 +117,7 @@ _RULES: tuple[tuple[str, str | Mending], ...] = (
 def with_hints(lines: list[bytes]) -> list[bytes]:
     """Return a compiler's lines, followed by hints."""
     said = b"".join(lines).decode(errors="replace")
-    return [*lines, *(f"hint: {one}\n".encode() for one in hints(said))]
+    return [*lines, *(f"hint: {hint}\n".encode() for hint in hints(said))]
 
 
 def hints(text: str) -> list[str]:

@@ -22,7 +22,7 @@ from coursekit.packages import interface_rules
 def main(words: list[str]) -> int:
     """Run a command line; return the exit code."""
     args = _parsed(words)
-    prefixes = [Path(one) for one in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if one]
+    prefixes = [Path(folder) for folder in os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep) if folder]
     try:
         files = [definition_file(path) for path in args.files]
         problems = interface_rules.field_problems(args.package, files, args.dependencies, prefixes)

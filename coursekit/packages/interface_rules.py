@@ -133,7 +133,7 @@ def _not_found(reading: Reading, prefixes: Iterable[Path]) -> list[Exception]:
     waiting = list(found)
     while waiting:
         name = waiting.pop()
-        more = {one for place in places for one in exported_by(name, place / "share")} - found
+        more = {other for place in places for other in exported_by(name, place / "share")} - found
         found |= more
         waiting += more
     return [

@@ -31,7 +31,7 @@ def facts(package: Any) -> Iterator[str]:
     for variable, kind in _DEPENDENCIES.items():
         yield _set(f"{package.name}_{variable}", map(str, getattr(package, kind)))
     yield _set(f"{package.name}_MEMBER_OF_GROUPS", map(str, package.member_of_groups))
-    deprecated = next((one.content or "TRUE" for one in package.exports if one.tagname == "deprecated"), "")
+    deprecated = next((export.content or "TRUE" for export in package.exports if export.tagname == "deprecated"), "")
     yield _set(f"{package.name}_DEPRECATED", [deprecated] if deprecated else [])
 
 

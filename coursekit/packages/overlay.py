@@ -26,7 +26,7 @@ def _packages_in_order(install: Path) -> list[tuple[str, Path]]:
     for prefix in [install, *sorted(entry for entry in install.iterdir() if entry.is_dir())]:
         folder = prefix / "share" / "colcon-core" / "packages"
         for entry in sorted(folder.iterdir()) if folder.is_dir() else ():
-            found[entry.name] = (prefix, [one for one in read_text(entry).split(os.pathsep) if one])
+            found[entry.name] = (prefix, [folder for folder in read_text(entry).split(os.pathsep) if folder])
     ordered: dict[str, Path] = {}
 
     def visit(name: str, path: tuple[str, ...] = ()) -> None:
@@ -57,7 +57,7 @@ def _apply(action: list[str], prefix: Path, env: dict[str, str]) -> None:
     if kind.startswith("prepend-non-duplicate"):
         for path in (str(prefix / value) for value in values or [""]):
             if not kind.endswith("-if-exists") or Path(path).exists():
-                others = [one for one in env.get(name, "").split(os.pathsep) if one and one != path]
+                others = [folder for folder in env.get(name, "").split(os.pathsep) if folder and folder != path]
                 env[name] = os.pathsep.join([path, *others])
         return
     value = values[0] if values else ""

@@ -89,9 +89,11 @@ def _run(args: argparse.Namespace) -> tuple[int, str]:
 
 
 def _environment(args: argparse.Namespace) -> dict[str, str]:
-    env = {**os.environ, **dict(one.partition("=")[::2] for one in args.env)}
+    env = {**os.environ, **dict(setting.partition("=")[::2] for setting in args.env)}
     libraries = _LIBRARIES.get(sys.platform, "LD_LIBRARY_PATH")
-    more = [one.partition("=")[::2] for one in args.append_env] + [(libraries, path) for path in args.append_library_dirs]
+    more = [setting.partition("=")[::2] for setting in args.append_env] + [
+        (libraries, path) for path in args.append_library_dirs
+    ]
     for name, value in more:
         env[name] = os.pathsep.join(filter(None, [env.get(name, ""), value]))
     return env

@@ -120,10 +120,10 @@ def do_bag_facts(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     parts = [packed(facts.version, size, facts.storage_identifier, facts.duration_ns, start, facts.message_count)]
     parts.append(packed(facts.compression_format, facts.compression_mode))
     parts.append(packed(len(facts.relative_file_paths), *facts.relative_file_paths, len(facts.files)))
-    parts += [packed(one.path, one.starting_time_ns, one.duration_ns, one.message_count) for one in facts.files]
+    parts += [packed(file.path, file.starting_time_ns, file.duration_ns, file.message_count) for file in facts.files]
     parts.append(packed(len(facts.topics_with_message_count)))
-    for one in facts.topics_with_message_count:
-        topic = one.topic_metadata
+    for counted in facts.topics_with_message_count:
+        topic = counted.topic_metadata
         texts = (topic.name, topic.type, topic.serialization_format, topic.offered_qos_profiles)
-        parts.append(packed(*texts, one.message_count))
+        parts.append(packed(*texts, counted.message_count))
     return b"".join(parts)

@@ -36,7 +36,7 @@ class CppFault(Exception):
 def plugins_of(package: str, base: str) -> dict[str, Plugin]:
     """Return the classes of all packages for a base class, by their names. Raises PluginFault."""
     try:
-        return {one.name: one for one in declared(package, base)}
+        return {class_.name: class_ for class_ in declared(package, base)}
     except InvalidManifest as fault:
         raise PluginFault("InvalidXMLException", str(fault)) from None
 

@@ -168,5 +168,5 @@ def _field(path: str) -> Value:
 
 def _like(text: str, pattern: str) -> bool:
     """Whether a text matches a pattern, in which % matches any characters and _ one character."""
-    parts = [".*" if one in "%*" else "." if one in "_?" else re.escape(one) for one in pattern]
+    parts = [".*" if letter in "%*" else "." if letter in "_?" else re.escape(letter) for letter in pattern]
     return re.fullmatch("".join(parts), text, re.DOTALL) is not None

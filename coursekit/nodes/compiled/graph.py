@@ -88,9 +88,9 @@ def do_subscriptions_info(host: Host, _channel: Channel, frame: Unpacker) -> byt
 
 def _endpoints(found: list[Any]) -> bytes:
     parts = [packed(len(found))]
-    for one in found:
-        who = (one.node_name, one.node_namespace, one.topic_type, int(one.endpoint_type), bytes(one.endpoint_gid))
-        parts.append(packed(*who) + qos.packed_profile(one.qos_profile))
+    for info in found:
+        who = (info.node_name, info.node_namespace, info.topic_type, int(info.endpoint_type), bytes(info.endpoint_gid))
+        parts.append(packed(*who) + qos.packed_profile(info.qos_profile))
     return b"".join(parts)
 
 

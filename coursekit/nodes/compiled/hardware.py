@@ -37,7 +37,7 @@ def _info(element: Element) -> bytes:
 
 
 def _parameters(element: Element) -> bytes:
-    return _several(packed(one.get("name") or "", one.text.strip()) for one in element.all("param"))
+    return _several(packed(param.get("name") or "", param.text.strip()) for param in element.all("param"))
 
 
 def _component(element: Element) -> bytes:
@@ -46,7 +46,7 @@ def _component(element: Element) -> bytes:
 
 
 def _interface(element: Element) -> bytes:
-    told = {one.get("name") or "": one.text.strip() for one in element.all("param")}
+    told = {param.get("name") or "": param.text.strip() for param in element.all("param")}
     first = told.get("initial_value", "") or element.tell("initial_value")
     size = element.get("size") or "1"
     return packed(
@@ -68,6 +68,6 @@ def _geared(element: Element) -> bytes:
     reduction, offset = element.tell("mechanical_reduction") or "1", element.tell("offset") or "0"
     head = packed(element.get("name") or "", element.get("role") or "") + struct.pack("<2d", float(reduction), float(offset))
     return head + b"".join(
-        _several(packed(one.get("name") or "") for one in element.all(kind))
+        _several(packed(child.get("name") or "") for child in element.all(kind))
         for kind in ("state_interface", "command_interface")
     )

@@ -93,7 +93,7 @@ def do_parameter_file(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     parts = [packed(len(found))]
     for name, values in found.items():
         parts.append(
-            packed(name, len(values), *(Parameter(one, value=value).to_parameter_msg() for one, value in values.items()))
+            packed(name, len(values), *(Parameter(name, value=value).to_parameter_msg() for name, value in values.items()))
         )
     return b"".join(parts)
 

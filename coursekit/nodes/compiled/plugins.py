@@ -39,7 +39,7 @@ def do_plugins(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     package, base = frame.text(), frame.text()
     get_package_prefix(package)  # raises PackageNotFoundError for an unknown package
     found = list(declared(package, base))
-    words = [word for one in found for word in (*one, int(os.path.isabs(one.library) or not one.library))]
+    words = [word for plugin in found for word in (*plugin, int(os.path.isabs(plugin.library) or not plugin.library))]
     return packed(len(found), *words)
 
 
@@ -60,9 +60,9 @@ def _read(owner: str, prefix: Path, line: str, base: str) -> Iterator[Plugin]:
         text = f"XML Document {path} has no Root Element. This likely means the XML is malformed: {error}"
         raise InvalidManifest(text) from None
     for library in [root] if root.tag == "library" else root.iter("library"):
-        for one in library.iter("class"):
-            if one.get("base_class_type") == base:
-                yield _plugin(owner, prefix, path, library, one)
+        for element in library.iter("class"):
+            if element.get("base_class_type") == base:
+                yield _plugin(owner, prefix, path, library, element)
 
 
 def _plugin(owner: str, prefix: Path, path: Path, library: Element, one: Element) -> Plugin:

@@ -29,7 +29,7 @@ def do_urdf(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     except UrdfError as error:
         return packed(0, error_text(error))
     parts = [packed(1, "".join(map(error_text, robot.faults)), robot.name, len(robot.materials))]
-    parts += [_material(one) for one in robot.materials.values()]
+    parts += [_material(material) for material in robot.materials.values()]
     parts += [packed(len(robot.links)), *map(_link, robot.links.values())]
     parts += [packed(len(robot.joints)), *map(_joint, robot.joints.values())]
     return b"".join(parts)

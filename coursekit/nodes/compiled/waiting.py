@@ -28,7 +28,7 @@ class AwaitedEvent:
 def do_event(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Return one kind of event of a publisher or subscription, for waiting."""
     end, kind = entity_of(host.things[frame.integer()]), frame.integer()
-    handler = next(one for one in end.event_handlers if one.event_type == kind)
+    handler = next(known for known in end.event_handlers if known.event_type == kind)
     return packed(host.keep(AwaitedEvent(handler._event)))
 
 

@@ -136,7 +136,7 @@ class BehaviorServer(Server):
             here = self.where.robot(msg.header.frame_id)
         except TransformException:
             return
-        points = np.array([(one.x, one.y) for one in msg.polygon.points], dtype=float)
+        points = np.array([(point.x, point.y) for point in msg.polygon.points], dtype=float)
         if len(points) >= 3 and self._robot is None:
             corners = here.inverse().transform(points)
             self._robot = Footprint(corners)
@@ -149,7 +149,7 @@ class BehaviorServer(Server):
         It also ends if an obstacle is in the way, unless it is `blind`, that is, does its own checks.
         """
         self.get_logger().info(f"Running {name}")
-        action = next(one for one in self.actions if one.current is handle)
+        action = next(running for running in self.actions if running.current is handle)
         result, begin = kind.Result(), self.get_clock().now()
         allowed = getattr(handle.request, "time_allowance", None)
         most = (allowed.sec + allowed.nanosec * 1e-9) if allowed else 0.0

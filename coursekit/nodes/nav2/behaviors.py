@@ -102,8 +102,8 @@ async def assisted_teleop(server: Any, name: str, handle: Any) -> Any:
     try:
         return await server.behave(handle, AssistedTeleop, name, step, blind=True)
     finally:
-        for one in heard:
-            server.destroy_subscription(one)
+        for subscription in heard:
+            server.destroy_subscription(subscription)
 
 
 KINDS = {

@@ -130,13 +130,13 @@ class CollisionMonitor(Server):
         return of_transform(seat).inverse().transform(corners)
 
     def _allowed(self, wish: Speeds) -> Speeds:
-        points = np.concatenate([one.points() for one in self.sources])
+        points = np.concatenate([source.points() for source in self.sources])
         best, by = wish, None
-        for one in self.zones:
-            asked = one.wish(points, wish)
-            if asked is not None and (one.action == "stop" or pace(asked) < pace(best)):
-                best, by = asked, one
-            if one is by and one.action == "stop":
+        for zone in self.zones:
+            asked = zone.wish(points, wish)
+            if asked is not None and (zone.action == "stop" or pace(asked) < pace(best)):
+                best, by = asked, zone
+            if zone is by and zone.action == "stop":
                 break
         self._report(by, best, wish)
         return best
@@ -165,8 +165,8 @@ class CollisionMonitor(Server):
         self._out.publish(msg)
 
     def _show(self) -> None:
-        for one in self.zones:
-            one.show()
+        for zone in self.zones:
+            zone.show()
 
 
 def main(args: list[str] | None = None) -> int:

@@ -65,7 +65,7 @@ class RobotZone:
 
     def _corners(self) -> Any:
         points = self._points()
-        if len(points) < 6 or len(points) % 2 or not all(isinstance(one, (int, float)) for one in points):
+        if len(points) < 6 or len(points) % 2 or not all(isinstance(point, (int, float)) for point in points):
             raise ValueError(
                 f"[{self.name}]: Polygon has incorrect points description: give x and y of at least three corners in turn, "
                 'as points: [0.4, 0.3, 0.4, -0.3, 0.0, 0.0] (a text with pairs, "[[0.4, 0.3], ...]", is newer than Humble)'
@@ -74,7 +74,7 @@ class RobotZone:
 
     def _take(self, msg: PolygonStamped) -> None:
         """Handle a footprint published by a costmap, at the robot's pose; convert it to the robot's frame."""
-        corners = np.array([(one.x, one.y) for one in msg.polygon.points]).reshape(-1, 2)
+        corners = np.array([(point.x, point.y) for point in msg.polygon.points]).reshape(-1, 2)
         around = self.node.around_robot(corners, msg.header) if len(corners) >= 3 else None
         if around is not None:
             self._zone.corners = around

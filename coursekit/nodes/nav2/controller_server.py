@@ -105,9 +105,9 @@ class ControllerServer(Server):
     def _take_limit(self, msg: SpeedLimit) -> None:
         """Handle a limit in m/s, or in percent of the maximum speed; 0 means no limit."""
         self._limit, self._limit_share = (0.0, msg.speed_limit / 100) if msg.percentage else (msg.speed_limit, 0.0)
-        for one in self._controllers.values():
-            if isinstance(one, ForeignController):
-                one.limit(msg.speed_limit, msg.percentage)
+        for known in self._controllers.values():
+            if isinstance(known, ForeignController):
+                known.limit(msg.speed_limit, msg.percentage)
 
     @property
     def speeds(self) -> tuple[float, float]:

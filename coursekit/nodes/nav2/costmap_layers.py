@@ -62,7 +62,7 @@ class Layers:
         self.obstacles.append((made, layer))
         frame = self.given["global_frame"]
         kinds = {"LaserScan": ScanSource, "PointCloud2": CloudSource}
-        self._sources += [kinds[one["data_type"]](self.node, where, frame, made, one) for one in given]
+        self._sources += [kinds[source["data_type"]](self.node, where, frame, made, source) for source in given]
 
     def _add_ranges(self, name: str, layer: dict[str, Any], where: Whereabouts) -> None:
         if not layer["topics"]:
@@ -70,7 +70,7 @@ class Layers:
         made = ObstacleLayer(self.costmap)
         self.obstacles.append((made, {**layer, "footprint_clearing_enabled": True}))
         frame = self.given["global_frame"]
-        self._sources += [RangeSource(self.node, where, frame, made, {**layer, "topic": one}) for one in layer["topics"]]
+        self._sources += [RangeSource(self.node, where, frame, made, {**layer, "topic": topic}) for topic in layer["topics"]]
 
     def _add_foreign(self, name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
         self.foreign.append(foreign_layer(self.node, name, layer["plugin"], KINDS))
@@ -109,8 +109,8 @@ class Layers:
             self.node.destroy_subscription(heard)
         for source in self._sources:
             source.close()
-        for one in self._filters:
-            one.close()
+        for zones in self._filters:
+            zones.close()
         for layer in self.foreign:
             layer.close()
 
@@ -172,8 +172,8 @@ class Layers:
         at = Pose2D(x, y, yaw)
         for foreign in self.foreign[: self._first_above]:
             foreign.update(made, self.robot, at)
-        for one in self._filters:  # before the inflation, so that the whole robot stays out of the zones
-            one.apply(made, self.given["global_frame"], (x, y))
+        for zones in self._filters:  # before the inflation, so that the whole robot stays out of the zones
+            zones.apply(made, self.given["global_frame"], (x, y))
         if self.inflation is not None:
             self._spread.spread(made.cells, self.inflation["inflate_unknown"])
         for foreign in self.foreign[self._first_above :]:

@@ -100,8 +100,8 @@ class ForeignPlugins:
 
     def change(self, what: str) -> None:
         """Call activate, deactivate or cleanup of all."""
-        for one in self._all.values():
-            one.change(what)
+        for part in self._all.values():
+            part.change(what)
 
     def retire(self) -> None:
         """Call cleanup of all, and end their programs."""

@@ -101,7 +101,7 @@ def answering(checker: GoalChecker | ForeignGoalChecker) -> Callable[[Unpacker],
             checker.reset()
             return b""
         if what == "reached":
-            here, goal = (plane(one.position, one.orientation) for one in (frame.message(Pose), frame.message(Pose)))
+            here, goal = (plane(pose.position, pose.orientation) for pose in (frame.message(Pose), frame.message(Pose)))
             twist = frame.message(Twist)
             return packed(int(checker.reached(here, goal, (twist.linear.x, twist.angular.z))))
         if isinstance(checker, ForeignGoalChecker):

@@ -51,7 +51,9 @@ class LifecycleManager(Node):
         self._executor_of_asker = SingleThreadedExecutor(context=self.context)
         self._executor_of_asker.add_node(self._asker)
         self.get_logger().info("Creating and initializing lifecycle service clients")
-        self._clients_of = {one: self._asker.create_client(ChangeState, f"{one}/change_state") for one in self._names if one}
+        self._clients_of = {
+            node: self._asker.create_client(ChangeState, f"{node}/change_state") for node in self._names if node
+        }
         self._start = self.create_timer(0.0, self._first) if self.get_parameter("autostart").value else None
 
     def destroy_node(self) -> None:

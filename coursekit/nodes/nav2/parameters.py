@@ -38,7 +38,7 @@ class Obedience:
         node.add_on_set_parameters_callback(self._asked)
 
     def _asked(self, parameters: list[Parameter]) -> SetParametersResult:
-        self._node.asked_for = {one.name: one.value for one in parameters}
+        self._node.asked_for = {parameter.name: parameter.value for parameter in parameters}
         try:
             self._read()
         except ValueError as fault:

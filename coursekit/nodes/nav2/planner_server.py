@@ -177,7 +177,7 @@ class PlannerServer(Server):
         return path
 
     def _searched(self, planner: Planner, costs: Costmap, start: PoseStamped, goal: PoseStamped) -> Path:
-        at, to = (plane(one.pose.position, one.pose.orientation) for one in (start, goal))
+        at, to = (plane(stamped.pose.position, stamped.pose.orientation) for stamped in (start, goal))
         before = next((end for last, end in self._ends if last.distance(to) < costs.resolution), None)
         return path_message(planner.plan(costs, at, to, before), self.costmap.frame, start.header.stamp)
 
@@ -209,8 +209,8 @@ class PlannerServer(Server):
         if costs is None:
             return response
         path = request.path.poses
-        poses = [plane(one.pose.position, one.pose.orientation) for one in path]
-        response.is_valid = bool(poses) and all(costs.cost(one.x, one.y) not in (253, 254) for one in poses)
+        poses = [plane(stamped.pose.position, stamped.pose.orientation) for stamped in path]
+        response.is_valid = bool(poses) and all(costs.cost(pose.x, pose.y) not in (253, 254) for pose in poses)
         return response
 
 

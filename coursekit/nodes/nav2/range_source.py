@@ -26,7 +26,7 @@ class RangeSource(Source):
         numbers = (msg.field_of_view, msg.min_range, msg.max_range)
         if all(map(math.isfinite, numbers)) and 0 <= msg.field_of_view <= 2 * math.pi and msg.min_range <= msg.max_range:
             return ""
-        return f"its field_of_view, min_range and max_range are {', '.join(f'{one:g}' for one in numbers)}"
+        return f"its field_of_view, min_range and max_range are {', '.join(f'{number:g}' for number in numbers)}"
 
     def see(self, msg: Range, seat: TransformStamped) -> None:
         """Mark and clear with a range of a sensor at the pose `seat`."""

@@ -101,8 +101,8 @@ class ScanSource(Source):
 
 def layer_of(like: Any, given: list[dict[str, Any]]) -> ObstacleLayer:
     """An empty layer with the largest marking and clearing ranges among its sources."""
-    mark = max((one["obstacle_max_range"] for one in given), default=math.inf)
-    return ObstacleLayer(like, mark, max((one["raytrace_max_range"] for one in given), default=math.inf))
+    mark = max((source["obstacle_max_range"] for source in given), default=math.inf)
+    return ObstacleLayer(like, mark, max((source["raytrace_max_range"] for source in given), default=math.inf))
 
 
 def in_server_space(node: Any, topic: str) -> str:

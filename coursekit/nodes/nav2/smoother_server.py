@@ -97,7 +97,7 @@ class SmootherServer(Server):
             self.get_logger().error(self._fault(name, request.path.poses))
             handle.abort()
             return result
-        poses = np.array([plane(one.pose.position, one.pose.orientation) for one in request.path.poses], dtype=float)
+        poses = np.array([plane(pose.pose.position, pose.pose.orientation) for pose in request.path.poses], dtype=float)
         poses = smoothed(self._costs, poses, self._rounds[name])
         result.path = path_message(poses, request.path.header.frame_id, request.path.header.stamp)
         result.was_completed, result.smoothing_duration = True, (self.get_clock().now() - begin).to_msg()

@@ -14,7 +14,7 @@ from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeNod
 
 def length(path: Any) -> float:
     """Return the length of a path message [m]."""
-    points = [(one.pose.position.x, one.pose.position.y) for one in path.poses]
+    points = [(pose.pose.position.x, pose.pose.position.y) for pose in path.poses]
     return sum(math.dist(first, second) for first, second in pairwise(points))
 
 

@@ -63,7 +63,7 @@ class Crew:
 
     def listen_to_text(self, topic: str) -> list[str]:
         """A list with the newest text of a topic, or empty."""
-        return [one.data for one in self.listen(topic, String, MAP_QOS)]
+        return [msg.data for msg in self.listen(topic, String, MAP_QOS)]
 
     def error(self, text: str) -> None:
         """Log an error."""

@@ -42,9 +42,9 @@ class VelocitySmoother(Server):
         axes = ("max_velocity", "min_velocity", "max_accel", "max_decel", "deadband_velocity")
         if any(len(given[name]) != 3 for name in axes):
             raise ValueError(f"Invalid size of kinematic limits: {', '.join(axes)} have three numbers each, x, y and yaw")
-        if any(one > 0 for one in given["max_decel"]):
+        if any(limit > 0 for limit in given["max_decel"]):
             raise ValueError("Positive values set of deceleration! These should be negative to slow down!")
-        if any(one < 0 for one in given["max_accel"]):
+        if any(limit < 0 for limit in given["max_accel"]):
             raise ValueError("Negative values set of acceleration! These should be positive to speed up!")
         if given["feedback"] not in ("OPEN_LOOP", "CLOSED_LOOP"):
             raise ValueError("Invalid feedback_type. Options are OPEN_LOOP and CLOSED_LOOP.")
@@ -115,7 +115,7 @@ class VelocitySmoother(Server):
         now = self._now if self._given["feedback"] == "OPEN_LOOP" else self._odometry
         self._now = self._limiter.toward(now, self._wish, 1.0 / self._given["smoothing_frequency"])
         dead = self._given["deadband_velocity"]
-        self._say([0.0 if abs(one) < dead[k] else one for k, one in enumerate(self._now)])
+        self._say([0.0 if abs(speed) < dead[k] else speed for k, speed in enumerate(self._now)])
 
     def _say(self, speeds: list[float]) -> None:
         msg = Twist()

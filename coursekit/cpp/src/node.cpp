@@ -106,20 +106,14 @@ static bool stays_in_program(IntraProcessSetting setting, const detail::NodeBase
   return true;
 }
 
-/// Refuse a `publisher` or a `subscription` that insists on a flow of its own in a network.
-static void refuse_own_flow(rmw_unique_network_flow_endpoints_requirement_t wanted, const std::string & end)
-{
-  if (wanted == RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_STRICTLY_REQUIRED) {
-    throw exceptions::RCLError(
-            "could not create " + end + ": Strict requirement on unique network flow endpoints for " + end + "s not supported");
-  }
-}
-
 void detail::make_publisher(
   NodeBase & node, PublisherBase & made, const std::string & type, const std::string & topic, const QoS & qos,
   const PublisherOptionsBase & options)
 {
-  refuse_own_flow(options.require_unique_network_flow_endpoints, "publisher");
+  if (options.require_unique_network_flow_endpoints == RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_STRICTLY_REQUIRED) {
+    // as Humble's middleware, which has such flows for subscriptions alone
+    throw exceptions::RCLError("could not create publisher: Unique network flow endpoints not supported on publishers");
+  }
   Packer with = Packer{}.i(node.id).s(type).s(topic).i(number_of(options.callback_group));
   qos.pack(with);
   detail::listen_to_events(node, made, options);
@@ -196,7 +190,6 @@ void detail::make_subscription(
   NodeBase & node, const SubscriptionBase::SharedPtr & made, const std::string & type, const std::string & topic,
   const QoS & qos, const SubscriptionOptionsBase & options)
 {
-  refuse_own_flow(options.require_unique_network_flow_endpoints, "subscription");
   std::weak_ptr<SubscriptionBase> weak = made;
   int64_t handler = made->handle(
     [weak](Unpacker & from, Packer &) {

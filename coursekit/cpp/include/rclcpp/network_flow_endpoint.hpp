@@ -1,12 +1,9 @@
-// Where a publisher's or a subscription's packets flow. There is no network below coursekit: as with other middlewares that do
-// not tell them, who asks gets an error.
+// Where a publisher's or a subscription's packets flow. There is no network below coursekit, so nobody ever has one.
 #pragma once
 #include <cstdint>
 #include <ostream>
 #include <string>
 #include <tuple>
-
-#include "rclcpp/exceptions.hpp"
 
 namespace rclcpp
 {
@@ -40,12 +37,5 @@ inline std::ostream & operator<<(std::ostream & stream, const NetworkFlowEndpoin
          one.internet_protocol() << "\", \"transportPort\": \"" << one.transport_port() << "\", \"flowLabel\": \"" <<
          one.flow_label() << "\", \"dscp\": \"" << static_cast<unsigned>(one.dscp()) << "\", \"internetAddress\": \"" <<
          one.internet_address() << "\"}";
-}
-/// Refuse to tell them of a `publisher` or a `subscription`.
-[[noreturn]] inline void no_network_flows(const std::string & end)
-{
-  throw exceptions::RCLError(
-          "error obtaining network flows of " + end + ": rmw_" + end + "_get_network_flow_endpoints not implemented",
-          RCL_RET_UNSUPPORTED);
 }
 }  // namespace rclcpp

@@ -25,7 +25,7 @@ public:
   virtual bool is_serialized() const {return false;}
   virtual const rosidl_message_type_support_t & get_message_type_support_handle() const = 0;
   bool can_loan_messages() const {return false;}
-  std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {no_network_flows("subscription");}
+  std::vector<NetworkFlowEndpoint> get_network_flow_endpoints() const {return {};}
   /// The events that it has callbacks for.
   const EventHandlers<rcl_subscription_event_type_t> & get_event_handlers() const {return events;}
   std::shared_ptr<coursekit::Entity> get_subscription_handle() {return shared_from_this();}

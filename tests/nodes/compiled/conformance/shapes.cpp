@@ -144,6 +144,6 @@ int main(int argc, char ** argv)
   check("a flow as text", flow.str().find("\"transportPort\": \"0\"") != std::string::npos);
   rclcpp::PublisherOptions unique;
   unique.require_unique_network_flow_endpoints = RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_OPTIONALLY_REQUIRED;
-  check("an option about flows", node->create_publisher<UInt32>("flow", 1, unique) != nullptr);
+  check("an option about flows", node->create_publisher<UInt32>("flow", 1, unique)->get_network_flow_endpoints().empty());
   rclcpp::shutdown();
 }

@@ -110,27 +110,28 @@ int main(int argc, char ** argv)
   equal("topic's name", std::string(publisher->get_topic_name()), "/number");
   equal("queue's size", publisher->get_queue_size(), 10u);
   check("everybody has acknowledged", publisher->wait_for_all_acked(100ms));
-  auto refusal = [](auto ask) -> std::string {
-      try {
-        ask();
-      } catch (const rclcpp::exceptions::RCLError & error) {
-        return error.what();
-      }
-      return "";
-    };
-  const std::string flows = "error obtaining network flows of ";
-  equal(
-    "no packets flow from a publisher", refusal([&] {publisher->get_network_flow_endpoints();}),
-    flows + "publisher: rmw_publisher_get_network_flow_endpoints not implemented");
-  equal(
-    "nor to a subscription", refusal([&] {subscription->get_network_flow_endpoints();}),
-    flows + "subscription: rmw_subscription_get_network_flow_endpoints not implemented");
-  rclcpp::SubscriptionOptions strict;
+  check("no packets flow from a publisher", publisher->get_network_flow_endpoints().empty());
+  check("nor to a subscription", subscription->get_network_flow_endpoints().empty());
+  rclcpp::PublisherOptions strict;
   strict.require_unique_network_flow_endpoints = RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_STRICTLY_REQUIRED;
+  std::string refused;
+  try {
+    node->create_publisher<Int32>("number", 3, strict);
+  } catch (const rclcpp::exceptions::RCLError & error) {
+    refused = error.what();
+  }
   equal(
-    "nobody can insist on a flow of its own", refusal([&] {node->create_subscription<Int32>("number", 3, keep, strict);}),
-    std::string("could not create subscription: ") +
-    "Strict requirement on unique network flow endpoints for subscriptions not supported");
+    "no publisher can insist on a flow of its own", refused,
+    std::string("could not create publisher: Unique network flow endpoints not supported on publishers"));
+  rclcpp::SubscriptionOptions insisting;
+  insisting.require_unique_network_flow_endpoints = RMW_UNIQUE_NETWORK_FLOW_ENDPOINTS_STRICTLY_REQUIRED;
+  int through_own_flow = 0;
+  auto own_flow = node->create_subscription<Int32>(
+    "number", 3, [&](const Int32 & msg) {through_own_flow = msg.data;}, insisting);
+  publisher->publish(Int32().set__data(31));
+  spin_until(node, [&] {return through_own_flow != 0;});
+  equal("a subscription can, and hears", through_own_flow, 31);
+  own_flow.reset();
   std::thread later([&] {
       rclcpp::sleep_for(100ms);
       publisher->publish(Int32().set__data(77));

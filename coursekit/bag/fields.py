@@ -78,7 +78,7 @@ class Fields:
             return {}
         if not isinstance(value, dict):
             raise self._wrong(key, value, "keys with texts")
-        return {str(name): str(one) for name, one in value.items()}
+        return {str(name): str(text) for name, text in value.items()}
 
     def inside(self, key: str) -> Fields:
         """Return the mapping under a key."""
@@ -96,8 +96,8 @@ class Fields:
             return
         if not isinstance(value, list):
             raise self._wrong(key, value, "a list")
-        for number, one in enumerate(value):
-            yield Fields(one, f"{key}[{number}]", self._where)
+        for number, item in enumerate(value):
+            yield Fields(item, f"{key}[{number}]", self._where)
 
 
 def _kind(value: Any) -> str:

@@ -102,7 +102,7 @@ class McapReader:
         for record in self._records(0):
             counts[record.channel_id] = counts.get(record.channel_id, 0) + 1
             whole.include(record.log_time)
-        topics = [TopicInformation(self._topic(one), counts[key]) for key, one in sorted(self._channels.items())]
+        topics = [TopicInformation(self._topic(channel), counts[key]) for key, channel in sorted(self._channels.items())]
         facts = BagFacts(
             storage_identifier="mcap", topics_with_message_count=topics, relative_file_paths=[name], files=[whole]
         )
@@ -127,9 +127,9 @@ class McapReader:
             while ready and ready[0][0] < index.message_start_time:
                 yield heapq.heappop(ready)[3]
             if index.message_end_time >= start_ns:
-                for number, one in enumerate(self._chunk(index)):
-                    if isinstance(one, Record) and one.log_time >= start_ns:
-                        heapq.heappush(ready, (one.log_time, index.chunk_start_offset, number, one))
+                for number, record in enumerate(self._chunk(index)):
+                    if isinstance(record, Record) and record.log_time >= start_ns:
+                        heapq.heappush(ready, (record.log_time, index.chunk_start_offset, number, record))
         while ready:
             yield heapq.heappop(ready)[3]
 

@@ -55,7 +55,7 @@ def rewrite(inputs: Sequence[BagReader], outputs: Sequence[Output]) -> None:
 
 def _copy(inputs: Sequence[BagReader], targets: dict[str, list[BagWriter]]) -> None:
     while True:
-        waiting = [(message.stamp, number) for number, one in enumerate(inputs) if (message := one.peek()) is not None]
+        waiting = [(message.stamp, number) for number, reader in enumerate(inputs) if (message := reader.peek()) is not None]
         if not waiting:
             return
         message = inputs[min(waiting)[1]].take()

@@ -49,13 +49,14 @@ def list_interfaces(asker: Asker, _args: Namespace) -> None:
 def list_components(asker: Asker, args: Namespace) -> None:
     """Print the hardware components."""
     answer = asker.ask(ListHardwareComponents, "list_hardware_components")
-    for number, one in enumerate(answer.component, 1):
-        print(f"Hardware Component {number}\n\tname: {one.name}\n\ttype: {one.type}\n\tplugin name: {one.class_type}")
-        print(f"\tstate: id={one.state.id} label={one.state.label}\n\tcommand interfaces")
-        for each in one.command_interfaces:
+    for number, component in enumerate(answer.component, 1):
+        print(f"Hardware Component {number}\n\tname: {component.name}\n\ttype: {component.type}")
+        print(f"\tplugin name: {component.class_type}")
+        print(f"\tstate: id={component.state.id} label={component.state.label}\n\tcommand interfaces")
+        for each in component.command_interfaces:
             words = "available" if each.is_available else "unavailable", "claimed" if each.is_claimed else "unclaimed"
             print(f"\t\t{each.name} [{words[0]}] [{words[1]}]")
         if args.verbose:
             print("\tstate interfaces")
-            for each in one.state_interfaces:
+            for each in component.state_interfaces:
                 print(f"\t\t{each.name} [{'available' if each.is_available else 'unavailable'}]")

@@ -52,7 +52,7 @@ class Written:
         mine = bool(cell and self.pieces and self.pieces[0][0] == cell and self.path.exists())
         self.pieces[:] = [[cell, text], *(self.pieces[1:] if mine else [])]
         self.edits.clear()
-        return self._finish("".join(one for _, one in self.pieces))
+        return self._finish("".join(text for _, text in self.pieces))
 
     def append(self, text: str) -> str:
         """Append this text to the file; it replaces the running cell's former text."""

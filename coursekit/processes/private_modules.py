@@ -43,7 +43,7 @@ class PrivateModules:
     def find(self, name: str, wanted: Sequence[str]) -> ModuleType | None:
         """Return a module already imported by the process, if it has all the wanted attributes."""
         module = self.modules.get(name)
-        if module is None or any(not hasattr(module, one) for one in wanted if one != "*"):
+        if module is None or any(not hasattr(module, name) for name in wanted if name != "*"):
             return None
         return module
 

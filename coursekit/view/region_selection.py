@@ -100,7 +100,7 @@ def selectROIs(*given: Any, **named: Any) -> Any:
 
 def _arguments(given: tuple[Any, ...], named: dict[str, Any]) -> tuple[str, Any, bool, bool, bool]:
     if not given:
-        given = tuple(named.pop(one) for one in ("windowName", "img") if one in named)
+        given = tuple(named.pop(name) for name in ("windowName", "img") if name in named)
     name, rest = _told(given)
     if not rest and "img" in named:
         rest = [named.pop("img")]

@@ -47,19 +47,10 @@ private:
   int64_t function_;
 };
 
-/// Do what may fail; a PlannerException is told by its name, as the server ends a goal with it.
-template<class F>
-void guarded(Packer & to, F act)
+/// A PlannerException, also one derived from it, has its own name: the server may try again after it.
+const char * fault_name(const std::exception & error)
 {
-  try {
-    Packer result;
-    act(result);
-    to.s("").s("").raw(result.bytes.data(), result.bytes.size());
-  } catch (const PlannerException & error) {
-    to.s("nav2_core::PlannerException").s(error.what());
-  } catch (const std::exception & error) {
-    to.s("std::exception").s(error.what());
-  }
+  return dynamic_cast<const PlannerException *>(&error) ? "nav2_core::PlannerException" : coursekit::type_name(error);
 }
 
 void serve(Nav2Plugin<Controller> & host, Unpacker & from, Packer & done)
@@ -120,7 +111,7 @@ template<class Base>
 coursekit::Handler handler_of(const std::string & type)
 {
   auto host = std::make_shared<Nav2Plugin<Base>>(type);
-  return [host](Unpacker & from, Packer & to) {guarded(to, [&](Packer & done) {serve(*host, from, done);});};
+  return [host](Unpacker & from, Packer & to) {coursekit::careful(to, [&](Packer & done) {serve(*host, from, done);}, fault_name);};
 }
 }  // namespace
 }  // namespace nav2_core

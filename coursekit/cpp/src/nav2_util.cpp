@@ -67,6 +67,14 @@ static rcl_interfaces::msg::ParameterDescriptor descriptor(
   made.read_only = read_only;
   return made;
 }
+template<class Ranges, class Given>
+static void set_range(Ranges & ranges, const Given & given)
+{
+  ranges.resize(1);
+  ranges[0].from_value = given.from_value;
+  ranges[0].to_value = given.to_value;
+  ranges[0].step = static_cast<decltype(ranges[0].step)>(given.step);
+}
 void LifecycleNode::add_parameter(
   const std::string & name, const rclcpp::ParameterValue & default_value, const std::string & description,
   const std::string & additional_constraints, bool read_only)
@@ -78,10 +86,7 @@ void LifecycleNode::add_parameter(
   const std::string & description, const std::string & additional_constraints, bool read_only)
 {
   auto made = descriptor(name, default_value, description, additional_constraints, read_only);
-  made.floating_point_range.resize(1);
-  made.floating_point_range[0].from_value = fp_range.from_value;
-  made.floating_point_range[0].to_value = fp_range.to_value;
-  made.floating_point_range[0].step = fp_range.step;
+  set_range(made.floating_point_range, fp_range);
   declare_parameter(name, default_value, made);
 }
 void LifecycleNode::add_parameter(
@@ -89,10 +94,7 @@ void LifecycleNode::add_parameter(
   const std::string & description, const std::string & additional_constraints, bool read_only)
 {
   auto made = descriptor(name, default_value, description, additional_constraints, read_only);
-  made.integer_range.resize(1);
-  made.integer_range[0].from_value = int_range.from_value;
-  made.integer_range[0].to_value = int_range.to_value;
-  made.integer_range[0].step = static_cast<uint64_t>(int_range.step);
+  set_range(made.integer_range, int_range);
   declare_parameter(name, default_value, made);
 }
 CallbackReturn LifecycleNode::on_error(const rclcpp_lifecycle::State &)

@@ -59,7 +59,7 @@ class AprilTagNode(CppNode):
         self._together.registerCallback(self._look)
 
     def _change(self, parameters: list[Parameter]) -> SetParametersResult:
-        self._given |= {one.name: one.value for one in parameters}
+        self._given |= {parameter.name: parameter.value for parameter in parameters}
         return SetParametersResult(successful=True)
 
     def _look(self, image: Any, info: CameraInfo) -> None:

@@ -46,7 +46,7 @@ class ImagePublisher(CppNode):
         self.add_on_set_parameters_callback(self._change)
 
     def _change(self, parameters: list[Parameter]) -> SetParametersResult:
-        changed = {one.name: one.value for one in parameters if one.name in self._given}
+        changed = {parameter.name: parameter.value for parameter in parameters if parameter.name in self._given}
         if changed.get("publish_rate", 1.0) <= 0:
             return SetParametersResult(successful=False, reason="publish_rate is images a second, more than 0")
         for name, value in changed.items():

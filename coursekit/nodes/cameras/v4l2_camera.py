@@ -45,7 +45,7 @@ class V4L2Camera(CppNode):
         return str(self.declare_parameter(name, default, ParameterDescriptor(description=about, read_only=True)).value)
 
     def _change(self, parameters: list[Parameter]) -> SetParametersResult:
-        faults = [fault for one in parameters if (fault := self._take(one.name, one.value))]
+        faults = [fault for parameter in parameters if (fault := self._take(parameter.name, parameter.value))]
         return SetParametersResult(successful=not faults, reason="; ".join(faults))
 
     def _take(self, name: str, value: Any) -> str:

@@ -99,5 +99,3 @@ def check(answer: Unpacker) -> None:
     if kind:
         raise CppFault(kind, text)
 
-
-__all__ = ["CppFault", "PluginFault", "Program", "check", "plugins_of", "program_of"]

@@ -96,7 +96,7 @@ def _component(element: Element) -> Component:
     if not name:
         raise element.error("has no name", f"Name the {element.tag}.")
     commands, states = (
-        tuple(_interface(one) for one in element.all(f"{which}_interface")) for which in ("command", "state")
+        tuple(_interface(child) for child in element.all(f"{which}_interface")) for which in ("command", "state")
     )
     return Component(name, element.tag, commands, states, _parameters(element))
 

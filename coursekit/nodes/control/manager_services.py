@@ -64,7 +64,7 @@ class ManagerServices:
         return answer
 
     def _reload(self, request: Any, answer: Any) -> Any:
-        busy = [name for name, one in self._manager.loaded.items() if one.state == "active"]
+        busy = [name for name, loaded in self._manager.loaded.items() if loaded.state == "active"]
         if busy and not request.force_kill:
             self._manager.log.error("Cannot reload controller libraries because there are active controllers")
             return answer
@@ -74,11 +74,11 @@ class ManagerServices:
         return answer
 
     def _controllers(self, _request: Any, answer: Any) -> Any:
-        for name, one in self._manager.loaded.items():
-            msg = ControllerState(name=name, state=one.state, type=one.type, claimed_interfaces=one.claimed)
-            if one.state != "unconfigured":
-                msg.required_command_interfaces = one.controller.command_names()
-                msg.required_state_interfaces = one.controller.state_names()
+        for name, loaded in self._manager.loaded.items():
+            msg = ControllerState(name=name, state=loaded.state, type=loaded.type, claimed_interfaces=loaded.claimed)
+            if loaded.state != "unconfigured":
+                msg.required_command_interfaces = loaded.controller.command_names()
+                msg.required_state_interfaces = loaded.controller.state_names()
             answer.controller.append(msg)
         return answer
 

@@ -99,7 +99,7 @@ def _flat(data: dict[str, Any]) -> dict[str, Any]:
             and "ros__parameters" not in node
             and all(isinstance(setting, dict) for setting in node.values())
         ):
-            below = {key: one for key, one in node.items() if "ros__parameters" in one}
+            below = {key: inner for key, inner in node.items() if "ros__parameters" in inner}
             if below:
                 flat.update(below)
                 continue

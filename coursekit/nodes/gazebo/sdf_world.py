@@ -99,7 +99,7 @@ def _read_world(element: Element, file: Path, newer: bool) -> SdfWorld:
         notes += done.notes
         things += done.things
         models.append(done)
-    actors = [actor(one) for one in element.all("actor")]
+    actors = [actor(child) for child in element.all("actor")]
     places = {model.name: model.place for model in (*map(_placed, blueprints), *actors)}
     field = element.first("magnetic_field")
     x, y, z = numbers(field, 3) if field is not None else World("").magnetism

@@ -40,7 +40,7 @@ class FilterChain(Node):
         return chain
 
     def _filter(self, prefix: str) -> tuple[str, Any, dict[str, Any]]:
-        values = {name: one.value for name, one in self.get_parameters_by_prefix(prefix).items()}
+        values = {name: parameter.value for name, parameter in self.get_parameters_by_prefix(prefix).items()}
         full, name = str(values.get("type", "")), str(values["name"])
         kind = full.removeprefix("laser_filters/")
         if kind not in KINDS:

@@ -97,9 +97,9 @@ def control(node: Node, given: dict[str, Any], sources: list[Source]) -> Control
     lists = {name: optional(node, name) for name in _CONTROL}
     speeding = lists["acceleration_limits"] or [1.0] * 6, lists["acceleration_gains"] or [1.0] * 6
     slowing = lists["deceleration_limits"] or speeding[0], lists["deceleration_gains"] or speeding[1]
-    for name, one in zip(_CONTROL, (*speeding, *slowing), strict=True):
-        if len(one) != 6:
-            raise ValueError(f"{name} has {len(one)} numbers: give 6, for vx, vy, vz, vroll, vpitch, vyaw")
+    for name, limits in zip(_CONTROL, (*speeding, *slowing), strict=True):
+        if len(limits) != 6:
+            raise ValueError(f"{name} has {len(limits)} numbers: give 6, for vx, vy, vz, vroll, vpitch, vyaw")
     timeout = round(given["control_timeout"] * 1e9)
     faster, slower = np.array(speeding), np.array(slowing)
     return Control(used, timeout, faster[0], faster[1], slower[0], slower[1])

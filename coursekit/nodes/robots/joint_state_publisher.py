@@ -59,7 +59,7 @@ class JointStatePublisher(Node):
 
     def _read_options(self) -> Options:
         def below(prefix: str) -> dict[str, Any]:
-            return {name: one.value for name, one in self.get_parameters_by_prefix(prefix).items()}
+            return {name: parameter.value for name, parameter in self.get_parameters_by_prefix(prefix).items()}
 
         return Options(
             below("zeros"),

@@ -110,7 +110,7 @@ def _evaluated(value: Any, m: Any) -> Any:
     {'frame_id': 'map', 'x': 6, 'y': {'z': 2}}
     """
     if isinstance(value, dict):
-        return {name: _evaluated(one, m) for name, one in value.items()}
+        return {name: _evaluated(inner, m) for name, inner in value.items()}
     if isinstance(value, str) and (value == "m" or not value.isidentifier()):  # `map` is a frame, not a function of Python
         try:
             return eval(value, {"m": m})

@@ -24,7 +24,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     if asked.list_licenses:
         print("\n".join(f"{name}: {title}" for name, title in sorted(LICENSES.items())))
         return 0
-    excluded = {os.path.abspath(one) for one in asked.exclude}
+    excluded = {os.path.abspath(path) for path in asked.exclude}
     found = {source for word in asked.paths for source in _sources(Path(word)) if os.path.abspath(source) not in excluded}
     if not found:
         print("No repository roots and files found")
@@ -81,4 +81,4 @@ def _sources(path: Path) -> Iterator[Path]:
             continue
         folders[:] = [folder for folder in folders if folder[0] not in "._"]
         left_out = {"setup.py"} if "package.xml" in files else set()
-        yield from (Path(place, one) for one in set(files) - left_out if Path(one).suffix in _SUFFIXES)
+        yield from (Path(place, file) for file in set(files) - left_out if Path(file).suffix in _SUFFIXES)

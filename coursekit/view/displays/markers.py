@@ -81,7 +81,7 @@ class Marker(Display):
     def _apply(self, marker: Any, now: int) -> None:
         name = f"{marker.ns}/{marker.id}"
         if marker.action == DELETE_ALL:
-            self.living = {key: one for key, one in self.living.items() if marker.ns and one.msg.ns != marker.ns}
+            self.living = {key: shown for key, shown in self.living.items() if marker.ns and shown.msg.ns != marker.ns}
         elif marker.action == DELETE:
             self.living.pop(name, None)
         else:

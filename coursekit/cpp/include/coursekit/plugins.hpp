@@ -21,16 +21,18 @@ Handler layer_of(const std::string & type);
 Handler behavior_of(const std::string & type);
 Handler waypoint_task_of(const std::string & type);
 
+inline const char * type_name(const std::exception & error) {return typeid(error).name();}
+
 /// Do what may fail without an end of the program. Packs what was thrown, type and text, or two empty texts and the result.
 template<class F>
-void careful(Packer & to, F act)
+void careful(Packer & to, F act, const char * (*name)(const std::exception &) = type_name)
 {
   try {
     Packer result;
     act(result);
     to.s("").s("").raw(result.bytes.data(), result.bytes.size());
   } catch (const std::exception & error) {
-    to.s(typeid(error).name()).s(error.what());
+    to.s(name(error)).s(error.what());
   } catch (...) {
     to.s("...").s("");
   }

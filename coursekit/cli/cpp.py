@@ -15,6 +15,7 @@ from typing import Any
 
 from coursekit.cpp.runtime import runtime_folder
 from coursekit.cpp.toolchain import NoToolchain, Toolchain, find_toolchain
+from coursekit.cpp.unused_runtimes import mark_used
 from coursekit.systems.children import apart
 
 OFFER = (
@@ -94,6 +95,7 @@ def offer(env: Mapping[str, str]) -> None:
     except NoToolchain:
         print(OFFER)
         return
+    mark_used(folder)
     if not folder.is_dir():
         nothing = subprocess.DEVNULL
         command = [sys.executable, "-m", "coursekit.cpp.runtime", str(folder)]

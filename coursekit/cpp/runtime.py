@@ -11,6 +11,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
+from functools import cache
 from pathlib import Path
 
 from coursekit.cpp.age import age_source, runtime_key
@@ -19,6 +21,7 @@ from coursekit.cpp.forwarded import write_forwarded
 from coursekit.cpp.headers import write_headers
 from coursekit.cpp.standard_library import write_visible
 from coursekit.cpp.toolchain import Toolchain, cache_folder, find_toolchain, version_of
+from coursekit.cpp.unused_runtimes import MAKING, remove_unused
 from coursekit.files import in_order, read_bytes
 from coursekit.interfaces.find import UNDERLAY, known_interfaces
 from coursekit.systems.locks import alone
@@ -85,14 +88,20 @@ def runtime_folder(tools: Toolchain) -> Path:
 
     On a server, the folder named by COURSEKIT_SHARED may contain one for all students.
     """
+    name = Path("cpp", _key(tools))
+    shared = Path(os.environ.get(SHARED) or cache_folder())
+    return shared / name if (shared / name).is_dir() else cache_folder() / name
+
+
+@cache
+def _key(tools: Toolchain) -> str:
+    """Hash the compiler's version and all sources: that reads a thousand files, and a build asks several times."""
     seen = hashlib.sha256(version_of(tools.cxx).encode())
     globs = ("interfaces/cpp_*.py", "interfaces/c_*.py", "share/*/*/*", "share/*/package.xml")
     for path in in_order([*_files(ROOM), *(path for glob in globs for path in UNDERLAY.glob(glob))]):
         if path.suffix in _MADE_OF or path.name == "package.xml":
             seen.update(path.relative_to(UNDERLAY).as_posix().encode() + b"\0" + read_bytes(path))
-    name = Path("cpp", seen.hexdigest()[:16])
-    shared = Path(os.environ.get(SHARED) or cache_folder())
-    return shared / name if (shared / name).is_dir() else cache_folder() / name
+    return seen.hexdigest()[:16]
 
 
 def _files(folder: Path) -> list[Path]:
@@ -105,9 +114,14 @@ def make_runtime(folder: Path, tools: Toolchain) -> None:
     Whoever asks meanwhile waits for it: each notebook server that starts would build one, and take all processors.
     """
     folder.parent.mkdir(parents=True, exist_ok=True)
-    with alone(folder.parent / "making.lock"), tempfile.TemporaryDirectory(dir=folder.parent, prefix=".making-") as name:
-        if folder.is_dir():
-            return
+    with alone(folder.parent / "making.lock"):
+        if not folder.is_dir():
+            remove_unused(folder.parent, time.time())
+            _make(folder, tools)
+
+
+def _make(folder: Path, tools: Toolchain) -> None:
+    with tempfile.TemporaryDirectory(dir=folder.parent, prefix=MAKING) as name:
         made = Path(name) / "runtime"
         write_headers(made / "include", known_interfaces())
         _write_configs(made)

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from coursekit.cpp.runtime import runtime_folder
 from coursekit.cpp.toolchain import NoToolchain, Toolchain, find_toolchain
+from coursekit.cpp.unused_runtimes import mark_used
 
 _locks: dict[asyncio.AbstractEventLoop, asyncio.Lock] = {}
 _failed: set[Path] = set()
@@ -26,6 +27,7 @@ async def prepared_toolchain() -> Toolchain:
             raise NoToolchain(_FAILED)
         if not runtime_folder(tools).is_dir():
             await _prepare(tools)
+        mark_used(runtime_folder(tools))
     return tools
 
 

@@ -25,6 +25,8 @@ EXPORTED = {
     "filters": "pluginlib rclcpp",
     "message_filters": "rclcpp std_msgs",
     "laser_geometry": "rclcpp sensor_msgs tf2",
+    "pcl_conversions": "message_filters pcl_msgs rclcpp sensor_msgs std_msgs",
+    "pcl_ros": "geometry_msgs pcl_conversions rclcpp sensor_msgs tf2 tf2_geometry_msgs tf2_ros",
     "cv_bridge": "sensor_msgs",
     "image_transport": "message_filters pluginlib rclcpp sensor_msgs",
     "image_geometry": "sensor_msgs",

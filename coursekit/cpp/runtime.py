@@ -42,6 +42,7 @@ PACKAGES = (
     "camera_calibration_parsers", "camera_info_manager", "interactive_markers",
     "control_toolbox", "kdl_parser", "orocos_kdl", "orocos_kdl_vendor", "realtime_tools", "tf2_kdl",
     "urdf", "urdf_parser_plugin", "urdfdom", "urdfdom_headers",
+    "pcl_conversions", "pcl_ros",
     "python_cmake_module", "eigen3_cmake_module", "rosidl_default_generators", "rosidl_default_runtime", "rosidl_cmake",
     "rosidl_generator_cpp", "rosidl_typesupport_c", "rosidl_typesupport_cpp", "rosidl_typesupport_interface",
     "rosidl_runtime_c", "rmw_implementation", "rmw_fastrtps_cpp", "rmw_implementation_cmake",

@@ -28,6 +28,8 @@ _MAKES = re.compile(
     re.M | re.I,
 )
 _RUNTIME = re.compile(r"/cpp/([0-9a-f]{16})/share/")
+_QUIET = "-Wno-author"
+"""Silences what newer versions of CMake say of policies that Humble's did not know."""
 _COLOR = re.compile(rb"\x1b\[[\d;]*m")
 _OF_CMAKE = re.compile(rb"\[\d+/\d+\] |ninja: |FAILED: |--|loading initial cache file |\Z")
 
@@ -76,7 +78,7 @@ def _words(context: Any, tools: Toolchain) -> list[str]:
     args = context.args
     linking = "ON" if getattr(args, "symlink_install", False) else "OFF"
     facts = initial_cache(Path(args.build_base), Path(args.install_base), tools)
-    return ["-G", tools.generator, "-C", str(facts), f"-DAMENT_CMAKE_SYMLINK_INSTALL={linking}"]
+    return [_QUIET, "-G", tools.generator, "-C", str(facts), f"-DAMENT_CMAKE_SYMLINK_INSTALL={linking}"]
 
 
 def initial_cache(build: Path, prefix: Path, tools: Toolchain) -> Path:
@@ -92,7 +94,7 @@ def initial_cache(build: Path, prefix: Path, tools: Toolchain) -> Path:
         "BUILD_TESTING": "OFF",  # tests in C++ are named by `colcon test`, and not compiled
         "CMAKE_INSTALL_LIBDIR": "lib",
         "CMAKE_INSTALL_MESSAGE": "NEVER",
-        "CMAKE_SUPPRESS_DEVELOPER_WARNINGS": "ON",
+        "CMAKE_SUPPRESS_DEVELOPER_WARNINGS": "ON",  # what _QUIET is for versions before 4.4
         "CMAKE_WARN_DEPRECATED": "OFF",  # Humble's packages require a CMake version that newer ones call deprecated
         "CMAKE_EXPORT_NO_PACKAGE_REGISTRY": "ON",
         "CMAKE_POLICY_VERSION_MINIMUM": "3.5",

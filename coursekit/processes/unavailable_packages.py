@@ -89,7 +89,8 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
      "odometry from scans: `ros2 launch rf2o_laser_odometry rf2o_laser_odometry.launch.py`"),
     (r"mapviz\w*|swri_\w+|multires_image", _QT, "viewer() in a notebook, or `ros2 run rviz2 rviz2`"),
     (r"web_video_server", "opens a port of its own", "windows() in a notebook, or `ros2 run image_view image_view`"),
-    (r"image_pipeline|stereo_image_proc|aruco\w*|octomap\w*|pcl_\w+|ros1_bridge|nav2_mppi_controller", _CPP,
+    (r"image_pipeline|stereo_image_proc|aruco\w*|octomap\w*|pcl_(?!conversions$|ros$|msgs$)\w+|ros1_bridge"
+     r"|nav2_mppi_controller", _CPP,
      "leave it out, or write the node in Python"),
 )  # fmt: skip
 

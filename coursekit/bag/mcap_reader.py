@@ -118,8 +118,8 @@ class McapReader:
 
     def _records(self, start_ns: int) -> Iterator[Record]:
         if not self._summary.chunk_indexes:
-            found = [record for record in self._scan() if isinstance(record, Record) and record.log_time >= start_ns]
-            yield from sorted(found, key=lambda record: record.log_time)
+            records = [record for record in self._scan() if isinstance(record, Record) and record.log_time >= start_ns]
+            yield from sorted(records, key=lambda record: record.log_time)
             return
         waiting = sorted(self._summary.chunk_indexes, key=lambda chunk: (chunk.message_start_time, chunk.chunk_start_offset))
         ready: list[tuple[int, int, int, Record]] = []

@@ -90,8 +90,8 @@ class BagReader:
         listed = [topic.topic_metadata for topic in self.facts.topics_with_message_count]
         if listed:
             return listed
-        found = {topic.name: topic for name in self.facts.relative_file_paths for topic in self._file(name).topics()}
-        return list(found.values())
+        topic_by_name = {topic.name: topic for name in self.facts.relative_file_paths for topic in self._file(name).topics()}
+        return list(topic_by_name.values())
 
     def rewind(self, start_ns: int = -(2**63), topics: list[str] | None = None) -> None:
         """Restart at a time, with the messages of these topics (None: of all)."""

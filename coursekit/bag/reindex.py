@@ -33,10 +33,10 @@ def reindex(folder: Path, storage_id: str = "") -> BagFacts:
 
 def _files(folder: Path, storage_id: str) -> list[str]:
     wanted = (SUFFIXES[storage_id],) if storage_id else tuple(SUFFIXES.values())
-    found = [path.name for path in folder.iterdir() if path.name.removesuffix(compression.SUFFIX).endswith(wanted)]
-    if not found:
+    names = [path.name for path in folder.iterdir() if path.name.removesuffix(compression.SUFFIX).endswith(wanted)]
+    if not names:
         raise BagError("No storage files found for reindexing. Abort")
-    return sorted(found, key=_order)
+    return sorted(names, key=_order)
 
 
 def _order(name: str) -> tuple[int, str]:

@@ -16,11 +16,11 @@ def update(notebooks: Path, language: str) -> list[str]:
     said = []
     for chapter in chapters(notebooks):
         file = catalogue_of(chapter, language)
-        made = brought_up_to_date(read(chapter), file)
+        catalogue = brought_up_to_date(read(chapter), file)
         file.parent.mkdir(exist_ok=True)
-        made.save(str(file))
-        left = len(made) - len(made.translated_entries())
-        said.append(f"{file.name}: {left} of {len(made)} cells to translate")
+        catalogue.save(str(file))
+        left = len(catalogue) - len(catalogue.translated_entries())
+        said.append(f"{file.name}: {left} of {len(catalogue)} cells to translate")
     return said
 
 

@@ -17,8 +17,8 @@ class Hook(BuildHookInterface):  # type: ignore[type-arg]
         sys.path.insert(0, self.root)
         from coursekit.building.underlay import write
 
-        made = write(Path(self.root) / "coursekit")
-        build_data["artifacts"] += [path.relative_to(self.root).as_posix() for path in made]
+        paths = write(Path(self.root) / "coursekit")
+        build_data["artifacts"] += [path.relative_to(self.root).as_posix() for path in paths]
         if version != "editable":
             self._add_chapters(build_data)
 
@@ -27,10 +27,10 @@ class Hook(BuildHookInterface):  # type: ignore[type-arg]
 
         self._folder = tempfile.TemporaryDirectory()
         for source in sorted((Path(self.root) / "notebooks").glob("*.ipynb")):  # a source archive contains them already
-            made = Path(self._folder.name) / source.name
+            chapter = Path(self._folder.name) / source.name
             notebook = released(json.loads(source.read_text(encoding="utf-8")))
-            made.write_text(json.dumps(notebook, indent=1) + "\n", encoding="utf-8")
-            build_data["force_include"][str(made)] = f"coursekit/notebooks/{source.name}"
+            chapter.write_text(json.dumps(notebook, indent=1) + "\n", encoding="utf-8")
+            build_data["force_include"][str(chapter)] = f"coursekit/notebooks/{source.name}"
         beside = (Path(self.root) / "notebooks").glob("*/*.*")  # translations and images
         for file in sorted(path for path in beside if path.suffix in (".po", ".svg")):
             build_data["force_include"][str(file)] = f"coursekit/{file.relative_to(self.root).as_posix()}"

@@ -27,11 +27,11 @@ _PLAIN = ("BadArgument", "NotNow", "NotThere")
 
 def spoken() -> dict[str, str]:
     """Return every text with the first file that contains it; the fields filled in at run time are `{0}`, `{1}`, ..."""
-    found: dict[str, str] = {}
+    file_by_text: dict[str, str] = {}
     for file, texts in _all():
         for text in texts:
-            found.setdefault(text, file.relative_to(PACKAGE).as_posix())
-    return found
+            file_by_text.setdefault(text, file.relative_to(PACKAGE).as_posix())
+    return file_by_text
 
 
 def _all() -> Iterator[tuple[Path, Iterator[str]]]:
@@ -121,9 +121,9 @@ def update_words(language: str) -> str:
     """Update the catalogue of a language's texts: add new ones without a translation, drop unused ones."""
     file = catalogue_of(language)
     old = {entry.msgid: entry.msgstr for entry in polib.pofile(str(file))} if file.is_file() else {}
-    made = polib.POFile(wrapwidth=0)
-    made.metadata = {"Content-Type": "text/plain; charset=utf-8", "Content-Transfer-Encoding": "8bit"}
+    catalogue = polib.POFile(wrapwidth=0)
+    catalogue.metadata = {"Content-Type": "text/plain; charset=utf-8", "Content-Transfer-Encoding": "8bit"}
     for text, where in spoken().items():
-        made.append(polib.POEntry(msgid=text, msgstr=old.get(text, ""), comment=where))
-    file.write_text(str(made).removeprefix("#\n"), encoding="utf-8")
-    return f"{file.name}: {len(made) - len(made.translated_entries())} of {len(made)} texts to translate"
+        catalogue.append(polib.POEntry(msgid=text, msgstr=old.get(text, ""), comment=where))
+    file.write_text(str(catalogue).removeprefix("#\n"), encoding="utf-8")
+    return f"{file.name}: {len(catalogue) - len(catalogue.translated_entries())} of {len(catalogue)} texts to translate"

@@ -31,14 +31,14 @@ def files() -> dict[str, str]:
 
 def write(package: Path = UNDERLAY) -> list[Path]:
     """Write the files that have changed; return the paths of all generated files."""
-    made = {package / name: text for name, text in files().items()}
-    for path, text in made.items():
+    text_by_path = {package / name: text for name, text in files().items()}
+    for path, text in text_by_path.items():
         if not path.is_file() or path.read_text(encoding="utf-8") != text:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8", newline="\n")
         if package / "lib" in path.parents:
             path.chmod(_EXECUTABLE)
-    return list(made)
+    return list(text_by_path)
 
 
 def _interfaces() -> Iterator[tuple[str, str]]:

@@ -46,14 +46,14 @@ def web_notebook(notebook: dict[str, Any]) -> dict[str, Any]:
     >>> len(web_notebook({"cells": [cell], "metadata": {}})["cells"][0]["outputs"])
     1
     """
-    made = student_notebook(notebook)
-    secret = _lines(notebook) - _lines(made)
-    for cell, stored in zip(made["cells"], notebook["cells"], strict=True):
+    chapter = student_notebook(notebook)
+    secret = _lines(notebook) - _lines(chapter)
+    for cell, stored in zip(chapter["cells"], notebook["cells"], strict=True):
         if cell["cell_type"] == "code" and not cell.get("metadata", {}).get("nbgrader"):
             outputs = [_still(output) for output in stored.get("outputs", [])]
             cell["outputs"] = [output for output in outputs if not secret & _words(output)]
-    made["metadata"] = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
-    return made
+    chapter["metadata"] = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
+    return chapter
 
 
 def _lines(notebook: dict[str, Any]) -> set[str]:

@@ -55,10 +55,10 @@ def add_reader(parser: argparse.ArgumentParser) -> None:
 def existing_path(value: str) -> str:
     """Validate a path that must exist."""
     try:
-        found = Path(value).exists()
+        exists = Path(value).exists()
     except (OSError, ValueError):
-        found = False
-    if not found:
+        exists = False
+    if not exists:
         raise argparse.ArgumentTypeError(f"Bag path '{value}' does not exist!")
     return value
 

@@ -24,8 +24,8 @@ Lines = list[tuple[str, str | int]]
 
 def python_version() -> Check:
     """Report the Python version; versions older than 3.10 (Humble's own) are refused at installation."""
-    found = platform.python_version()
-    return Check("python", found)
+    version = platform.python_version()
+    return Check("python", version)
 
 
 def which_rclpy() -> Check:
@@ -87,11 +87,11 @@ def socket_folder() -> Check:
         folder, faults = choose()
     except OSError as error:
         return Check("terminals", "unsafe", str(error), "Follow the line above, then start again.")
-    found = f"sessions are found in {folder}"
+    finding = f"sessions are found in {folder}"
     if not faults:
-        return Check("terminals", found)
+        return Check("terminals", finding)
     cure = f"Nothing: {folder} is used instead, by notebooks and terminals alike."
-    return Check("terminals", found, "; ".join(faults), cure, only_warning=True)
+    return Check("terminals", finding, "; ".join(faults), cure, only_warning=True)
 
 
 def session_of_domain() -> Check:
@@ -167,11 +167,11 @@ def _installed(distribution: str) -> str | None:
 
 
 def _version(name: str, least: tuple[int, ...], below: tuple[int, ...], cure: str) -> Check:
-    found = _installed(name)
-    if found is None:
+    version = _installed(name)
+    if version is None:
         return Check(name, "missing", f"{name} is not installed", f"Run: {cure}")
-    numbers = tuple(int(part) for part in found.split(".")[:2] if part.isdecimal())
+    numbers = tuple(int(part) for part in version.split(".")[:2] if part.isdecimal())
     if least <= numbers < below:
-        return Check(name, found)
+        return Check(name, version)
     wanted = f"{'.'.join(map(str, least))} or newer, and older than {'.'.join(map(str, below))}"
-    return Check(name, found, f"version {found} is installed, {wanted} is needed", f"Run: {cure}")
+    return Check(name, version, f"version {version} is installed, {wanted} is needed", f"Run: {cure}")

@@ -91,8 +91,8 @@ def connect(domain_id: int) -> socket.socket:
 
 def sessions(domain_id: int) -> list[Path]:
     """Return the addresses of the domain's sessions, the newest first; some may be stale."""
-    found = [socket for socket in folder().glob(f"session-{domain_id}-*") if socket.name.rpartition("-")[2].isdecimal()]
-    return sorted(found, key=lambda path: path.lstat().st_mtime_ns, reverse=True)
+    sockets = [socket for socket in folder().glob(f"session-{domain_id}-*") if socket.name.rpartition("-")[2].isdecimal()]
+    return sorted(sockets, key=lambda path: path.lstat().st_mtime_ns, reverse=True)
 
 
 def live_sessions(domain_id: int) -> int:

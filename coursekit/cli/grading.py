@@ -65,8 +65,8 @@ def _add_grade(grade: argparse.ArgumentParser) -> None:
 def teachers_page() -> Path | None:
     """Return the path of the page for teachers."""
     package = Path(__file__).resolve().parents[1]
-    found = [file for file in (package.parent / "docs" / "teachers.md", package / "teachers.md") if file.is_file()]
-    return found[0] if found else None
+    files = [file for file in (package.parent / "docs" / "teachers.md", package / "teachers.md") if file.is_file()]
+    return files[0] if files else None
 
 
 def show_teachers(args: argparse.Namespace) -> int:
@@ -147,8 +147,8 @@ def _class(args: argparse.Namespace, workers: Workers | None) -> Class:
     names = args.variants or args.roster
     roster = Roster.read(names) if names is not None else None
     known = args.variants is not None or (names is not None and secret_file(names).is_file())
-    found = sorted(notebooks.glob("*.ipynb"))
-    chapters = [file.name for file in chapters_of(found, args.chapters)] if args.chapters else []
+    files = sorted(notebooks.glob("*.ipynb"))
+    chapters = [file.name for file in chapters_of(files, args.chapters)] if args.chapters else []
     return Class(
         args.folder.resolve(),
         args.out.resolve(),
@@ -176,8 +176,8 @@ def _due(text: str) -> datetime.datetime:
 def _policy(args: argparse.Namespace, roster: Roster | None) -> Policy:
     from coursekit.grade.lateness import Policy, read_policy
 
-    made = read_policy(args.policy, roster) if args.policy else Policy()
-    return made.instead(None if args.due is None else args.due.timestamp(), args.count, args.policy)
+    policy = read_policy(args.policy, roster) if args.policy else Policy()
+    return policy.instead(None if args.due is None else args.due.timestamp(), args.count, args.policy)
 
 
 def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:

@@ -27,8 +27,8 @@ def hub_package() -> Check:
     if importlib.util.find_spec("jupyterhub") is None:
         cure = 'Run, with the same Python: pip install "coursekit[hub]"'
         return Check("jupyterhub", "missing", "jupyterhub is not installed beside coursekit", cure)
-    found = importlib.metadata.version("jupyterhub")
-    return Check("jupyterhub", f"{found} (the hub itself has to have the same first number)")
+    version = importlib.metadata.version("jupyterhub")
+    return Check("jupyterhub", f"{version} (the hub itself has to have the same first number)")
 
 
 def compiled_ahead() -> Check:
@@ -89,19 +89,19 @@ def load(students: int) -> list[Check]:
     from .hub_load import MB, NotMeasured, measure
 
     try:
-        found = measure()
+        cost = measure()
     except NotMeasured as error:
         return [Check("load", "not measured", str(error), "Run: coursekit doctor")]
     memory = psutil.virtual_memory().total / MB
-    fit = int(memory * (1 - KEPT_FREE) / found.student_mb())
-    parts = f"{found.server_mb:.0f} server, {found.kernel_mb:.0f} to {found.busy_mb:.0f} kernel"
-    told = f"{found.student_mb():.0f} MB a student with a simulation ({parts}): {fit} fit into {memory / 1024:.0f} GB"
-    need = found.student_mb() * students / (1 - KEPT_FREE) / 1024
+    fit = int(memory * (1 - KEPT_FREE) / cost.student_mb())
+    parts = f"{cost.server_mb:.0f} server, {cost.kernel_mb:.0f} to {cost.busy_mb:.0f} kernel"
+    told = f"{cost.student_mb():.0f} MB a student with a simulation ({parts}): {fit} fit into {memory / 1024:.0f} GB"
+    need = cost.student_mb() * students / (1 - KEPT_FREE) / 1024
     fault = f"{students} students need {need:.0f} GB" if students > fit else ""
-    carried = (os.cpu_count() or 1) / max(found.cores, 0.01)
-    cores = f"{found.cores:.2f} of a core a student with a simulation: {os.cpu_count()} carry {carried:.0f} at full speed"
+    carried = (os.cpu_count() or 1) / max(cost.cores, 0.01)
+    cores = f"{cost.cores:.2f} of a core a student with a simulation: {os.cpu_count()} carry {carried:.0f} at full speed"
     return [
-        Check("start", f"server {found.server_s:.1f} s, kernel {found.kernel_s:.1f} s"),
+        Check("start", f"server {cost.server_s:.1f} s, kernel {cost.kernel_s:.1f} s"),
         Check("memory", told, fault, "Take a larger server, or let students come in two groups."),
         Check("processor", f"{cores}; with more, simulated time passes more slowly, and all is as right"),
     ]

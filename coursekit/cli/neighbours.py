@@ -48,9 +48,9 @@ class Neighbourhood:
         kind = "test" if "pytest" in sys.modules else "program"
         self._path = folder() / f"{kind}-{domain_id}-{os.getpid()}"
         with alone(folder() / f"meeting-{domain_id}"):  # later listeners call earlier ones, so no two are joined twice
-            found = neighbours(domain_id, ("program",) if kind == "test" else ("program", "test"))
+            paths = neighbours(domain_id, ("program",) if kind == "test" else ("program", "test"))
             self._server = listen_at(self._path)
-            for path in found:
+            for path in paths:
                 self._call(path)
         threading.Thread(target=self._accept, name="coursekit-neighbours", daemon=True).start()
 
@@ -91,8 +91,8 @@ class Neighbourhood:
 
 def neighbours(domain_id: int, kinds: tuple[str, ...] = ("program", "test")) -> list[Path]:
     """Return the addresses of the domain's programs; some may be stale."""
-    found = [path for kind in kinds for path in folder().glob(f"{kind}-{domain_id}-*")]
-    return sorted(path for path in found if path.name.rpartition("-")[2].isdecimal())
+    paths = [path for kind in kinds for path in folder().glob(f"{kind}-{domain_id}-*")]
+    return sorted(path for path in paths if path.name.rpartition("-")[2].isdecimal())
 
 
 def _leave_all() -> None:

@@ -88,14 +88,14 @@ def _parser() -> argparse.ArgumentParser:
 
 def _needed(args: argparse.Namespace) -> dict[str, list[str]]:
     """Return each key with the packages that need it; packages in the folders themselves count as present."""
-    found: dict[str, Package] = {}
+    packages: dict[str, Package] = {}
     for path in args.from_paths:
         if not Path(path).is_dir():
             raise RuntimeError(f"given path '{path}' does not exist")
-        found |= {package.name: package for package in find_packages(path).values()}
-    asked = [found[name] for name in args.packages if name in found] if args.packages else list(found.values())
-    skipped = {key for words in args.skip_keys for key in words.split()} | set(found)
-    needed: dict[str, list[str]] = {key: [] for key in args.packages if key not in found}
+        packages |= {package.name: package for package in find_packages(path).values()}
+    asked = [packages[name] for name in args.packages if name in packages] if args.packages else list(packages.values())
+    skipped = {key for words in args.skip_keys for key in words.split()} | set(packages)
+    needed: dict[str, list[str]] = {key: [] for key in args.packages if key not in packages}
     for package in asked:
         for key in _keys(package):
             if key not in skipped:

@@ -37,14 +37,14 @@ def run_error(args: argparse.Namespace) -> int:
     from coursekit.slam.relations import errors, read_relations, read_trajectory
 
     try:
-        found = errors(read_trajectory(args.trajectory), read_relations(args.relations))
+        summary = errors(read_trajectory(args.trajectory), read_relations(args.relations))
     except (OSError, ValueError) as fault:
         print(f"coursekit slam-error: {fault}", file=sys.stderr)
         return 1
-    print(f"translation error: {found.translation:.4f} ± {found.translation_std:.4f} m")
-    print(f"rotation error:    {found.rotation:.3f} ± {found.rotation_std:.3f} deg")
-    left = f"; {found.outside} outside of the trajectory were left out" if found.outside else ""
-    print(f"relations:         {found.used}{left}")
+    print(f"translation error: {summary.translation:.4f} ± {summary.translation_std:.4f} m")
+    print(f"rotation error:    {summary.rotation:.3f} ± {summary.rotation_std:.3f} deg")
+    left = f"; {summary.outside} outside of the trajectory were left out" if summary.outside else ""
+    print(f"relations:         {summary.used}{left}")
     return 0
 
 

@@ -25,21 +25,23 @@ ARM = (
 
 def interpreter() -> Check | None:
     """Check for a Python with packages."""
-    found = platform.python_version()
+    version = platform.python_version()
     if computer.bits() == 32:
         cure = "Install 'Windows installer (64-bit)' from https://www.python.org/downloads/; then delete .venv."
-        return Check("packages", found, "this Python has 32 bits; NumPy and OpenCV have packages for 64", cure)
+        return Check("packages", version, "this Python has 32 bits; NumPy and OpenCV have packages for 64", cure)
     if computer.is_arm_python_on_windows():
-        return Check("packages", found, *ARM)
+        return Check("packages", version, *ARM)
     if computer.is_intel_mac() and sys.version_info[:2] > NEWEST_ON_INTEL_MACS:
         cure = "Install Python 3.13 from https://www.python.org/downloads/, and make .venv with that."
-        return Check("packages", found, "Numba has no package for Macs with Intel's processor and this Python", cure)
+        return Check("packages", version, "Numba has no package for Macs with Intel's processor and this Python", cure)
     if sys.version_info[:2] > NEWEST:
-        fault = f"Python {found} is newer than the packages that the course needs"
-        return Check("packages", found, fault, "Install Python 3.13 beside it, and make .venv with that.", only_warning=True)
+        fault = f"Python {version} is newer than the packages that the course needs"
+        return Check(
+            "packages", version, fault, "Install Python 3.13 beside it, and make .venv with that.", only_warning=True
+        )
     if computer.is_from_the_store():
         fault = "this Python is the Store's: programs see other folders than it writes to"
-        return Check("packages", found, fault, "Install one from https://www.python.org/downloads/.", only_warning=True)
+        return Check("packages", version, fault, "Install one from https://www.python.org/downloads/.", only_warning=True)
     return None
 
 
@@ -71,4 +73,4 @@ SYSTEM_CHECKS: tuple[Callable[[], Check | None], ...] = (interpreter, folder_of_
 
 def run_system_checks() -> list[Check]:
     """Return remarks about this computer; empty if there are none."""
-    return [found for check in SYSTEM_CHECKS if (found := check()) is not None]
+    return [remark for check in SYSTEM_CHECKS if (remark := check()) is not None]

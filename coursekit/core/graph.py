@@ -272,10 +272,10 @@ def names_and_types(endpoints: Iterable[Endpoint]) -> list[tuple[str, list[str]]
     >>> names_and_types([node.publisher("/chatter", String, Qos())])
     [('/chatter', ['std_msgs/msg/String'])]
     """
-    found: dict[str, dict[str, None]] = {}
+    types_by_name: dict[str, dict[str, None]] = {}
     for endpoint in endpoints:
-        found.setdefault(endpoint.name, {})[endpoint.type_name] = None
-    return [(name, sorted(types)) for name, types in sorted(found.items())]
+        types_by_name.setdefault(endpoint.name, {})[endpoint.type_name] = None
+    return [(name, sorted(types)) for name, types in sorted(types_by_name.items())]
 
 
 def _all(endpoints: dict[str, list[E]]) -> list[E]:

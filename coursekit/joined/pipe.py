@@ -58,12 +58,12 @@ class Pipe:
         if header > HEADER or body > BODY:
             raise Broken("it sent more than it may")
         try:
-            found = _loads(self._exactly(header, give_up))
+            fields = _loads(self._exactly(header, give_up))
         except (ValueError, RecursionError):
             raise Broken("it sent something malformed") from None
-        if not isinstance(found, dict):
+        if not isinstance(fields, dict):
             raise Broken("it sent something malformed")
-        return found, self._exactly(body, give_up)
+        return fields, self._exactly(body, give_up)
 
     def _exactly(self, size: int, give_up: float | None) -> bytes:
         parts = bytearray()

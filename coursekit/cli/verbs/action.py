@@ -46,11 +46,11 @@ def _actions() -> list[tuple[str, list[str]]]:
 
 def list_actions(args: Namespace) -> int:
     """Print the actions."""
-    found = _actions()
+    actions = _actions()
     if args.count_actions:
-        print(len(found))
+        print(len(actions))
         return 0
-    for name, types in found:
+    for name, types in actions:
         print(f"{name} [{', '.join(types)}]" if args.show_types else name)
     return 0
 
@@ -74,20 +74,20 @@ def show_info(args: Namespace) -> int:
             ("Action clients", get_action_client_names_and_types_by_node),
             ("Action servers", get_action_server_names_and_types_by_node),
         ):
-            found = _nodes_with(node, name, find)
-            print(f"{title}: {len(found)}")
-            for full_name, types in found if not args.count else ():
+            nodes = _nodes_with(node, name, find)
+            print(f"{title}: {len(nodes)}")
+            for full_name, types in nodes if not args.count else ():
                 print(f"    {full_name} [{', '.join(types)}]" if args.show_types else f"    {full_name}")
     return 0
 
 
 def _nodes_with(node: Node, action: str, find: Any) -> list[tuple[str, list[str]]]:
-    found = []
+    nodes = []
     for other in list(ask.graph().nodes):
         types = dict(find(node, other.name, other.namespace)).get(action)
         if types:
-            found.append((other.full_name, types))
-    return sorted(found)
+            nodes.append((other.full_name, types))
+    return sorted(nodes)
 
 
 def send_goal(args: Namespace) -> int:

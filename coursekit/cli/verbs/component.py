@@ -93,14 +93,14 @@ def _call(container: str, service: str, **fields: Any) -> Any:
 
 def list_components(args: Namespace) -> int:
     """Print the containers and their components."""
-    one = args.container_node_name
-    for name in _containers() if one is None else [_checked(one)]:
-        if one is None:
+    container = args.container_node_name
+    for name in _containers() if container is None else [_checked(container)]:
+        if container is None:
             print(name)
         if not args.containers_only:
             answer = _call(name, "list_nodes")
             for uid, node in zip(answer.unique_ids, answer.full_node_names, strict=True):
-                print(f"{'  ' if one is None else ''}{uid}  {node}")
+                print(f"{'  ' if container is None else ''}{uid}  {node}")
     return 0
 
 
@@ -172,13 +172,13 @@ def run_standalone(args: Namespace) -> int:
 
 def show_types(args: Namespace) -> int:
     """Print the components registered by packages."""
-    found = registered()
+    types_by_package = registered()
     if args.package_name is not None:
         if args.package_name not in packages():
             raise ask.Unhappy(f"Unable to find package '{args.package_name}'")
-        for name in found.get(args.package_name, {}):
+        for name in types_by_package.get(args.package_name, {}):
             print(name)
         return 0
-    for package, types in found.items():
+    for package, types in types_by_package.items():
         print(package, *(f"  {name}" for name in types), sep="\n")
     return 0

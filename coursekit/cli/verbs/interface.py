@@ -68,11 +68,11 @@ def list_interfaces(args: Namespace) -> int:
     """Print every interface, by kind."""
     from rosidl_runtime_py import get_interfaces
 
-    found = get_interfaces()
+    names_by_package = get_interfaces()
     for title, kind in _kinds(args):
         print(f"{title}:")
-        for package in sorted(found):
-            for name in found[package]:
+        for package in sorted(names_by_package):
+            for name in names_by_package[package]:
                 if name.startswith(f"{kind}/"):
                     print(f"    {package}/{name}")
     return 0

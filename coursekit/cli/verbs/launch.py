@@ -145,19 +145,19 @@ def file_in_share(package: str, share: str, name: str) -> str:
     Raises:
         LaunchFileError: when there is none, or more than one.
     """
-    found = [path for path in _files(share) if os.path.basename(path) == name]
-    if not found:
+    files = [path for path in _files(share) if os.path.basename(path) == name]
+    if not files:
         known = sorted(os.path.basename(path) for path in _files(share) if path.endswith(LAUNCH_FILE_ENDINGS))
         raise LaunchFileError(
             f"file '{name}' was not found in the share directory of package '{package}' which is at '{share}'"
             f"{'; its launch files: ' + ', '.join(known) if known else ''}"
         )
-    if len(found) > 1:
-        paths = ", ".join(f"'{path}'" for path in found)
+    if len(files) > 1:
+        paths = ", ".join(f"'{path}'" for path in files)
         raise LaunchFileError(
             f"file '{name}' was found more than once in the share directory of package '{package}': [{paths}]"
         )
-    return found[0]
+    return files[0]
 
 
 def _files(folder: str) -> Iterator[str]:

@@ -38,8 +38,8 @@ def register(subparsers: Any) -> None:
 
 
 def _nodes(hidden: bool) -> list[str]:
-    found = [name for name, types in ask.services(hidden=True) if _GET_STATE in types]
-    names = {name.removesuffix("/get_state") for name in found if name.endswith("/get_state")}
+    services = [name for name, types in ask.services(hidden=True) if _GET_STATE in types]
+    names = {name.removesuffix("/get_state") for name in services if name.endswith("/get_state")}
     return [name for name in ask.node_names(hidden) if name in names]
 
 

@@ -62,8 +62,8 @@ def show_info(args: Namespace) -> int:
         ("Service Servers", node.servers),
         ("Service Clients", node.clients),
     ):
-        found = names_and_types(endpoints)
-        _section(title, [pair for pair in found if args.include_hidden or not is_hidden(pair[0])])
+        pairs = names_and_types(endpoints)
+        _section(title, [pair for pair in pairs if args.include_hidden or not is_hidden(pair[0])])
     _actions(node, args.include_hidden)
     return 0
 
@@ -81,5 +81,5 @@ def _actions(node: Any, hidden: bool) -> None:
             ("Action Servers", action_graph.get_action_server_names_and_types_by_node),
             ("Action Clients", action_graph.get_action_client_names_and_types_by_node),
         ):
-            found = find(asking, node.name, node.namespace)
-            _section(title, [pair for pair in found if hidden or not is_hidden(pair[0])])
+            pairs = find(asking, node.name, node.namespace)
+            _section(title, [pair for pair in pairs if hidden or not is_hidden(pair[0])])

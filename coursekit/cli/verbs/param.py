@@ -110,8 +110,8 @@ def list_parameters(args: Namespace) -> int:
             if not args.node_name:
                 print(f"{name}:")
             values = asking.values(names) if args.param_type else [None] * len(names)
-            for one, value in zip(names, values, strict=True):
-                print(f"  {one} (type: {param_text.type_name(value.type)})" if value is not None else f"  {one}")
+            for parameter, value in zip(names, values, strict=True):
+                print(f"  {parameter} (type: {param_text.type_name(value.type)})" if value is not None else f"  {parameter}")
     return 0
 
 
@@ -179,13 +179,13 @@ def load_parameters(args: Namespace) -> int:
         asking = _Asking(node, args.node_name)
         try:
             _check_named(args.parameter_file, asking.name, not args.no_use_wildcard)
-            found = parameter_dict_from_yaml_file(
+            parameters = parameter_dict_from_yaml_file(
                 args.parameter_file, not args.no_use_wildcard, target_nodes=[asking.name]
             )
         except (OSError, RuntimeError, ValueError, yaml.YAMLError) as error:
             raise ask.Unhappy(str(error)) from None
-        results = asking("set_parameters", list(found.values())).results
-    for name, result in zip(found, results, strict=True):
+        results = asking("set_parameters", list(parameters.values())).results
+    for name, result in zip(parameters, results, strict=True):
         reason = f": {result.reason}" if result.reason else ""
         if result.successful:
             print(f"Set parameter {name} successful{reason}")

@@ -45,11 +45,11 @@ def register(subparsers: Any) -> None:
 
 def list_services(args: Namespace) -> int:
     """Print the services that have a server."""
-    found = _served(args.hidden or args.hidden_too)
+    services = _served(args.hidden or args.hidden_too)
     if args.count_services:
-        print(len(found))
+        print(len(services))
         return 0
-    for name, types in found:
+    for name, types in services:
         print(f"{name} [{', '.join(types)}]" if args.show_types else name)
     return 0
 
@@ -68,11 +68,11 @@ def show_type(args: Namespace) -> int:
 
 def find_services(args: Namespace) -> int:
     """Print the services of a type."""
-    found = [name for name, types in _served(args.hidden or args.hidden_too) if args.service_type in types]
+    names = [name for name, types in _served(args.hidden or args.hidden_too) if args.service_type in types]
     if args.count_services:
-        print(len(found))
+        print(len(names))
     else:
-        for name in found:
+        for name in names:
             print(name)
     return 0
 
@@ -111,7 +111,11 @@ def _wait(client: Any, name: str, kind: str) -> None:
     if name in offered:
         ask.say_error(f"Still waiting: {name} has the type {', '.join(offered[name])}, not {kind}. {ask.ENDS_WAITING}")
     else:
-        own = [one for one, types in offered.items() if not is_hidden(one) and not types[0].startswith("rcl_interfaces/")]
+        own = [
+            service
+            for service, types in offered.items()
+            if not is_hidden(service) and not types[0].startswith("rcl_interfaces/")
+        ]
         ask.say_missing(name, own, "service")
     client.wait_for_service()
 

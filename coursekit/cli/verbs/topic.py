@@ -50,13 +50,13 @@ def _register_list(verbs: Any) -> None:
 
 def list_topics(args: Namespace) -> int:
     """Print the topics."""
-    found = ask.topics(args.hidden or args.hidden_too)
+    topics = ask.topics(args.hidden or args.hidden_too)
     if args.count_topics:
-        print(len(found))
+        print(len(topics))
     elif args.verbose:
-        _list_verbose(found)
+        _list_verbose(topics)
     else:
-        for name, types in found:
+        for name, types in topics:
             print(f"{name} [{', '.join(types)}]" if args.show_types else name)
     return 0
 
@@ -106,10 +106,10 @@ def show_type(args: Namespace) -> int:
 
 def find_topics(args: Namespace) -> int:
     """Print the topics of a type."""
-    found = [name for name, types in ask.topics(args.hidden or args.hidden_too) if args.topic_type in types]
+    names = [name for name, types in ask.topics(args.hidden or args.hidden_too) if args.topic_type in types]
     if args.count_topics:
-        print(len(found))
+        print(len(names))
     else:
-        for name in found:
+        for name in names:
             print(name)
     return 0

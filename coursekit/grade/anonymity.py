@@ -36,8 +36,8 @@ class Anonymity:
 
     def code(self, person: Person) -> str:
         """Return the code of a person."""
-        made = hmac.new(self._key, person.identity.encode("utf-8", "surrogatepass"), hashlib.sha256).hexdigest()
-        return f"P-{made[:8].upper()}"
+        digest = hmac.new(self._key, person.identity.encode("utf-8", "surrogatepass"), hashlib.sha256).hexdigest()
+        return f"P-{digest[:8].upper()}"
 
     def key(self, record: Record) -> str:
         """Return the name of a person's files while names are hidden."""
@@ -47,13 +47,13 @@ class Anonymity:
         """Return the records with codes in place of names, sorted by code; the mapping is written to a file beside them."""
         others = self._everybody(records)
         hidden = [self._hidden(record, others) for record in records]
-        made = io.StringIO()
-        table = csv.writer(made, delimiter=self._form.separator)
+        buffer = io.StringIO()
+        table = csv.writer(buffer, delimiter=self._form.separator)
         table.writerow(["code", "name", "id", "email"])
         for record in records:
             person = record.handed.person
             table.writerow([self.code(person), cell(record.label), cell(person.id), cell(person.email)])
-        write_whole(self.names, made.getvalue().encode("utf-8-sig"), 0o600, parents=True)
+        write_whole(self.names, buffer.getvalue().encode("utf-8-sig"), 0o600, parents=True)
         return sorted(hidden, key=lambda record: record.label)
 
     def _everybody(self, records: Sequence[Record]) -> dict[str, str]:
@@ -73,8 +73,8 @@ class Anonymity:
         chosen = {name: _piece(said, code, piece) for name, piece in handed.chosen.items()}
         kinds = ("notes", "concerns", "open")
         texts = {kind: [said(_without(piece, others or {})) for piece in getattr(handed, kind)] for kind in kinds}
-        made = replace(handed, person=Person(code), label=code, entries=entries, chosen=chosen, **texts)
-        return replace(record, handed=made, marks={name: _marked(said, code, mark) for name, mark in record.marks.items()})
+        masked = replace(handed, person=Person(code), label=code, entries=entries, chosen=chosen, **texts)
+        return replace(record, handed=masked, marks={name: _marked(said, code, mark) for name, mark in record.marks.items()})
 
 
 def _without(text: str, names: Mapping[str, str]) -> str:

@@ -94,15 +94,15 @@ class Archive:
         if self._read + info.file_size > self._bounds.total:
             raise BadArchive(f"the zip unpacks to more than {self._bounds.total >> 20} MB")
         self._read += info.file_size
-        made = bytearray()
+        content = bytearray()
         with _said(), self._opened.open(info) as data:
             while piece := data.read(PIECE):
-                made += piece
-                if len(made) > info.file_size:
+                content += piece
+                if len(content) > info.file_size:
                     raise BadArchive("a file in it is larger than the zip states")
-        if len(made) != info.file_size:
+        if len(content) != info.file_size:
             raise BadArchive("a file in it is smaller than the zip states")
-        return bytes(made)
+        return bytes(content)
 
     def close(self) -> None:
         """Close the archive and its file."""

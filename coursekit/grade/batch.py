@@ -139,8 +139,8 @@ class Class:
     def _wanted(self, collection: Collection) -> tuple[list[str], dict[str, list[str]]]:
         if self.chapters:
             return self.chapters, {}
-        found, others = wanted_chapters(collection.handed)
-        return found or sorted(self.sources), others
+        chapters, others = wanted_chapters(collection.handed)
+        return chapters or sorted(self.sources), others
 
     def _record(self, handed: Handed, wanted: Mapping[str, Sequence[Verdict]]) -> Record:
         record = Record(handed, wanted, tier=self._tier)
@@ -247,15 +247,15 @@ def _told_bonus(records: Sequence[Record]) -> list[str]:
 
 def _told_faults(records: Sequence[Record]) -> list[str]:
     """Report checks that failed by themselves, and the students left without a mark."""
-    found: dict[tuple[str, str], list[str]] = {}
+    people_by_fault: dict[tuple[str, str], list[str]] = {}
     for record in records:
         for verdict in record.marked().verdicts:
             if verdict.fault:
-                found.setdefault((verdict.name, verdict.fault), []).append(record.label)
+                people_by_fault.setdefault((verdict.name, verdict.fault), []).append(record.label)
     return [
         f"The check of {name} has a fault: {fault}. No mark yet: {', '.join(people[:5])}"
         f"{' and others' if len(people) > 5 else ''}. Mend it and run this again, or give the points by hand."
-        for (name, fault), people in found.items()
+        for (name, fault), people in people_by_fault.items()
     ]
 
 
@@ -263,14 +263,14 @@ def _asked(records: Sequence[Record], again: Sequence[str]) -> list[str]:
     """Return the keys of the students to mark again."""
     if not again:
         return [record.key for record in records]
-    found = []
+    keys = []
     for name in again:
         fitting = [r.key for r in records if name in (r.key, r.label, r.handed.person.id, r.handed.person.email)]
         if not fitting:
             known = ", ".join(record.label for record in records[:10])
             raise ValueError(f"--again: no student '{name}'. There are: {known}{', ...' if len(records) > 10 else ''}")
-        found += fitting
-    return found
+        keys += fitting
+    return keys
 
 
 def _announced(mark: Callable[..., Marked], chapter: str, say: Callable[[str], None]) -> Callable[..., Marked]:

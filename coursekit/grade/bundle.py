@@ -110,11 +110,17 @@ def _lines(files: Mapping[str, bytes]) -> list[str]:
 def _untold(files: Mapping[str, bytes]) -> list[str]:
     """Return the pictures and notebooks that differ from their entries in the log."""
     lines = [json.loads(line) for line in _lines(files)]
-    made = {str(entry.get("picture") or entry.get("notebook")): entry["sha256"] for entry in lines if "sha256" in entry}
-    found = {name: (digest_of(data), made.get(PurePosixPath(name).name)) for name, data in files.items() if name != EVENTS}
+    digest_by_name = {
+        str(entry.get("picture") or entry.get("notebook")): entry["sha256"] for entry in lines if "sha256" in entry
+    }
+    pairs = {
+        name: (digest_of(data), digest_by_name.get(PurePosixPath(name).name))
+        for name, data in files.items()
+        if name != EVENTS
+    }
     return [
         f"{name}: it was changed after its entry in {EVENTS}" if told else f"{name}: {EVENTS} does not tell of it"
-        for name, (is_now, told) in found.items()
+        for name, (is_now, told) in pairs.items()
         if told != is_now
     ]
 
@@ -123,12 +129,12 @@ def other_hands(data: bytes, name: str) -> list[str]:
     """Return signs that a bundle handed in as `name` belongs to another student; ValueError when it is not a bundle."""
     manifest, files = read_bundle(data)
     student = str(manifest.get("student"))
-    found = []
+    signs = []
     if not any(plain(word) in plain(name) for word in student.split()):
-        found.append(f"it was made by '{student[:60]}' and handed in as '{name}'")
+        signs.append(f"it was made by '{student[:60]}' and handed in as '{name}'")
     word = student_word(student)
     strange = [file for file in files if file.startswith("evidence/") and not file.startswith(f"evidence/{word}_")]
-    return found + [f"{name}: the name is not that of '{student[:60]}'" for name in strange]
+    return signs + [f"{name}: the name is not that of '{student[:60]}'" for name in strange]
 
 
 def other_results(manifest: Mapping[str, Any], earned: Mapping[str, float]) -> list[str]:
@@ -138,15 +144,15 @@ def other_results(manifest: Mapping[str, Any], earned: Mapping[str, float]) -> l
     ['relay: 2 points are recorded, a clean run earns 1', '2 points are recorded in all, a clean run earns 1']
     """
     said = recorded(manifest)
-    found = [
+    differences = [
         f"{name}: {_points(said.get(name))} points are recorded, a clean run earns {points:g}"
         for name, points in earned.items()
         if said.get(name) != points
     ]
     total = round(sum(earned.values()), 2)
     if manifest.get("points") != total:
-        found.append(f"{_points(manifest.get('points'))} points are recorded in all, a clean run earns {total:g}")
-    return found
+        differences.append(f"{_points(manifest.get('points'))} points are recorded in all, a clean run earns {total:g}")
+    return differences
 
 
 def _points(said: Any) -> str:
@@ -185,16 +191,16 @@ def _happened(line: str) -> bytes:
 
 def note_copies(owners: Mapping[str, tuple[list[str], Sequence[Path]]]) -> None:
     """Add to each person's concerns who else handed in the same pictures or log, regardless of the seals."""
-    found: dict[str, dict[str, str]] = {}
+    traces_by_owner: dict[str, dict[str, str]] = {}
     for who, (_, files) in owners.items():
         for file in files:
             with contextlib.suppress(ValueError, OSError):
-                found.setdefault(who, {}).update(traces(file.read_bytes()))
+                traces_by_owner.setdefault(who, {}).update(traces(file.read_bytes()))
     shared: dict[str, list[str]] = {}
-    for who, traced in found.items():
+    for who, traced in traces_by_owner.items():
         for digest in traced:
             shared.setdefault(digest, []).append(who)
-    for who, traced in found.items():
+    for who, traced in traces_by_owner.items():
         others: dict[str, list[str]] = {}
         for digest, what in traced.items():
             for other in shared[digest]:
@@ -214,8 +220,8 @@ def _text(manifest: Mapping[str, Any]) -> bytes:
 
 def _zipped(files: Mapping[str, bytes]) -> bytes:
     """Return an uncompressed zip in this order, without dates: it does not depend on the machine."""
-    made = io.BytesIO()
-    with zipfile.ZipFile(made, "w", zipfile.ZIP_STORED) as packed:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_STORED) as packed:
         for name, data in files.items():
             packed.writestr(zipfile.ZipInfo(name, _DATE), data)
-    return made.getvalue()
+    return buffer.getvalue()

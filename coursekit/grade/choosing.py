@@ -65,13 +65,13 @@ def _fitting(pieces: Sequence[Piece]) -> list[Piece]:
 
 def _different(pieces: Sequence[Piece]) -> list[Piece]:
     """Return the oldest of files with the same work, preferring one named after the chapter."""
-    found: dict[str, Piece] = {}
+    piece_by_work: dict[str, Piece] = {}
     for piece in pieces:
         work = piece.known.work if not piece.fault else piece.digest or piece.where
-        kept = found.setdefault(work, piece)
+        kept = piece_by_work.setdefault(work, piece)
         if _named(piece) and not _named(kept) and piece.when - kept.when <= SAME_S:
-            found[work] = piece
-    return list(found.values())
+            piece_by_work[work] = piece
+    return list(piece_by_work.values())
 
 
 def _named(piece: Piece) -> bool:

@@ -105,16 +105,16 @@ class Collector:
     def _put(self, entry: Entry) -> None:
         """Assign an entry to its owner, or ask; an entry with several people's copies is divided."""
         for part in parts_of(entry, self._identifier) if self._identifier is not None else [self._by_itself(entry)]:
-            found = part.found
-            if len(found.people) != 1:
+            identified = part.found
+            if len(identified.people) != 1:
                 question = self._whose(part)
                 self._made.questions.append(question)
-                found = self._answered(part, question, question.chosen(self._answers))
-            if len(found.people) == 1:
-                handed = self._of(found.people[0])
+                identified = self._answered(part, question, question.chosen(self._answers))
+            if len(identified.people) == 1:
+                handed = self._of(identified.people[0])
                 handed.entries.append(part.entry)
-                if found.how and found.how not in SURE:
-                    handed.concerns.append(f"'{part.where}' was taken as theirs by {found.how}")
+                if identified.how and identified.how not in SURE:
+                    handed.concerns.append(f"'{part.where}' was taken as theirs by {identified.how}")
 
     def _whose(self, part: Part) -> Question:
         people = part.found.people or (self._identifier.maybe(part.entry.name) if self._identifier else ())
@@ -140,8 +140,8 @@ class Collector:
     def _by_itself(self, entry: Entry) -> Part:
         """Return the whole of an entry, if there is no roster."""
         person = self._without_list(entry)
-        found = Identified((person,), "") if person else Identified((), "its name is that of a chapter, not of a person")
-        return whole(entry, found)
+        owner = Identified((person,), "") if person else Identified((), "its name is that of a chapter, not of a person")
+        return whole(entry, owner)
 
     def _without_list(self, entry: Entry) -> Person | None:
         """Return the person named by an entry's name or content."""

@@ -41,8 +41,8 @@ class Image:
         if (checkout / "pyproject.toml").is_file():
             file, content = _built(checkout)
             return cls(content, file, (checkout / "requirements.lock").read_bytes())
-        found = distribution("coursekit")
-        return cls(packed(found), f"coursekit-{found.version}-py3-none-any.whl")
+        installed = distribution("coursekit")
+        return cls(packed(installed), f"coursekit-{installed.version}-py3-none-any.whl")
 
     @property
     def tag(self) -> str:

@@ -52,9 +52,9 @@ def without_solution(source: str) -> str:
 
 def student_notebook(notebook: dict[str, Any]) -> dict[str, Any]:
     """Return a notebook for students: stubs for solutions, no outputs, locked check cells."""
-    made: dict[str, Any] = json.loads(json.dumps(notebook))
+    student_copy: dict[str, Any] = json.loads(json.dumps(notebook))
     given = {}
-    for cell in made["cells"]:
+    for cell in student_copy["cells"]:
         text = "".join(cell["source"])
         if cell["cell_type"] == "code":
             cell["outputs"] = []
@@ -68,8 +68,8 @@ def student_notebook(notebook: dict[str, Any]) -> dict[str, Any]:
             cell["metadata"] |= {"editable": False, "deletable": False}
         if grading.get("solution"):
             given[str(grading.get("grade_id"))] = given_digest(cleared)
-    made.setdefault("metadata", {}).setdefault("coursekit", {})[GIVEN] = given
-    return made
+    student_copy.setdefault("metadata", {}).setdefault("coursekit", {})[GIVEN] = given
+    return student_copy
 
 
 def given_digest(text: str) -> str:
@@ -95,8 +95,8 @@ def edition_of(text: str) -> str:
 def facts_of(notebook: Mapping[str, Any]) -> dict[str, Any]:
     """Return the course's entries in a notebook's metadata: the release, the copy's owner, the cells as given."""
     metadata = notebook.get("metadata")
-    found = metadata.get("coursekit") if isinstance(metadata, dict) else None
-    return found if isinstance(found, dict) else {}
+    facts = metadata.get("coursekit") if isinstance(metadata, dict) else None
+    return facts if isinstance(facts, dict) else {}
 
 
 def _facts(file: Path) -> dict[str, Any]:
@@ -206,7 +206,7 @@ class Course:
 
     def _read_manifest(self) -> dict[str, str]:
         try:
-            found = json.loads(self._manifest.read_text(encoding="utf-8"))
+            manifest = json.loads(self._manifest.read_text(encoding="utf-8"))
         except (OSError, ValueError):
             return {}
-        return found if isinstance(found, dict) else {}
+        return manifest if isinstance(manifest, dict) else {}

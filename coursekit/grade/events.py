@@ -18,9 +18,9 @@ def note(file: Path, event: str, **facts: Any) -> None:
         file.parent.mkdir(parents=True, exist_ok=True)
         lines = file.read_text(encoding="utf-8").splitlines() if file.exists() else []
         before = str(json.loads(lines[-1])["digest"]) if lines else BEGINNING
-        made = {"event": event, "time": round(time.time(), 3), **facts, "before": before}
+        entry = {"event": event, "time": round(time.time(), 3), **facts, "before": before}
         with open(file, "a", encoding="utf-8") as out:
-            out.write(json.dumps({**made, "digest": digest(made)}, sort_keys=True) + "\n")
+            out.write(json.dumps({**entry, "digest": digest(entry)}, sort_keys=True) + "\n")
     except (OSError, ValueError, LookupError, TypeError):
         pass
 

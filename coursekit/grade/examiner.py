@@ -113,11 +113,11 @@ def main() -> int:
     out = os.dup(1)
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
     try:
-        found = _examined(task)
+        examined = _examined(task)
     except ValueError as error:
-        found = Examined(failed=str(error)[:LONGEST], unreadable=True)
+        examined = Examined(failed=str(error)[:LONGEST], unreadable=True)
     with os.fdopen(out, "wb") as answer:
-        answer.write(as_json(found).encode())
+        answer.write(as_json(examined).encode())
     os._exit(0)
 
 
@@ -211,15 +211,15 @@ def _explained(verdict: Verdict, stopped: str, over: bool) -> Verdict:
 
 
 def _judged(exercise: Exercise, work: RemoteWork) -> Verdict:
-    found = judge_work(exercise, work, FIRST_HINT)
+    verdict = judge_work(exercise, work, FIRST_HINT)
     return replace(
-        found,
-        expected=_plain(found.expected),
-        got=_plain(found.got),
-        cause=_plain(found.cause),
-        hint=_plain(found.hint),
-        gave=_plain(found.gave),
-        fault=_plain(found.fault),
+        verdict,
+        expected=_plain(verdict.expected),
+        got=_plain(verdict.got),
+        cause=_plain(verdict.cause),
+        hint=_plain(verdict.hint),
+        gave=_plain(verdict.gave),
+        fault=_plain(verdict.fault),
     )
 
 

@@ -75,11 +75,11 @@ def facts_of(robot: Robot) -> RobotFacts:
         shapes = [*(part.geometry for part in link.visuals), *(part.geometry for part in link.collisions)]
         for shape in shapes:
             if isinstance(shape, Mesh) and shape.filename not in meshes:
-                made = mesh_of(Mesh(shape.filename), robot.file)
-                total += len(made.vertices) + len(made.faces)
+                mesh = mesh_of(Mesh(shape.filename), robot.file)
+                total += len(mesh.vertices) + len(mesh.faces)
                 if total > CORNERS:
                     raise ValueError(f"meshes with more than {CORNERS} corners and triangles together")
-                meshes[shape.filename] = MeshFacts(made.vertices.tolist(), made.faces.tolist())
+                meshes[shape.filename] = MeshFacts(mesh.vertices.tolist(), mesh.faces.tolist())
     return RobotFacts(robot.name, robot.root, robot.links, robot.joints, meshes)
 
 

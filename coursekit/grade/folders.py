@@ -27,9 +27,9 @@ def excess(folder: Path, most: int) -> str:
     """Return why a folder exceeds a limit; empty when its files have at most `most` bytes together."""
     total = count = 0
     try:
-        for _, found in entries(folder):
+        for _, status in entries(folder):
             count += 1
-            total += found.st_size if stat.S_ISREG(found.st_mode) else 0
+            total += status.st_size if stat.S_ISREG(status.st_mode) else 0
             if total > most:
                 return f"it wrote more than {most >> 20} MB of files"
             if count > MOST:
@@ -55,8 +55,8 @@ def _below(descriptor: int, above: str, depth: int) -> Iterator[tuple[str, os.st
     try:
         if depth > DEEPEST:
             raise Excess(f"it made folders in folders, more than {DEEPEST} deep")
-        with os.scandir(descriptor) as found:
-            names = [entry.name for entry in found]
+        with os.scandir(descriptor) as listing:
+            names = [entry.name for entry in listing]
         for name in names:
             with contextlib.suppress(FileNotFoundError):  # removed in the meantime
                 status = os.stat(name, dir_fd=descriptor, follow_symlinks=False)
@@ -127,8 +127,8 @@ def _empty(top: int) -> None:
 
 
 def _listed(descriptor: int) -> list[os.DirEntry[str]]:
-    with os.scandir(descriptor) as found:
-        return list(found)
+    with os.scandir(descriptor) as listing:
+        return list(listing)
 
 
 def _is_folder(name: str, descriptor: int) -> bool:

@@ -35,8 +35,8 @@ class Handed:
 
     def pieces(self) -> list[Piece]:
         """Return every submitted notebook, the oldest first."""
-        found = [piece for entry in self.entries for piece in entry.pieces]
-        return sorted(found, key=lambda piece: (piece.when, piece.inner, piece.where))
+        pieces = [piece for entry in self.entries for piece in entry.pieces]
+        return sorted(pieces, key=lambda piece: (piece.when, piece.inner, piece.where))
 
     def bundles(self) -> list[Path]:
         """Return all submitted files made by `hand_in()`."""

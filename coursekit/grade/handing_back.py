@@ -71,14 +71,14 @@ def _in_list(platform: str, records: Sequence[Record], roster: Roster, title: st
     of = records[0].of() if records else 0.0
     rows = []
     for at, row in enumerate(roster.table.rows):
-        made = [*row, *[""] * len(headings)][: len(headings)]
+        cells = [*row, *[""] * len(headings)][: len(headings)]
         if at in by_row:
-            made[column] = _mark(by_row[at], form) or made[column]
+            cells[column] = _mark(by_row[at], form) or cells[column]
             if comment is not None:
-                made[comment] = _said(by_row[at])
+                cells[comment] = _said(by_row[at])
         elif any("points possible" in cell.casefold() for cell in row[:3]):
-            made[column] = form.number(of)
-        rows.append([_kept(path) for path in made])
+            cells[column] = form.number(of)
+        rows.append([_kept(text) for text in cells])
     return headings, rows
 
 

@@ -49,13 +49,13 @@ def who_and_where() -> dict[str, str]:
 
 def clean_run(notebook: Path, source: Mapping[str, Any] | None = None) -> Marked:
     """Mark a notebook by running it from top to bottom in a sandbox; `source` is the course's own, if available."""
-    found = read_notebook(notebook)
-    exercises = exercises_in(found if source is None else source)
+    submitted = read_notebook(notebook)
+    exercises = exercises_in(submitted if source is None else source)
     with tempfile.TemporaryDirectory() as scratch:
         place = Path(scratch) / "me"
         place.mkdir()
         (place / notebook.name).write_bytes(notebook.read_bytes())
-        return mark(Submission("me", place), {notebook.name: dict(source or found)}, exercises, Limits())
+        return mark(Submission("me", place), {notebook.name: dict(source or submitted)}, exercises, Limits())
 
 
 def make_bundle(
@@ -129,35 +129,35 @@ def verify(
     The run uses the course's own notebook with the student's answers; an unknown file name is refused.
     """
     data = file.read_bytes()
-    found = bundle_faults(data)
+    faults = bundle_faults(data)
     try:
-        found += other_hands(data, file.stem)
+        faults += other_hands(data, file.stem)
         manifest, files = read_bundle(data)
         name = PurePosixPath(str(manifest["notebook"])).name
         content = files[name]
         handed_in = parse_notebook(content, name)
     except (ValueError, KeyError) as error:
-        return found or [f"it has no notebook: {shown(str(error))}"], None
+        return faults or [f"it has no notebook: {shown(str(error))}"], None
     known = Recogniser(_chapters(notebooks))
     if name not in known.chapters:
-        found.append(_no_chapter(name, known.recognise(handed_in).chapter, known))
-        return found, None
-    found += missing_checks(name, handed_in, known)
+        faults.append(_no_chapter(name, known.recognise(handed_in).chapter, known))
+        return faults, None
+    faults += missing_checks(name, handed_in, known)
     if cell_digests(handed_in) != manifest.get("cells"):
-        found.append(f"{name}: its cells are not those of the manifest")
+        faults.append(f"{name}: its cells are not those of the manifest")
     if not run:
-        return found, None
+        return faults, None
     own = dict(known.chapters[name].source)
     if variants is not None:
         student = named_in(file.stem, variants.roster) or named_in(str(manifest.get("student")), variants.roster)
         if not student:
-            return [*found, "its name is not in the list: without a name its numbers are not known"], None
+            return [*faults, "its name is not in the list: without a name its numbers are not known"], None
         own = variants.copies(student, {name: own})[name]
     with tempfile.TemporaryDirectory() as scratch:
         place = Path(scratch) / name
         place.write_bytes(content)
         marked = clean_run(place, own)
-    return found + other_results(manifest, {verdict.name: verdict.points for verdict in marked.verdicts}), marked
+    return faults + other_results(manifest, {verdict.name: verdict.points for verdict in marked.verdicts}), marked
 
 
 def _no_chapter(name: str, chapter: str, known: Recogniser) -> str:

@@ -37,8 +37,8 @@ def named_in(name: str, roster: Roster) -> str:
     >>> named_in("annleeds_1234_AnnLeeds_03_services", Roster(["Ann Lee", "Ann Leeds"]))
     'Ann Leeds'
     """
-    found = Identifier(roster).by_name(name)
-    return roster.label(found.people[0]) if len(found.people) == 1 else ""
+    identified = Identifier(roster).by_name(name)
+    return roster.label(identified.people[0]) if len(identified.people) == 1 else ""
 
 
 class Identifier:
@@ -77,19 +77,19 @@ class Identifier:
         """Identify the student by the name alone."""
         given = platform_name(name)
         stem = without_ending(name)
-        for how, found in (
+        for how, people in (
             ("the exact name", self._exactly([stem, *(given.logins if given else ())], name_only=given is None)),
             ("the platform's name for it", self._of_platform(given)),
             ("the same words in another order", self._shuffled.get(_words(given.name if given else stem), set())),
         ):
-            if found:
-                return Identified(self._sorted(found), how if len(found) == 1 else "several have that name")
+            if people:
+                return Identified(self._sorted(people), how if len(people) == 1 else "several have that name")
         if given is not None and given.platform in ("moodle", "canvas", "blackboard"):
             return Identified((), "no student in the list has that name")
-        found = self._inside(given.name if given else stem)
-        if len(found) == 1 and found == self._plain.get(plain(stem.partition("_")[0])):
-            return Identified(tuple(found), "the name that hand_in gives its files")
-        return Identified(self._sorted(found), ("a name in the name" if len(found) == 1 else "several names fit") if found
+        people = self._inside(given.name if given else stem)
+        if len(people) == 1 and people == self._plain.get(plain(stem.partition("_")[0])):
+            return Identified(tuple(people), "the name that hand_in gives its files")
+        return Identified(self._sorted(people), ("a name in the name" if len(people) == 1 else "several names fit") if people
                           else "no student in the list has that name")  # fmt: skip
 
     def maybe(self, name: str) -> tuple[Person, ...]:
@@ -120,15 +120,15 @@ class Identifier:
     def _inside(self, text: str) -> set[Person]:
         """Return people whose name or id is in the text as whole words; the longest names take precedence."""
         words = [plain(word) for word in re.split(r"[\W_]+", text) if plain(word)]
-        found: list[tuple[int, int, Person]] = []
+        spans: list[tuple[int, int, Person]] = []
         for begin in range(len(words)):
             for end in range(begin + 1, min(len(words), begin + 8) + 1):
                 key = "".join(words[begin:end])
                 if not (key.isdigit() and len(key) < 5):
-                    found += [(begin, end, person) for person in self._plain.get(key, ())]
+                    spans += [(begin, end, person) for person in self._plain.get(key, ())]
         longest = [
-            person for begin, end, person in found
-            if not any(b <= begin and end <= e and (e - b) > (end - begin) for b, e, _ in found)
+            person for begin, end, person in spans
+            if not any(b <= begin and end <= e and (e - b) > (end - begin) for b, e, _ in spans)
         ]  # fmt: skip
         return set(longest)
 
@@ -169,8 +169,8 @@ def _letters(text: str) -> str:
 
 def _words(name: str) -> str:
     """Return two or more words of a name in alphabetical order; empty for fewer."""
-    found = sorted(plain(word) for word in re.split(r"[\W_]+", name) if plain(word))
-    return " ".join(found) if len(found) > 1 else ""
+    words = sorted(plain(word) for word in re.split(r"[\W_]+", name) if plain(word))
+    return " ".join(words) if len(words) > 1 else ""
 
 
 def without_ending(name: str) -> str:

@@ -44,10 +44,10 @@ class Illustration:
             from coursekit.view.figure_html import html
 
             figure = self.figure()
-            made = html(figure) if figure else ""
+            picture = html(figure) if figure else ""
         except (Exception, KeyboardInterrupt):
             return ""
-        return made if len(made) <= LONGEST else ""
+        return picture if len(picture) <= LONGEST else ""
 
     def figure(self) -> Figure | None:
         """Return the figure, with rings at the faults; exceptions of the drawing function propagate."""

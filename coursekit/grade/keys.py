@@ -37,10 +37,10 @@ def own_key(name: str = "marks.key") -> bytes:
             out.write(secrets.token_hex(32) + "\n")
     if os.name == "posix" and file.stat().st_mode & 0o077:
         file.chmod(0o600)
-    found = file.read_text(encoding="ascii").strip()
-    if len(found) < 32:
+    secret = file.read_text(encoding="ascii").strip()
+    if len(secret) < 32:
         raise OSError(f"{file} holds no secret: delete it, and a new one is made")
-    return bytes.fromhex(found) if len(found) == 64 else found.encode()
+    return bytes.fromhex(secret) if len(secret) == 64 else secret.encode()
 
 
 def mac(key: bytes, payload: Mapping[str, Any]) -> str:

@@ -59,17 +59,17 @@ class Policy:
 
     def instead(self, due: float | None, count: str | None, file: Path | None) -> Policy:
         """Apply the command line's rules; overridden rules of the file are reported."""
-        made, told = self, []
+        policy, told = self, []
         if due is not None and due != self.due:
             if self.due is not None:
                 said = f"The deadline {_told(due)} of --due counts; not that of {file}, {_told(self.due)}."
                 told.append(f"{said} Its other lines hold.")
-            made = replace(made, due=due)
+            policy = replace(policy, due=due)
         if count is not None and count != self.count:
             if file is not None:
                 told.append(f"'{count}' of --count counts; not '{self.count}' of {file}.")
-            made = replace(made, count=count)
-        return replace(made, told=tuple(told))
+            policy = replace(policy, count=count)
+        return replace(policy, told=tuple(told))
 
     def own_due(self, person: Person) -> float | None:
         """Return a person's due time, without grace."""
@@ -108,8 +108,8 @@ def read_policy(file: Path, roster: Roster | None) -> Policy:
         ValueError: when it contains an unknown word, time or student.
     """
     if file.suffix.casefold() == ".csv":
-        found = {row.get("student", ""): row.get("due", "") for row in read_table(file).dicts()}
-        return _extended(Policy(), found, roster, file)
+        due_by_student = {row.get("student", ""): row.get("due", "") for row in read_table(file).dicts()}
+        return _extended(Policy(), due_by_student, roster, file)
     tomllib: Any
     if sys.version_info >= (3, 11):
         import tomllib
@@ -171,11 +171,11 @@ def due_time(text: str) -> datetime.datetime:
     ('2026-11-30T23:59:59', '2026-11-30T12:00:00')
     """
     try:
-        found = datetime.datetime.fromisoformat(text.strip())
+        due = datetime.datetime.fromisoformat(text.strip())
         day = re.fullmatch(r"\d{4}-\d\d-\d\d", text.strip()) is not None
     except ValueError:
         raise ValueError(f"'{text}' is no time. Write it as 2026-11-30T23:59.") from None
-    return found.replace(hour=23, minute=59, second=59) if day else found
+    return due.replace(hour=23, minute=59, second=59) if day else due
 
 
 def platform_time(text: str) -> float:
@@ -190,10 +190,10 @@ def platform_time(text: str) -> float:
         pass
     for form in _FORMS:
         try:
-            found = datetime.datetime.strptime(text.strip(), form)
+            moment = datetime.datetime.strptime(text.strip(), form)
         except ValueError:
             continue
-        return (found.replace(tzinfo=datetime.timezone.utc) if form.endswith("UTC") else found).timestamp()
+        return (moment.replace(tzinfo=datetime.timezone.utc) if form.endswith("UTC") else moment).timestamp()
     return 0.0
 
 

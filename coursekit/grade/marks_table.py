@@ -38,10 +38,10 @@ class ByHand:
         >>> by_hand.points_of("ada", ["02_topics"])
         {'relay': 2.0, 'total': 9.0}
         """
-        found = self.points.get(key, {})
+        points = self.points.get(key, {})
         own = total_of(chapters)
         return {
-            ("total" if name == own else name): mark for name, mark in found.items() if name == own or not _is_total(name)
+            ("total" if name == own else name): mark for name, mark in points.items() if name == own or not _is_total(name)
         }
 
     def move(self, before: str, now: str) -> None:
@@ -191,15 +191,15 @@ def _plain(text: str) -> str:
 def _points(text: str) -> float | None:
     """Parse a number, also with a decimal comma: `1,5`."""
     try:
-        found = float(text.strip("' ").replace(",", "."))
+        points = float(text.strip("' ").replace(",", "."))
     except ValueError:
         return None
-    return found if abs(found) < 1e6 else None
+    return points if abs(points) < 1e6 else None
 
 
 def _json(file: Path) -> dict[str, Any]:
     try:
-        found = json.loads(file.read_text(encoding="utf-8"))
+        content = json.loads(file.read_text(encoding="utf-8"))
     except (OSError, ValueError):
         return {}
-    return found if isinstance(found, dict) else {}
+    return content if isinstance(content, dict) else {}

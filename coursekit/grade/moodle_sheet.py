@@ -22,8 +22,8 @@ def participants(table: Table) -> int | None:
     0
     """
     for place in range(len(table.headings)):
-        found = [_PARTICIPANT.fullmatch(row[place]) for row in table.rows if len(row) > place]
-        numbers = [match[2] for match in found if match]
+        matches = [_PARTICIPANT.fullmatch(row[place]) for row in table.rows if len(row) > place]
+        numbers = [match[2] for match in matches if match]
         if numbers and len(numbers) == len(table.rows) == len(set(numbers)):
             return place
     return None
@@ -36,17 +36,17 @@ def maximum_column(table: Table) -> int | None:
 
 def mark_column(table: Table) -> int | None:
     """Return the column from which Moodle reads marks: by its heading, else the one before the maximum."""
-    found, maximum = _named(table, _MARK), maximum_column(table)
-    return maximum - 1 if found is None and maximum else found
+    column, maximum = _named(table, _MARK), maximum_column(table)
+    return maximum - 1 if column is None and maximum else column
 
 
 def comment_column(table: Table) -> int | None:
     """Return the column from which Moodle reads comments."""
     known = _known(table)
-    found = _named(table, _COMMENTS)
+    column = _named(table, _COMMENTS)
     return (
-        found
-        if found is not None
+        column
+        if column is not None
         else next((known.index(heading) for heading in known if heading.startswith(_COMMENTS_BEGIN)), None)
     )
 

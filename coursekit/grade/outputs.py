@@ -106,7 +106,7 @@ def expect_subscription(seen: Any, topic: str, kind: str, hint: int | None = Non
     """
     ends = seen.subscriptions.get(topic)
     if not ends:
-        others = ", ".join(name for name, found in seen.subscriptions.items() if found) or "none"
+        others = ", ".join(name for name, listeners in seen.subscriptions.items() if listeners) or "none"
         raise Wrong(f"a subscription to {topic}", f"subscriptions: {others}", "Is the topic's name right?", hint=hint)
     kinds = [end.get("type") for end in ends]
     if kind not in kinds:
@@ -129,8 +129,8 @@ def said(seen: Any, program: int = 0) -> str:
 def exit_code(seen: Any, program: int = 0) -> int | None:
     """Return the exit status of a program of a trial; None when it did not end."""
     codes = seen.exit_codes
-    found = codes[program] if program < len(codes) else None
-    return found if type(found) is int else None
+    code = codes[program] if program < len(codes) else None
+    return code if type(code) is int else None
 
 
 def course_said(seen: Any, topic: str) -> list[tuple[float, Any]]:

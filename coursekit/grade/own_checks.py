@@ -63,10 +63,10 @@ def own_files(exercises: Iterable[Exercise]) -> list[Path]:
 
 def digest_of_checks(exercises: Iterable[Exercise]) -> str:
     """Return a digest that changes with the check files of these exercises; empty if there are none."""
-    found, files = hashlib.sha256(), own_files(exercises)
+    digest, files = hashlib.sha256(), own_files(exercises)
     for file in files:
-        found.update(file.name.encode() + b"\0" + file.read_bytes())
-    return found.hexdigest() if files else ""
+        digest.update(file.name.encode() + b"\0" + file.read_bytes())
+    return digest.hexdigest() if files else ""
 
 
 def _run(file: Path) -> None:

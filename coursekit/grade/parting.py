@@ -36,9 +36,9 @@ def parts_of(entry: Entry, identifier: Identifier) -> list[Part]:
     ):
         return [everything]
     parts = []
-    for found in known:
-        pieces = [piece for piece, owner in zip(entry.pieces, whose, strict=True) if owner == found]
-        parts.append(_part(entry, pieces, _settled(entry, pieces, found, identifier)))
+    for identified in known:
+        pieces = [piece for piece, owner in zip(entry.pieces, whose, strict=True) if owner == identified]
+        parts.append(_part(entry, pieces, _settled(entry, pieces, identified, identifier)))
     rest = [piece for piece, owner in zip(entry.pieces, whose, strict=True) if owner is None]
     if rest or entry.faults:
         left = replace(_part(entry, rest, named).entry, faults=entry.faults, concerns=entry.concerns)
@@ -52,13 +52,13 @@ def whole(entry: Entry, found: Identified) -> Part:
 
 
 def _whole(entry: Entry, known: Sequence[Identified], identifier: Identifier) -> Part:
-    found = identifier.identify(entry.name, unique(piece.known.copy for piece in entry.pieces if piece.known.copy))
-    if not found.people and known:
-        found = known[0]
-    if not found.people and entry.students:
+    identified = identifier.identify(entry.name, unique(piece.known.copy for piece in entry.pieces if piece.known.copy))
+    if not identified.people and known:
+        identified = known[0]
+    if not identified.people and entry.students:
         said = [person for student in unique(entry.students) for person in identifier.by_name(student).people]
-        found = Identified(tuple(dict.fromkeys(said)), _BY_BUNDLE) if said else found
-    return whole(entry, found)
+        identified = Identified(tuple(dict.fromkeys(said)), _BY_BUNDLE) if said else identified
+    return whole(entry, identified)
 
 
 def _whose(piece: Piece, named: Identified, identifier: Identifier) -> Identified | None:
@@ -70,9 +70,9 @@ def _whose(piece: Piece, named: Identified, identifier: Identifier) -> Identifie
         return None
     told = [(_BY_BUNDLE, piece.student)] if piece.student else [(_INSIDE, word) for word in piece.where.split("/")]
     for how, name in told:
-        found = identifier.by_name(name).people
-        if len(found) == 1 and (not named.people or found[0] in named.people):
-            return Identified(found, how)
+        people = identifier.by_name(name).people
+        if len(people) == 1 and (not named.people or people[0] in named.people):
+            return Identified(people, how)
     return None
 
 

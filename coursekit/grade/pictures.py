@@ -19,7 +19,7 @@ _PNG = b"\x89PNG\r\n\x1a\n"
 
 def pictures_in(bundles: Sequence[Path]) -> Iterator[tuple[str, bytes]]:
     """Yield (name, bytes) of the PNG pictures in these files of `hand_in()`, without invalid or too large ones."""
-    found = {}
+    data_by_name = {}
     for file in bundles:
         try:
             _, files = read_bundle(file.read_bytes())
@@ -27,8 +27,8 @@ def pictures_in(bundles: Sequence[Path]) -> Iterator[tuple[str, bytes]]:
             continue
         for name, data in files.items():
             if name.startswith("evidence/") and data.startswith(_PNG) and len(data) <= LARGEST:
-                found[PurePosixPath(name).name] = data
-    yield from sorted(found.items())[:MOST]
+                data_by_name[PurePosixPath(name).name] = data
+    yield from sorted(data_by_name.items())[:MOST]
 
 
 def as_html(bundles: Sequence[Path]) -> str:

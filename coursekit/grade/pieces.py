@@ -241,13 +241,13 @@ def _read(raw: Raw, most: int) -> bytes:
     """Read a whole file up to `most` bytes, also if it grows meanwhile."""
     if raw.size > most or raw.open is None:
         raise ValueError(f"it is larger than {most >> 20} MB")
-    made = bytearray()
+    content = bytearray()
     with raw.open() as data:
         while piece := data.read(1 << 16):
-            made += piece
-            if len(made) > most:
+            content += piece
+            if len(content) > most:
                 raise ValueError(f"it is larger than {most >> 20} MB")
-    return bytes(made)
+    return bytes(content)
 
 
 def told_time(when: float) -> str:

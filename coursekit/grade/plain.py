@@ -68,8 +68,8 @@ def is_infinite(value: Any) -> bool:
 
 
 def _scalars(numpy: Any) -> tuple[Any, ...]:
-    found: tuple[Any, ...] = numpy.float64, numpy.float32, numpy.float16
-    return found + tuple(getattr(numpy, f"{sign}int{bits}") for sign in ("", "u") for bits in (8, 16, 32, 64))
+    floats: tuple[Any, ...] = numpy.float64, numpy.float32, numpy.float16
+    return floats + tuple(getattr(numpy, f"{sign}int{bits}") for sign in ("", "u") for bits in (8, 16, 32, 64))
 
 
 def near(got: Any, need: float, tolerance: float) -> bool:
@@ -276,6 +276,6 @@ def of_student(error: BaseException) -> bool:
 
 def _frames(error: BaseException) -> list[traceback.FrameSummary]:
     """Return the student's lines in an exception's traceback."""
-    found = [frame for frame in traceback.extract_tb(error.__traceback__) if not frame.filename.startswith((_OURS, _MADE))]
-    found = [frame for frame in found if "site-packages" not in frame.filename and not is_own(frame.filename)]
-    return [frame for frame in found if not frame.filename.startswith(sys.base_prefix)]
+    frames = [frame for frame in traceback.extract_tb(error.__traceback__) if not frame.filename.startswith((_OURS, _MADE))]
+    frames = [frame for frame in frames if "site-packages" not in frame.filename and not is_own(frame.filename)]
+    return [frame for frame in frames if not frame.filename.startswith(sys.base_prefix)]

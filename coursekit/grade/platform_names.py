@@ -49,19 +49,19 @@ def platform_name(text: str) -> PlatformName | None:
     >>> platform_name("Ann_Lee") is None
     True
     """
-    if found := _NBGRADER.fullmatch(text):
-        name = found["login"].strip()
-        return PlatformName("nbgrader", name, "", (name,), found["release"], _time(found["when"], found["zone"]))
-    if found := _MOODLE.fullmatch(text):
-        return PlatformName("moodle", found["name"].strip(), found["number"], file=found["file"] or "")
-    if found := _BLACKBOARD.fullmatch(text):
-        words = found["before"].split("_")
+    if match := _NBGRADER.fullmatch(text):
+        name = match["login"].strip()
+        return PlatformName("nbgrader", name, "", (name,), match["release"], _time(match["when"], match["zone"]))
+    if match := _MOODLE.fullmatch(text):
+        return PlatformName("moodle", match["name"].strip(), match["number"], file=match["file"] or "")
+    if match := _BLACKBOARD.fullmatch(text):
+        words = match["before"].split("_")
         logins = tuple("_".join(words[-count:]) for count in range(1, len(words)))
-        return PlatformName("blackboard", "", "", logins or (found["before"],), found["file"] or "", _time(found["when"]))
-    if found := _CANVAS.fullmatch(text):
-        return PlatformName("canvas", found["name"], found["number"], file=found["file"], late=bool(found["late"]))
-    if found := _CLASSROOM.fullmatch(text):
-        return PlatformName("classroom", found["name"].strip(), file=found["file"])
+        return PlatformName("blackboard", "", "", logins or (match["before"],), match["file"] or "", _time(match["when"]))
+    if match := _CANVAS.fullmatch(text):
+        return PlatformName("canvas", match["name"], match["number"], file=match["file"], late=bool(match["late"]))
+    if match := _CLASSROOM.fullmatch(text):
+        return PlatformName("classroom", match["name"].strip(), file=match["file"])
     return None
 
 

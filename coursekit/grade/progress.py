@@ -30,10 +30,10 @@ class Progress:
 
     def _read(self) -> dict[str, dict[str, float]]:
         try:
-            found = json.loads(self.file.read_text(encoding="utf-8"))
+            content = json.loads(self.file.read_text(encoding="utf-8"))
         except (OSError, ValueError):
             return {}
-        return found if isinstance(found, dict) else {}
+        return content if isinstance(content, dict) else {}
 
     def _change(self, name: str, key: str, value: float) -> None:
         self._kept.setdefault(name, {})[key] = value

@@ -55,8 +55,8 @@ def read_answers(file: Path) -> dict[str, str]:
     """
     if not file.is_file():
         return {}
-    found = {row.get("number", ""): row.get("answer", "").strip() for row in read_table(file).dicts()}
-    return {number: answer for number, answer in found.items() if number and answer}
+    answer_by_number = {row.get("number", ""): row.get("answer", "").strip() for row in read_table(file).dicts()}
+    return {number: answer for number, answer in answer_by_number.items() if number and answer}
 
 
 def write_questions(

@@ -52,10 +52,10 @@ def robot(workspace: Path, path: str) -> RobotFacts:
 
     file = _file(workspace, path)
     try:
-        found = load(file)
-        if found.faults:  # ROS drops the rest of such a link and continues; a judge would not notice
-            raise found.faults[0]
-        return facts_of(found)
+        description = load(file)
+        if description.faults:  # ROS drops the rest of such a link and continues; a judge would not notice
+            raise description.faults[0]
+        return facts_of(description)
     except UrdfError as error:
         told = f"{_place(file, error)}: {error.what}"
         raise Wrong("a description that ROS takes", told, error.cure.split("\n")[0]) from None
@@ -126,10 +126,10 @@ KINDS: dict[str, Any] = {
 
 
 def _file(workspace: Path, path: str) -> Path:
-    found = workspace / path
-    if not found.is_file():
-        raise Wrong(f"the file {path} in {workspace.name}/", "it is not there", _near(found))
-    return found
+    file = workspace / path
+    if not file.is_file():
+        raise Wrong(f"the file {path} in {workspace.name}/", "it is not there", _near(file))
+    return file
 
 
 def _bytes(file: Path) -> bytes:

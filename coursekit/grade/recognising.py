@@ -35,14 +35,14 @@ def parse_notebook(data: bytes, name: str) -> dict[str, Any]:
     if data.count(b"[") + data.count(b"{") + data.count(b",") > _MOST_PARTS:
         raise ValueError(f"{name} has more parts than a notebook has")
     try:
-        found = json.loads(_decoded(data))
+        notebook = json.loads(_decoded(data))
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{name} is no notebook: {_why_none(data, error)}") from None
-    if isinstance(found, dict) and "doc_id" in found:
+    if isinstance(notebook, dict) and "doc_id" in notebook:
         raise ValueError(f"{name} is only a link to a file in Google Drive: download that as .ipynb")
-    if not isinstance(found, dict) or not isinstance(found.get("cells"), list):
+    if not isinstance(notebook, dict) or not isinstance(notebook.get("cells"), list):
         raise ValueError(f"{name} is no notebook of format 4: it has no list of cells")
-    return found
+    return notebook
 
 
 def _decoded(data: bytes) -> str:
@@ -78,8 +78,8 @@ def grade_id(cell: Any) -> str:
     """Return the name under which a cell is graded, or ''."""
     metadata = cell.get("metadata") if isinstance(cell, dict) else None
     grading = metadata.get("nbgrader") if isinstance(metadata, dict) else None
-    found = grading.get("grade_id") if isinstance(grading, dict) else ""
-    return found if isinstance(found, str) else ""
+    name = grading.get("grade_id") if isinstance(grading, dict) else ""
+    return name if isinstance(name, str) else ""
 
 
 @dataclass(frozen=True)

@@ -72,8 +72,8 @@ class Record:
         marked = Marked(self.label, "".join(mark.digest for mark in marks), tier=next((mark.tier for mark in marks), ""))
         marked.status = _together([mark.status for mark in marks])
         for chapter, verdicts in self.wanted.items():
-            found = self.marks[chapter].verdicts if chapter in self.marks else verdicts
-            marked.verdicts += [self._by_hand(verdict) for verdict in found]
+            chapter_verdicts = self.marks[chapter].verdicts if chapter in self.marks else verdicts
+            marked.verdicts += [self._by_hand(verdict) for verdict in chapter_verdicts]
         for mark in marks:
             marked.answers += mark.answers
             marked.variants |= mark.variants
@@ -93,8 +93,8 @@ class Record:
 
     def chapter_total(self, chapter: str) -> float:
         """Return the points of a chapter after deductions."""
-        found = self.marks[chapter].verdicts if chapter in self.marks else self.wanted.get(chapter, ())
-        points = sum(self._by_hand(verdict).points for verdict in found)
+        verdicts = self.marks[chapter].verdicts if chapter in self.marks else self.wanted.get(chapter, ())
+        points = sum(self._by_hand(verdict).points for verdict in verdicts)
         return round(points * (1 - self.late.get(chapter, Late()).percent_off / 100), 2)
 
     def total_by_hand(self) -> bool:
@@ -125,10 +125,10 @@ class Record:
 
     def told_off(self) -> str:
         """Return the deductions for lateness as text; empty if there are none."""
-        found = {name: late.percent_off for name, late in self.late.items() if late.percent_off}
-        if len(set(found.values())) == 1 and len(found) == len(self.wanted):
-            return f"{number(next(iter(found.values())))} %"
-        return ", ".join(f"{number(off)} % of {PurePosixPath(name).stem}" for name, off in found.items())
+        percent_by_chapter = {name: late.percent_off for name, late in self.late.items() if late.percent_off}
+        if len(set(percent_by_chapter.values())) == 1 and len(percent_by_chapter) == len(self.wanted):
+            return f"{number(next(iter(percent_by_chapter.values())))} %"
+        return ", ".join(f"{number(off)} % of {PurePosixPath(name).stem}" for name, off in percent_by_chapter.items())
 
     def of(self) -> float:
         """Return the maximum number of points."""

@@ -98,12 +98,12 @@ def _written(notebooks: Mapping[str, Any], folder: Path, name: str, beside: Sequ
     folder.mkdir(parents=True, exist_ok=True)
     files = []
     for file, notebook in notebooks.items():
-        made = with_points(released(notebook))
-        edition = edition_of(json.dumps(made))[:24]
-        made["metadata"]["coursekit"] |= {HANDED_OUT: name, "chapter": file, "release": edition}
-        made["metadata"]["coursekit"] |= {"copy": mark} if mark else {}
+        handed_out = with_points(released(notebook))
+        edition = edition_of(json.dumps(handed_out))[:24]
+        handed_out["metadata"]["coursekit"] |= {HANDED_OUT: name, "chapter": file, "release": edition}
+        handed_out["metadata"]["coursekit"] |= {"copy": mark} if mark else {}
         files.append(folder / file)
-        write_whole(files[-1], json.dumps(made, indent=1) + "\n")
+        write_whole(files[-1], json.dumps(handed_out, indent=1) + "\n")
     return [*files, *(_copied(file, folder) for file in beside)]
 
 

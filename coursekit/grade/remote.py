@@ -189,11 +189,11 @@ class RemoteWork(Work):
             running = sandbox.start(command, folder, self._environment, self._limits, writable=False)
             self._reader = Line(running, self._limits)
         try:
-            found = self._reader.ask({"ask": what, **arguments}, READ_SECONDS)
-            if "wrong" in found:
-                expected, got, cause = checked(list[str], json.dumps(found["wrong"]))
+            answer = self._reader.ask({"ask": what, **arguments}, READ_SECONDS)
+            if "wrong" in answer:
+                expected, got, cause = checked(list[str], json.dumps(answer["wrong"]))
                 raise Wrong(expected, got, cause)
-            return checked(KINDS[what], json.dumps(found["facts"]))
+            return checked(KINDS[what], json.dumps(answer["facts"]))
         except (Gone, ValueError, KeyError) as error:
             self._reader.running.end()
             self._reader = None

@@ -67,8 +67,8 @@ def repair(source: dict[str, Any], submitted: dict[str, Any]) -> Repaired:
             written = bool(added or own.get("")) or not as_given
             repaired.begun[exercise] = repaired.begun.get(exercise, False) or written
             continue
-        found = CHECK.search(text)
-        repaired.steps.append(Step("" if found else text, found["name"] if found else ""))
+        match = CHECK.search(text)
+        repaired.steps.append(Step("" if match else text, match["name"] if match else ""))
     repaired.steps = [Step(source, solution=True) for left in own.values() for source in left] + repaired.steps
     repaired.notes = unique(repaired.notes)
     return repaired
@@ -100,7 +100,7 @@ def _text(cell: dict[str, Any]) -> str:
 
 def _by_id(cells: Iterable[dict[str, Any]], known: Container[str], notes: list[str]) -> dict[str, str]:
     """Return the text of each cell with a course name; of duplicates the one that was changed, else the later."""
-    found: dict[str, str] = {}
+    text_by_id: dict[str, str] = {}
     for cell in cells:
         name, text = _id(cell), _text(cell)
         if not name or name not in known:
@@ -108,12 +108,12 @@ def _by_id(cells: Iterable[dict[str, Any]], known: Container[str], notes: list[s
         if cell.get("cell_type") != "code":
             kind = shown(str(cell.get("cell_type")), 30)
             notes.append(f"{name}: the cell had been turned into {kind}; it was read as code")
-        if name in found:
+        if name in text_by_id:
             notes.append(f"{name}: there were two such cells; the one that was worked on counts")
-            if "NotImplementedError" in text and "NotImplementedError" not in found[name]:
+            if "NotImplementedError" in text and "NotImplementedError" not in text_by_id[name]:
                 continue
-        found[name] = text
-    return found
+        text_by_id[name] = text
+    return text_by_id
 
 
 def _answer(
@@ -133,8 +133,8 @@ def _cell_before_check(name: str, theirs: list[dict[str, Any]]) -> str:
     """Return an unnamed cell directly above the check of the same exercise."""
     exercise = name.replace("-", ".")
     for before, cell in itertools.pairwise(theirs):
-        found = CHECK.search(_text(cell))
-        if found and found["name"] == exercise and not _id(before):
+        match = CHECK.search(_text(cell))
+        if match and match["name"] == exercise and not _id(before):
             return _text(before)
     return ""
 
@@ -143,12 +143,12 @@ def _own_cells(source: dict[str, Any], theirs: list[dict[str, Any]]) -> dict[str
     """Return cells added by the student, by the name of the solution cell below them ('' at the end)."""
     known = {"".join(cell["source"]).strip() for cell in source["cells"]}
     solutions = {_id(cell) for cell in source["cells"] if cell.get("metadata", {}).get("nbgrader", {}).get("solution")}
-    found: dict[str, list[str]] = {}
+    cells_by_name: dict[str, list[str]] = {}
     waiting: list[str] = []
     for cell in theirs:
         if _id(cell) in solutions:
-            found.setdefault(_id(cell), []).extend(waiting)
+            cells_by_name.setdefault(_id(cell), []).extend(waiting)
             waiting = []
         elif cell.get("cell_type") == "code" and not _id(cell) and _text(cell).strip() not in known:
             waiting.append(_text(cell))
-    return {name: cells for name, cells in found.items() if cells}
+    return {name: cells for name, cells in cells_by_name.items() if cells}

@@ -40,10 +40,10 @@ CHANGES = {
 @functools.cache
 def judges_digest() -> str:
     """Return a digest of all code that affects marks."""
-    found, folder = hashlib.sha256(), Path(__file__).parent
+    digest, folder = hashlib.sha256(), Path(__file__).parent
     for file in sorted(folder.rglob("*.py")):
-        found.update(str(file.relative_to(folder)).encode() + b"\0" + file.read_bytes())
-    return found.hexdigest()
+        digest.update(str(file.relative_to(folder)).encode() + b"\0" + file.read_bytes())
+    return digest.hexdigest()
 
 
 @functools.cache
@@ -98,8 +98,8 @@ class Results:
         if not file.is_file():
             return {}
         try:
-            found = json.loads(file.read_text(encoding="utf-8"))
-            payload, said = dict(found["payload"]), str(found["hmac"])
+            stored = json.loads(file.read_text(encoding="utf-8"))
+            payload, said = dict(stored["payload"]), str(stored["hmac"])
             genuine = hmac.compare_digest(mac(self._key, payload), said) and payload["key"] == key
             chapters: dict[str, dict[str, Any]] = dict(payload["chapters"])
         except (OSError, ValueError, TypeError, LookupError, RecursionError):
@@ -127,10 +127,10 @@ class Results:
 
     def told_changes(self, keys: Container[str]) -> list[str]:
         """Report how many stored marks of these people were renewed, and why."""
-        found = Counter((why, PurePosixPath(chapter).stem) for (key, chapter), why in self.changes.items() if key in keys)
+        counts = Counter((why, PurePosixPath(chapter).stem) for (key, chapter), why in self.changes.items() if key in keys)
         return [
             f"{chapter}: {counted(number, 'kept mark was', 'kept marks were')} made anew, since {why}."
-            for (why, chapter), number in found.items()
+            for (why, chapter), number in counts.items()
         ]
 
     def write(self, key: str, chapter: str, depends: Mapping[str, Any], marked: Marked) -> None:

@@ -174,8 +174,8 @@ class Roster:
         exact = [person for person in self.people if label in (self.label(person), person.id, person.email, person.login)]
         named = exact or [person for person in self.people if plain(label) in {plain(name) for name in person.names()}]
         wanted = {plain(word) for word in re.split(r"[\W_]+", label)} - {""}
-        found = named or [person for person in self.people if wanted and wanted <= _words_of(person)]
-        return found[0] if len(found) == 1 else None
+        people = named or [person for person in self.people if wanted and wanted <= _words_of(person)]
+        return people[0] if len(people) == 1 else None
 
 
 def _with_numbers(layout: Layout | None, table: Table) -> Layout | None:

@@ -50,9 +50,9 @@ def layout_of(headings: Sequence[str]) -> Layout | None:
     known = [re.sub(r"\s+", " ", heading.strip().strip('"').casefold().replace("’", "'")) for heading in headings]
     places: dict[str, int] = {}
     for what, words in COLUMNS.items():
-        found = next((known.index(word) for word in words if word in known), None)
-        if found is not None:
-            places[what] = found
+        place = next((known.index(word) for word in words if word in known), None)
+        if place is not None:
+            places[what] = place
     if not set(places) & {"name", "given", "family", "email"}:
         return None
     platform = _platform(known)

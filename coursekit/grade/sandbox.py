@@ -221,8 +221,8 @@ def _python_folders() -> list[str]:
     """Return the folders of interpreter, packages and coursekit, without a checkout's notebooks: they hold solutions."""
     checkout = PACKAGE.parent
     beside = [str(checkout / name) for name in ("robots", "maps")] if (checkout / "pyproject.toml").is_file() else []
-    found = [sys.base_prefix, sys.prefix, str(PACKAGE), *beside]
-    return [folder for folder in dict.fromkeys(found) if Path(folder) != Path("/usr")]
+    paths = [sys.base_prefix, sys.prefix, str(PACKAGE), *beside]
+    return [folder for folder in dict.fromkeys(paths) if Path(folder) != Path("/usr")]
 
 
 def _limited(limits: Limits) -> list[str]:

@@ -58,10 +58,10 @@ def similar(marks: Sequence[Marked]) -> list[tuple[str, str, float]]:
     Code of nearly everybody in a large class is ignored: it is from the course's stubs, or there is only one
     solution.
     """
-    found = {mark.student: shingles(mark.answers) for mark in marks if mark.answers}
-    common = Counter(part for parts in found.values() for part in parts)
-    usual = {part for part, number in common.items() if number > USUAL * len(found)} if len(found) >= LARGE else set()
-    own = {student: parts - usual for student, parts in found.items()}
+    answers = {mark.student: shingles(mark.answers) for mark in marks if mark.answers}
+    common = Counter(part for parts in answers.values() for part in parts)
+    usual = {part for part, number in common.items() if number > USUAL * len(answers)} if len(answers) >= LARGE else set()
+    own = {student: parts - usual for student, parts in answers.items()}
     pairs = []
     for one, other in itertools.combinations(sorted(own), 2):
         both = own[one] & own[other]

@@ -45,10 +45,10 @@ def average(records: Sequence[Record]) -> str:
 def shares(records: Sequence[Record]) -> dict[str, float]:
     """Return by exercise the average share of its points, for the students in the average, before deductions."""
     verdicts = [verdict for record in records if record.counts() for verdict in record.marked().verdicts]
-    found: dict[str, list[float]] = {}
+    shares_by_name: dict[str, list[float]] = {}
     for lost in verdicts:
-        found.setdefault(lost.name, []).append(lost.points / lost.of if lost.of else 0.0)
-    return {name: statistics.fmean(values) for name, values in sorted(found.items())}
+        shares_by_name.setdefault(lost.name, []).append(lost.points / lost.of if lost.of else 0.0)
+    return {name: statistics.fmean(values) for name, values in sorted(shares_by_name.items())}
 
 
 def summary(records: Sequence[Record], statuses: Mapping[str, int]) -> dict[str, Any]:
@@ -68,14 +68,14 @@ def summary(records: Sequence[Record], statuses: Mapping[str, int]) -> dict[str,
 
 def write_statistics(folder: Path, records: Sequence[Record], statuses: Mapping[str, int]) -> None:
     """Write statistics.json and histogram.png."""
-    found = summary(records, statuses)
-    write_whole(folder / "statistics.json", json.dumps(found, indent=1).encode(), parents=True)
+    facts = summary(records, statuses)
+    write_whole(folder / "statistics.json", json.dumps(facts, indent=1).encode(), parents=True)
     from matplotlib.figure import Figure
 
-    questions = found["questions"]
+    questions = facts["questions"]
     figure: Any = Figure(figsize=(9, max(3.2, 0.9 + 0.25 * len(questions))), layout="constrained")
     totals, parts = figure.subplots(1, 2, width_ratios=(3, 2))
-    _draw_totals(totals, averaged(records), found)
+    _draw_totals(totals, averaged(records), facts)
     parts.barh(list(questions), [100 * share for share in questions.values()], color="#2f7d8c", height=0.6)
     parts.set(xlim=(0, 100), xlabel="% of the points, on average, before lateness")
     parts.invert_yaxis()

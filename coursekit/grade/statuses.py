@@ -50,8 +50,8 @@ def by_status(statuses: Iterable[str]) -> dict[str, int]:
     >>> by_status(["graded", "late", "graded"])
     {'late': 1, 'graded': 2}
     """
-    found: Sequence[str] = list(statuses)
-    return {status: found.count(status) for status in STATUSES if status in found}
+    listed: Sequence[str] = list(statuses)
+    return {status: listed.count(status) for status in STATUSES if status in listed}
 
 
 def told(counts: dict[str, int]) -> str:

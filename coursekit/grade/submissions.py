@@ -47,20 +47,20 @@ class Submission:
 
     def digest(self) -> str:
         """Return a digest of all submitted files."""
-        found = hashlib.sha256()
+        digest = hashlib.sha256()
         if self.chosen:
             for name, file in sorted(self.chosen.items()):
-                found.update(f"{name}\0".encode() + _bytes(file, LARGEST))
+                digest.update(f"{name}\0".encode() + _bytes(file, LARGEST))
             for file in self.bundle_files:
-                found.update(b"\0bundle\0" + _bytes(file, LARGEST_BUNDLE))
-            return found.hexdigest()
+                digest.update(b"\0bundle\0" + _bytes(file, LARGEST_BUNDLE))
+            return digest.hexdigest()
         for path in walk(self.place):
-            found.update("/".join(path.parts).encode("utf-8", "surrogateescape") + b"\0")
+            digest.update("/".join(path.parts).encode("utf-8", "surrogateescape") + b"\0")
             if path.open is not None:
                 with path.open() as data:
                     while piece := data.read(1 << 16):
-                        found.update(piece)
-        return found.hexdigest()
+                        digest.update(piece)
+        return digest.hexdigest()
 
     def bundles(self) -> list[bytes]:
         """Return the zips with the manifest of `hand_in()`."""

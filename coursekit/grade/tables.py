@@ -61,8 +61,8 @@ class Table:
         >>> Table(["mark"], [["7"]], ";").form.decimal, Table(["mark"], [["7.50"]], ";").form.decimal
         (',', '.')
         """
-        found = [match[1] for row in self.rows for cell in row if (match := _DECIMALS.fullmatch(cell))]
-        commas, points = found.count(","), found.count(".")
+        signs = [match[1] for row in self.rows for cell in row if (match := _DECIMALS.fullmatch(cell))]
+        commas, points = signs.count(","), signs.count(".")
         usual = "," if self.separator == ";" else "."
         return Form(self.separator, usual if commas == points else "," if commas > points else ".")
 
@@ -139,10 +139,10 @@ def write_table(
     >>> table.separator, table.rows
     (';', [['Ada', '1,5']])
     """
-    made = io.StringIO()
-    table = csv.writer(made, delimiter=form.separator)
+    buffer = io.StringIO()
+    table = csv.writer(buffer, delimiter=form.separator)
     table.writerow(headings)
     for row in rows:
         table.writerow([row.get(heading, "") for heading in headings] if isinstance(row, Mapping) else row)
-    text = made.getvalue()
+    text = buffer.getvalue()
     write_whole(file, text.encode("utf-8" if text.isascii() else "utf-8-sig", "replace"), parents=True)

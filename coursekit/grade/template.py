@@ -86,10 +86,10 @@ def _notebook(title: str, name: str) -> dict[str, Any]:
 
 def _cell(kind: str, source: list[str], metadata: dict[str, Any] | None = None) -> dict[str, Any]:
     name = hashlib.sha256("".join(source).encode()).hexdigest()[:8]
-    made: dict[str, Any] = {"cell_type": kind, "id": f"{kind}-{name}", "metadata": metadata or {}}
+    cell: dict[str, Any] = {"cell_type": kind, "id": f"{kind}-{name}", "metadata": metadata or {}}
     if kind == "code":
-        made |= {"outputs": [], "execution_count": None}
-    return {**made, "source": source}
+        cell |= {"outputs": [], "execution_count": None}
+    return {**cell, "source": source}
 
 
 def _grading(name: str, **kind: bool) -> dict[str, Any]:

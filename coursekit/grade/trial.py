@@ -51,10 +51,10 @@ def question(plan: Plan) -> bytes:
 def answered(out: bytes) -> Seen:
     """Parse the watcher's observations; TrialFailed when the programs prevented them."""
     try:
-        found: dict[str, Any] = json.loads(out)
-        if "seen" in found:
-            return Seen(**found["seen"])
-        why = str(found["failed"])
+        answer: dict[str, Any] = json.loads(out)
+        if "seen" in answer:
+            return Seen(**answer["seen"])
+        why = str(answer["failed"])
     except (ValueError, TypeError, KeyError):
         raise TrialFailed("the trial was ended before it could say what it saw") from None
     if why == LATE:

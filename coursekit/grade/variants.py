@@ -103,7 +103,7 @@ def _heading(notebook: Mapping[str, Any], place: int) -> int:
 def _parted(cell: Mapping[str, Any]) -> tuple[str, str, bool]:
     """Return the text above a cell's last heading, the rest, and whether there is a heading."""
     text = "".join(cell["source"])
-    places = [found.start() for found in _HEADING.finditer(text)] if cell["cell_type"] == "markdown" else []
+    places = [match.start() for match in _HEADING.finditer(text)] if cell["cell_type"] == "markdown" else []
     begin = max(places, default=0)
     return text[:begin], text[begin:], bool(places)
 

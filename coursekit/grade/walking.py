@@ -46,13 +46,13 @@ def open_plain(place: Path | str, folder: int | None = None) -> BinaryIO:
     Raises:
         OSError: when it is not a regular file.
     """
-    found = os.open(place, _FLAGS, dir_fd=folder)
+    descriptor = os.open(place, _FLAGS, dir_fd=folder)
     try:
-        if not stat.S_ISREG(os.fstat(found).st_mode):
+        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
             raise NotPlain(f"'{place!s}' is no plain file")
-        return os.fdopen(found, "rb")
+        return os.fdopen(descriptor, "rb")
     except BaseException:
-        os.close(found)
+        os.close(descriptor)
         raise
 
 
@@ -94,12 +94,12 @@ def _through(place: Path) -> Iterator[Walked]:
             if seen > MOST:
                 yield Walked(level.parts or (place.name,), fault=f"holds more than {MOST} files")
                 return
-            found = _looked_at(level, name)
-            if isinstance(found, Walked):
-                yield found
-            elif found and len(levels) >= DEEPEST:
+            entry = _looked_at(level, name)
+            if isinstance(entry, Walked):
+                yield entry
+            elif entry and len(levels) >= DEEPEST:
                 yield Walked((*level.parts, name), fault=f"lies deeper than {DEEPEST} folders")
-            elif found:
+            elif entry:
                 try:
                     levels.append(_entered(level.place / name, (*level.parts, name), level.number))
                 except OSError as error:  # gone, replaced by a link, or another user's
@@ -139,12 +139,12 @@ def _entered(place: Path, parts: tuple[str, ...], above: int | None) -> _Level:
 
 def _names(entries: Iterator[os.DirEntry[str]]) -> list[str]:
     """Return the names in reverse order, at most one more than the limit."""
-    found = []
+    names = []
     for entry in entries:
-        found.append(entry.name)
-        if len(found) > MOST:
+        names.append(entry.name)
+        if len(names) > MOST:
             break
-    return sorted(found, reverse=True)
+    return sorted(names, reverse=True)
 
 
 def _left(level: _Level) -> None:

@@ -135,8 +135,8 @@ def _array(inner: Any) -> Any:
         raise ValueError(f"there is no array of {name!r}")
     if type(values) is not list or len(values) > LENGTH or any(type(size) is not int or size < 0 for size in shape):
         raise ValueError("an array of another form")
-    made = np.array(unpack(values), dtype=np.dtype(name)).reshape(shape)
-    return made if shape else made[()]
+    array = np.array(unpack(values), dtype=np.dtype(name)).reshape(shape)
+    return array if shape else array[()]
 
 
 def _message(inner: Any) -> Any:

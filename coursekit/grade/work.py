@@ -49,10 +49,10 @@ class Work:
         >>> Work({}, Path()).variant("boxes", 10)
         10
         """
-        found: Any = self.variants.get(name, usual)
-        if type(found) is int and isinstance(usual, float):
-            found = float(found)  # JSON from a browser has no 3.0
-        return found if type(found) is type(usual) else usual
+        value: Any = self.variants.get(name, usual)
+        if type(value) is int and isinstance(usual, float):
+            value = float(value)  # JSON from a browser has no 3.0
+        return value if type(value) is type(usual) else usual
 
     def dice(self, name: str) -> random.Random:
         """Return random numbers for the judge's questions: constant in a notebook, secret in grading.
@@ -97,27 +97,27 @@ class Work:
 
     def text(self, path: str) -> str:
         """Return the text of a workspace file; Wrong when it does not exist."""
-        found: str = self._read("text", path=path)
-        return found
+        content: str = self._read("text", path=path)
+        return content
 
     def exists(self, path: str) -> bool:
         """Whether the workspace has a file or folder of that name."""
-        found: bool = self._read("exists", path=path)
-        return found
+        there: bool = self._read("exists", path=path)
+        return there
 
     def built(self, package: str, *of: str) -> None:
         """Raise Wrong when a package of the workspace was not built, or has changed since.
 
         `of` are the files of the exercise, without suffixes: changes for another exercise do not matter.
         """
-        found = self._read("build", package=package, of=list(of))
+        build = self._read("build", package=package, of=list(of))
         command = f"Run: %colcon build --packages-select {package}"
-        if not found.there:
+        if not build.there:
             raise Wrong(f"the package {package}, built", "it is not in install/", command)
-        if found.fault:
-            if found.fault.startswith("the last build of"):
+        if build.fault:
+            if build.fault.startswith("the last build of"):
                 command = f"The build's output says why. Mend that, then {command[0].lower()}{command[1:]}"
-            raise Wrong(f"the package {package}, built as it is now", found.fault, found.cure or command)
+            raise Wrong(f"the package {package}, built as it is now", build.fault, build.cure or command)
 
     def compiled(self, package: str, *of: str) -> None:
         """Raise Wrong when a C++ package was not built in its current state; Skipped when C++ cannot be compiled."""

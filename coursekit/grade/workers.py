@@ -57,8 +57,8 @@ class Workers:
             cure = "Start one: dask scheduler --host 127.0.0.1"
             raise NoWorkers(f"No scheduler answers at {address} ({error}). {cure}") from None
         try:
-            found = self._client.run(facts)
-            self.tier = expect_alike(found, address, allow_root=allow_root, unsafe=unsafe)
+            facts_by_worker = self._client.run(facts)
+            self.tier = expect_alike(facts_by_worker, address, allow_root=allow_root, unsafe=unsafe)
             self.jobs = sum(self._client.nthreads().values())
         except NoWorkers:
             self._client.close()

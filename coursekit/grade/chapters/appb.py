@@ -130,13 +130,13 @@ def the_ellipse(work: Work) -> None:
             answer = f"a = {got[0]:.3f}, b = {got[1]:.3f}"
             raise Wrong(f"a = {a:.3f}, b = {b:.3f} for {given}", gave=answer, cause=cause, hint=None if mixed else 1)
         if not near(math.remainder(got[2] - yaw, math.pi), 0.0, 1e-6):
-            found = math.degrees(math.remainder(got[2], math.pi))
+            degrees = math.degrees(math.remainder(got[2], math.pi))
             cause = "Which vector belongs to the longer axis, and which way round are rows and columns?"
             if near(math.remainder(got[2] - math.degrees(yaw), 180.0), 0.0, 1e-4):
                 cause = "yaw is wanted in radians."
             raise Wrong(
                 f"yaw at {math.degrees(yaw):.0f}° (or opposite) for {given}",
-                gave=f"{found:.1f}°",
+                gave=f"{degrees:.1f}°",
                 cause=cause,
                 share=0.5,
                 hint=1,

@@ -82,9 +82,9 @@ def _press(press: Any) -> tuple[tuple[float, float], float]:
 )
 def wishes(work: Work) -> None:
     """Check for three chapters, a sentence each."""
-    found = work.value("wishes", dict)
+    answer = work.value("wishes", dict)
     good = {
-        key: sentence for key, sentence in found.items() if type(key) is int and key in CHAPTERS and _is_sentence(sentence)
+        key: sentence for key, sentence in answer.items() if type(key) is int and key in CHAPTERS and _is_sentence(sentence)
     }
     wanted = f"a sentence for at least three chapters from {CHAPTERS[0]} to {CHAPTERS[-1]}"
     if len(good) < 3:

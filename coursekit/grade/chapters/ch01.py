@@ -133,8 +133,8 @@ def _look(off: int) -> str:
 
 def _colours(seen: Any, topic: str) -> set[tuple[Any, ...]]:
     """Return the colours that a turtle has sensed below itself."""
-    found = (message for _, message in course_said(seen, topic) if isinstance(message, dict))
-    return {tuple(message.get(channel) for channel in "rgb") for message in found}
+    messages = (message for _, message in course_said(seen, topic) if isinstance(message, dict))
+    return {tuple(message.get(channel) for channel in "rgb") for message in messages}
 
 
 def _complaint(seen: Any, commands: list[str]) -> str:
@@ -181,11 +181,11 @@ def dance(work: Work) -> None:
 
 
 def _triples(work: Work, name: str) -> list[tuple[float, ...]]:
-    found = work.value(name, list)
+    answer = work.value(name, list)
     wanted = f"`{name}`, a list of three finite numbers each"
-    triples = [numbers(triple, 3, wanted) for triple in found[:1000]]
-    if any(not abs(number) <= 1000 for triple in triples for number in triple) or len(found) > 1000:
-        raise Wrong(wanted, gave=shown(found), hint=NO_HINT)
+    triples = [numbers(triple, 3, wanted) for triple in answer[:1000]]
+    if any(not abs(number) <= 1000 for triple in triples for number in triple) or len(answer) > 1000:
+        raise Wrong(wanted, gave=shown(answer), hint=NO_HINT)
     return triples
 
 

@@ -57,9 +57,9 @@ def cart(work: Work) -> None:
     kinds = {"base_joint": "fixed", "left_wheel_joint": "continuous"}
     kinds |= {"right_wheel_joint": "continuous", "lift_joint": "prismatic"}
     for name, kind in kinds.items():
-        found = robot.joints.get(name)
-        if found is None or found.type != kind:
-            got = f"it is {found.type}" if found else f"joints: {', '.join(robot.joints) or 'none'}"
+        joint = robot.joints.get(name)
+        if joint is None or joint.type != kind:
+            got = f"it is {joint.type}" if joint else f"joints: {', '.join(robot.joints) or 'none'}"
             raise Wrong(f"a {kind} joint {name}", got, hint=1 if kind == "prismatic" else None)
     _judge_cart_places(robot)
     for side in ("left", "right"):
@@ -70,14 +70,14 @@ def cart(work: Work) -> None:
 def _judge_cart_places(robot: Robot) -> None:
     wanted = {"base_link": (0.0, 0.0, 0.15), "left_wheel_link": (0.0, 0.2, 0.15)}
     wanted |= {"right_wheel_link": (0.0, -0.2, 0.15), "lift_link": (0.0, 0.0, 0.21)}
-    found = poses(robot, {})
+    pose_by_link = poses(robot, {})
     for name, place in wanted.items():
-        if name not in found:
-            raise Wrong(f"a link {name}", f"links: {', '.join(found)}", hint=NO_HINT)
-        if not close(_floats(found[name][:3]), place, 1e-4):
+        if name not in pose_by_link:
+            raise Wrong(f"a link {name}", f"links: {', '.join(pose_by_link)}", hint=NO_HINT)
+        if not close(_floats(pose_by_link[name][:3]), place, 1e-4):
             cause = "The origin of a joint is given in its parent link's frame."
-            at = [_floats(found[name][1:3])]
-            raise Wrong(f"{name} at {_place(place)}", _place(found[name][:3]), cause, share=0.25, at=at)
+            at = [_floats(pose_by_link[name][1:3])]
+            raise Wrong(f"{name} at {_place(place)}", _place(pose_by_link[name][:3]), cause, share=0.25, at=at)
     size = extent(robot, "base_link", {})
     if not _same_size(size, (0.5, 0.3, 0.1), 0.001):
         raise Wrong("base_link 0.5 x 0.3 x 0.1 m", _place(size), share=0.25, hint=0)

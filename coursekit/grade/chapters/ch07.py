@@ -133,7 +133,7 @@ def silent(work: Work) -> None:
 
 
 def _judge_silence(shown: dict[int, list[int]], back: int) -> None:
-    found = {robot: [stage for stage, _ in itertools.groupby(stages)] for robot, stages in shown.items()}
+    stages_by_robot = {robot: [stage for stage, _ in itertools.groupby(stages)] for robot, stages in shown.items()}
     cases = (
         (2, [8], "a robot that was never heard", "Not silent for long enough: that is not a fault yet.", 0.5),
         (1, [8, 4, 7], "a robot that reports stage 4, then falls silent", "", 0.0),
@@ -147,8 +147,8 @@ def _judge_silence(shown: dict[int, list[int]], back: int) -> None:
         (4, [8, back, 7, back, 7], "a robot that falls silent, comes back, and falls silent again", "", 0.5),
     )
     for robot, wanted, what, cause, share in cases:
-        if found[robot] != wanted:
-            raise Wrong(f"the stages {_row(wanted)} of {what}", _row(found[robot]), cause, share=share, hint=1)
+        if stages_by_robot[robot] != wanted:
+            raise Wrong(f"the stages {_row(wanted)} of {what}", _row(stages_by_robot[robot]), cause, share=share, hint=1)
     silent = shown[1].count(4) - 45 + 1  # it reports for 45 cycles
     if silent != 30:
         cause = "The first cycle after a status is number 1." if abs(silent - 30) < 3 else "Is each cycle counted?"

@@ -159,16 +159,16 @@ def scan_matcher(work: Work) -> None:
     """Check poses against the truth, in three worlds."""
     match, chance = work.function("match"), work.dice("ch08.q3")
     worlds = 2 * ("office", "robot_world", "tec_warehouse")
-    found = [
+    tries = [
         try_match(match, puzzle_in(_world(name), chance), f"{name} {number}")
         for number, name in enumerate(worlds, 1)
     ]
-    bad = [match for match in found if not (match.off <= 0.03 and match.turned <= 0.02)]
-    worst = max(bad, key=lambda match: match.off) if bad else found[0]
+    bad = [match for match in tries if not (match.off <= 0.03 and match.turned <= 0.02)]
+    worst = max(bad, key=lambda match: match.off) if bad else tries[0]
     work.illustrate(matched, worst.puzzle, worst.pose, worst.told, not bad)
     if bad:
         off, turned, told = worst.off, worst.turned, worst.told
-        share = 0.0 if len(bad) == len(found) else 0.5
+        share = 0.0 if len(bad) == len(tries) else 0.5
         seen = f"{len(bad)} are not; {told} is {off:.3f} m and {turned:.3f} rad off"
         hint = NO_HINT if off <= 0.03 else 0 if off > 0.15 else 1
         cause = why_pose(off, turned, worst.moved())

@@ -62,10 +62,10 @@ def _hull(points: np.ndarray) -> list[Point]:
     """Return the corners of the convex hull, closed by the first one."""
     import numpy as np
 
-    found = sorted({(round(float(x), 5), round(float(y), 5)) for x, y in np.asarray(points) if math.isfinite(x + y)})
-    if len(found) < 3:
-        return found
-    lower, upper = _chain(found), _chain(found[::-1])
+    corners = sorted({(round(float(x), 5), round(float(y), 5)) for x, y in np.asarray(points) if math.isfinite(x + y)})
+    if len(corners) < 3:
+        return corners
+    lower, upper = _chain(corners), _chain(corners[::-1])
     return [*lower[:-1], *upper]
 
 

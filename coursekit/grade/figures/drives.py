@@ -62,12 +62,12 @@ def _around(points: Sequence[Sequence[float]]) -> View:
 
 def _first_of_each(plans: Sequence[Any]) -> list[Any]:
     """Return the first plan to each goal: later ones start at her current position."""
-    found: dict[Point, Any] = {}
+    plan_by_goal: dict[Point, Any] = {}
     for plan in plans[:MOST_PLANS]:
         path = _path(plan)
         if path:
-            found.setdefault((round(path[-1][0], 1), round(path[-1][1], 1)), plan)
-    return list(found.values())
+            plan_by_goal.setdefault((round(path[-1][0], 1), round(path[-1][1], 1)), plan)
+    return list(plan_by_goal.values())
 
 
 def _path(plan: Any) -> list[Point]:

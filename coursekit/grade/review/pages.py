@@ -33,22 +33,22 @@ _WHOLE = """<form class="marks" data-exercise="">
 
 def class_page(marks: Marks) -> str:
     """Return the current page of the class, with the shortcuts."""
-    made = marks.class_page()
-    return _with(made, {"</head>": f"{_HEAD}</head>", "<body>": f'<body class="reviewing">{_CLASS_BAR}'})
+    content = marks.class_page()
+    return _with(content, {"</head>": f"{_HEAD}</head>", "<body>": f'<body class="reviewing">{_CLASS_BAR}'})
 
 
 def marking_page(marks: Marks, key: str) -> str:
     """Return the page for marking a person."""
     record, order = marks.records[key], list(marks.order())
     at = order.index(key) if key in order else 0
-    made = page(record, lambda name: _fields(record, name))
+    content = page(record, lambda name: _fields(record, name))
     before, after = order[at - 1] if at else "", order[at + 1] if at + 1 < len(order) else ""
     links = {"before": f"{quote(before)}.html" if before else "#", "next": f"{quote(after)}.html" if after else "#"}
     bar = _BAR.format(at=at + 1, all=len(order), **links)
     whole = _WHOLE.format(comment=html.escape(record.extra.get(COMMENT, "")))
     body = f'<body data-key="{html.escape(key)}">{bar}'
     places = {"</head>": f"{_HEAD}</head>", "<body>": body, "</footer>": f"</footer>{whole}"}
-    return _with(made, places)
+    return _with(content, places)
 
 
 def _with(page: str, places: Mapping[str, str]) -> str:

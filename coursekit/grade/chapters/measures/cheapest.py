@@ -55,10 +55,10 @@ def path_back(price: np.ndarray, goal: Cell) -> list[Cell]:
 def cells_of(got: Any, told: str) -> list[Cell]:
     """Return the cells of an answer; Wrong when it is no list of cells."""
     wanted = f"a list of cells (row, column) for {told}"
-    found = items(got, wanted)
-    if len(found) > 2 * MOST_TICKS:
-        raise Wrong(wanted, gave=f"{len(found)} cells", hint=NO_HINT)
-    pairs = [[whole(part, wanted) for part in items(route, wanted)] for route in found]
+    cells = items(got, wanted)
+    if len(cells) > 2 * MOST_TICKS:
+        raise Wrong(wanted, gave=f"{len(cells)} cells", hint=NO_HINT)
+    pairs = [[whole(part, wanted) for part in items(cell, wanted)] for cell in cells]
     if any(len(pair) != 2 for pair in pairs):
         raise Wrong(wanted, gave=shown(got, 60), hint=NO_HINT)
     return [(row, column) for row, column in pairs]

@@ -26,15 +26,15 @@ class Unseen:
     """
 
     def __init__(self, world: Path, sight: float = 4.0, part: float | None = None) -> None:
-        made = load_world(world)
-        cut = made.cut(0.2)
+        loaded = load_world(world)
+        cut = loaded.cut(0.2)
         points = outline_points(cut.edges, cut.circles, 0.02)
         corner = points.min(axis=0) - 5 * CELL
         columns, rows = np.ceil((points.max(axis=0) - corner) / CELL).astype(int) + 5
         self._open = np.ones((rows, columns), bool)
         at = np.floor((points - corner) / CELL).astype(int)
         self._open[at[:, 1], at[:, 0]] = False
-        column, row = np.floor((np.array(made.start[:2]) - corner) / CELL).astype(int)
+        column, row = np.floor((np.array(loaded.start[:2]) - corner) / CELL).astype(int)
         self.here: Cell = (int(row), int(column))
         areas, _ = ndimage.label(self._open)
         self._reachable = areas == areas[self.here]

@@ -60,8 +60,8 @@ class RayJudge:
         ray = Ray(x, y, angle, need, math.inf if is_infinite(got) else number(got, wanted, share=share))
         if not ray.right:
             self._work.illustrate(wrong_ray, given[0], ray)
-            found = _why(got, need, *given) or cause
-            raise Wrong(wanted, gave=shown(got, 40), cause=found, share=share, hint=None if found != cause else hint)
+            reason = _why(got, need, *given) or cause
+            raise Wrong(wanted, gave=shown(got, 40), cause=reason, share=share, hint=None if reason != cause else hint)
         return ray
 
 

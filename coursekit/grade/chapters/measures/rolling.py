@@ -49,10 +49,10 @@ def judge_wheel_s_distance(name: str, radius: float, turn: float, aside: float, 
 def _angles(state: Any) -> dict[str, float]:
     """Return the wheels' angles by joint."""
     names, values = field(state, "name", list), field(state, "position", list)
-    found = {name: value for name, value in zip(names, values, strict=False) if type(name) is str}
-    if not set(found) >= WHEELS:
+    angle_by_joint = {name: value for name, value in zip(names, values, strict=False) if type(name) is str}
+    if not set(angle_by_joint) >= WHEELS:
         raise Wrong("angles of the four wheels' joints", shown(names), hint=NO_HINT)
-    return {name: number(found[name], f"a finite angle of {name}") for name in WHEELS}
+    return {name: number(angle_by_joint[name], f"a finite angle of {name}") for name in WHEELS}
 
 
 def _slip(radius: float, turn: float, aside: float, unrolled: float) -> str:

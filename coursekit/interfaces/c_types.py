@@ -23,7 +23,7 @@ def owner_type(kind: FieldType) -> str:
     >>> owner_type(FieldType("float32", is_array=True)), owner_type(FieldType("float32"))
     ('rosidl_runtime_c__float__Sequence', '')
     """
-    one = TEXTS.get(kind.base, "" if kind.is_primitive else c_name(kind.base))
+    element = TEXTS.get(kind.base, "" if kind.is_primitive else c_name(kind.base))
     if not kind.is_sequence:
-        return one
-    return f"{one or 'rosidl_runtime_c__' + _IN_SEQUENCES.get(kind.base, kind.base)}__Sequence"
+        return element
+    return f"{element or 'rosidl_runtime_c__' + _IN_SEQUENCES.get(kind.base, kind.base)}__Sequence"

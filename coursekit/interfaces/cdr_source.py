@@ -150,9 +150,9 @@ class _Reader(_Source):
         return "_"
 
     def nested(self, base: str, name: str) -> None:
-        made = self.fresh("part")
-        self.lines += [f"{made} = new(cls({base!r}))", f"{name} = {made}"]
-        self.message(self.find(base), made)
+        part = self.fresh("part")
+        self.lines += [f"{part} = new(cls({base!r}))", f"{name} = {part}"]
+        self.message(self.find(base), part)
 
     def string(self, kind: FieldType, name: str) -> None:
         count = self.fresh("count")

@@ -31,7 +31,7 @@ def all_are(values: Any, kind: type) -> bool:
     """
     for value in values:
         if type(value) is not kind:  # an exact match is the usual case: a third of the time
-            return all(issubclass(found, kind) for found in set(map(type, values)))
+            return all(issubclass(value_type, kind) for value_type in set(map(type, values)))
     return True
 
 

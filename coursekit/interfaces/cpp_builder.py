@@ -35,6 +35,6 @@ def _steps(message: Message) -> list[str]:
 
 
 def _build(kind: str, message: Message) -> str:
-    made = f"{kind}::{message.name}"
-    first = f"{kind}::builder::Init_{message.name}_{message.fields[0].name}({made}())" if message.fields else f"{made}()"
-    return f"template<> inline auto build<{made}>() {{return {first};}}"
+    struct = f"{kind}::{message.name}"
+    first = f"{kind}::builder::Init_{message.name}_{message.fields[0].name}({struct}())" if message.fields else f"{struct}()"
+    return f"template<> inline auto build<{struct}>() {{return {first};}}"

@@ -43,11 +43,11 @@ def definition_file(path: Path) -> Path:
     from coursekit.interfaces.idl_reader import definition_of_idl  # few packages have IDL files
 
     kind, text = definition_of_idl(path)
-    made = Path(_own_folder(), str(len(_read)), kind, f"{path.stem}.{kind}")
-    made.parent.mkdir(parents=True)
-    write_whole(made, text.encode())
-    _read.append(made)
-    return made
+    definition = Path(_own_folder(), str(len(_read)), kind, f"{path.stem}.{kind}")
+    definition.parent.mkdir(parents=True)
+    write_whole(definition, text.encode())
+    _read.append(definition)
+    return definition
 
 
 def is_translated(path: Path) -> bool:

@@ -83,12 +83,12 @@ def _entry(name: str, above: tuple[str, ...]) -> _Entry:
 
 def _dependencies(interface: Interface, above: tuple[str, ...]) -> dict[str, Any]:
     messages = [interface] if isinstance(interface, Message) else list(interface.messages())
-    found = {}
+    parts = {}
     for message in messages:
         for f in message.fields:
-            if not f.type.is_primitive and f.type.base not in found:
-                found[f.type.base] = _dependency(message, f.type.base, f.line, above)
-    return found
+            if not f.type.is_primitive and f.type.base not in parts:
+                parts[f.type.base] = _dependency(message, f.type.base, f.line, above)
+    return parts
 
 
 def _dependency(message: Message, base: str, line: int, above: tuple[str, ...]) -> Any:
@@ -142,12 +142,12 @@ def make_message(message: Message, owner: str | None = None, parts: dict[str, An
     linecache.cache[filename] = (len(source), None, source.splitlines(True), filename)
     namespace = {"__name__": module.__name__, **{alias(n): c for n, c in (parts or {}).items()}}
     exec(compile(source, filename, "exec"), namespace)
-    made = namespace[message.name]
-    made._DEFINITION = message
-    made._PARTS = {name: namespace[alias(name)] for name in message.dependencies()}
-    setattr(module, message.name, made)
+    message_class = namespace[message.name]
+    message_class._DEFINITION = message
+    message_class._PARTS = {name: namespace[alias(name)] for name in message.dependencies()}
+    setattr(module, message.name, message_class)
     setattr(module, f"Metaclass_{message.name}", namespace[f"Metaclass_{message.name}"])
-    return made
+    return message_class
 
 
 def module_name(package: str, kind: str, name: str) -> str:

@@ -103,10 +103,10 @@ def _taken(kind: FieldType) -> str:
 
 def package_stubs(package: str, files: Iterable[Path]) -> dict[str, str]:
     """Return the stubs for a package's definition files, by path relative to site-packages."""
-    made = {}
+    stub_by_path = {}
     paths = in_order(files)
     for kind in KINDS:
         interfaces = [parse_file(package, path) for path in paths if path.suffix == f".{kind}"]
         if interfaces:
-            made[f"{package}/{kind}/__init__.pyi"] = stub(package, interfaces)
-    return made
+            stub_by_path[f"{package}/{kind}/__init__.pyi"] = stub(package, interfaces)
+    return stub_by_path

@@ -49,7 +49,7 @@ class Cells:
         nodes = [node for graph in self.session.graphs.values() for node in graph.nodes if node.process is None]
         seen = [node for node in nodes if not node.name.startswith("_")]  # hidden nodes belong to panels
         for new in [*seen, *(panel for panel in open_panels() if panel.of_cell), *_contexts()]:
-            if not any(new is known for made in self.made.values() for known in made):
+            if not any(new is known for things in self.made.values() for known in things):
                 self.made.setdefault(self.cell, []).append(new)
 
     def _begin(self, info: Any) -> None:
@@ -85,9 +85,9 @@ def last_runs() -> dict[str, str]:
 def adopt(old: Any, new: Any) -> Any:
     """Assign `new` to the cell that made `old`, after a restart that no cell caused. Returns `new`."""
     cells = _running.get("cells")
-    for made in cells.made.values() if cells is not None else ():
-        if old in made:
-            made[made.index(old)] = new
+    for things in cells.made.values() if cells is not None else ():
+        if old in things:
+            things[things.index(old)] = new
     return new
 
 

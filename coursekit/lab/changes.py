@@ -38,9 +38,9 @@ def undone(text: str, old: str, new: str) -> str:
     """
     if new in text:
         return text.replace(new, old, 1)
-    before, found, after = new.partition(old)
+    before, middle, after = new.partition(old)
     for part in (before, after):
-        if found and part.strip() and text.count(part) == 1:
+        if middle and part.strip() and text.count(part) == 1:
             text = text.replace(part, "")
     return text
 

@@ -71,8 +71,8 @@ def _image_bytes(thing: Any) -> bytes | None:
     for name in ("png", "_repr_png_"):
         if callable(getattr(thing, name, None)):
             return bytes(getattr(thing, name)())
-    made = thing._repr_mimebundle_() if hasattr(thing, "_repr_mimebundle_") else {}
-    bundle = made[0] if isinstance(made, tuple) else made
+    mimebundle = thing._repr_mimebundle_() if hasattr(thing, "_repr_mimebundle_") else {}
+    bundle = mimebundle[0] if isinstance(mimebundle, tuple) else mimebundle
     for kind in ("image/png", "image/jpeg"):
         if kind in (bundle or {}):
             data = bundle[kind]

@@ -105,10 +105,10 @@ def _value(field: dict[str, Any], value: Any, path: str) -> Any:
 
 
 def _list(text: str) -> list[Any]:
-    found = yaml.safe_load(text)
-    if not isinstance(found, list):
+    values = yaml.safe_load(text)
+    if not isinstance(values, list):
         raise ValueError(text)
-    return found
+    return values
 
 
 def _truth(text: str) -> bool:

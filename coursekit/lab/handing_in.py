@@ -126,10 +126,10 @@ def hand_in(notebook: str | Path = "", *, by: str = "") -> HandedIn | None:
     who, file = student(by), _notebook(notebook)
     _expect_saved(file)
     try:
-        made, marked = make_bundle(file, course_folder(), who, course_folder())
+        bundle, marked = make_bundle(file, course_folder(), who, course_folder())
     except ValueError as error:
         raise BadArgument(str(error)) from None
-    return HandedIn(made, marked, _put_into_exchange(file, made))
+    return HandedIn(bundle, marked, _put_into_exchange(file, bundle))
 
 
 def _put_into_exchange(notebook: Path, made: Path) -> str:
@@ -155,10 +155,10 @@ def _notebook(given: str | Path) -> Path:
         for place in (Path(name), course_folder() / name) if name else ():
             if place.suffix == ".ipynb" and place.is_file():
                 return place.resolve()
-    found = sorted(Path.cwd().glob("*.ipynb")) or sorted(course_folder().glob("*.ipynb"))
-    if len(found) == 1 and not given:
-        return found[0].resolve()
-    names = ", ".join(path.name for path in found) or "none"
+    notebooks = sorted(Path.cwd().glob("*.ipynb")) or sorted(course_folder().glob("*.ipynb"))
+    if len(notebooks) == 1 and not given:
+        return notebooks[0].resolve()
+    names = ", ".join(path.name for path in notebooks) or "none"
     raise FileNotFoundError(gettext(f'Which notebook? Say it: hand_in("02_topics.ipynb"). There are: {names}.'))
 
 

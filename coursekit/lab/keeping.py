@@ -32,7 +32,7 @@ def _keep(path: Path) -> str:
     try:
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "COLCON_IGNORE").touch()  # its packages have the same names as those in the workspace
-        number = 1 + max((int(one.name.rpartition("-")[2]) for one in _earlier(folder, path.name)), default=0)
+        number = 1 + max((int(kept.name.rpartition("-")[2]) for kept in _earlier(folder, path.name)), default=0)
         target = folder / f"{path.name}-{number}"
         if number > 1 and _same(path, folder / f"{path.name}-{number - 1}"):
             target = folder / f"{path.name}-{number - 1}"
@@ -46,8 +46,8 @@ def _keep(path: Path) -> str:
 
 
 def _earlier(folder: Path, name: str) -> list[Path]:
-    found = folder.glob(f"{name}-*")
-    return [path for path in found if path.name.rpartition("-")[0] == name and path.name.rpartition("-")[2].isdecimal()]
+    paths = folder.glob(f"{name}-*")
+    return [path for path in paths if path.name.rpartition("-")[0] == name and path.name.rpartition("-")[2].isdecimal()]
 
 
 def _same(one: Path, other: Path) -> bool:

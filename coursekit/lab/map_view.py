@@ -94,14 +94,16 @@ def true_outline(robot: str = "", height: float = SCAN_HEIGHT) -> np.ndarray:
     """Return points (n, 2) of all true walls at a height [m], in the map frame: the start pose of the simulated robot."""
     from coursekit.nav.map_compare import outline_points
 
-    name, one = robot_name(robot), simulator()
-    one.advance()
-    scene = one.simulation.scene(height)
+    name, gazebo = robot_name(robot), simulator()
+    gazebo.advance()
+    scene = gazebo.simulation.scene(height)
     points = np.concatenate([outline_points(cut.edges, cut.circles) for cut in (scene.fixed, scene.moving())])
-    here = one.simulation.pose_of(name)
+    here = gazebo.simulation.pose_of(name)
     off = np.hypot(points[:, 0] - here.x, points[:, 1] - here.y)
-    found: np.ndarray = one.simulation.start_of(name).inverse().transform(points[off > _reach(one.simulation.robots[name])])
-    return found
+    outline: np.ndarray = (
+        gazebo.simulation.start_of(name).inverse().transform(points[off > _reach(gazebo.simulation.robots[name])])
+    )
+    return outline
 
 
 def _reach(robot: Any) -> float:

@@ -38,27 +38,27 @@ class NetworkPanel(Panel):
     def shown(self) -> dict[str, Any]:
         """Return the state and the rows of the tables."""
         self.look_again(LOOK_AGAIN_S)
-        found = self._report()
-        if found is None:
+        report = self._report()
+        if report is None:
             return {"joined": False, "how": HOW_TO_JOIN}
         return {
             "joined": True,
-            "address": found.address,
-            "domain": found.domain_id,
-            "up": found.is_up,
-            "listenOnly": found.listen_only,
-            "others": [{"name": name, "nodes": nodes} for name, nodes in found.others.items()],
-            "heard": found.heard,
-            "sent": found.sent,
-            "notes": found.notes,
+            "address": report.address,
+            "domain": report.domain_id,
+            "up": report.is_up,
+            "listenOnly": report.listen_only,
+            "others": [{"name": name, "nodes": nodes} for name, nodes in report.others.items()],
+            "heard": report.heard,
+            "sent": report.sent,
+            "notes": report.notes,
         }
 
     def text(self) -> str:
         """Return the lines of `%network`."""
         from coursekit.net.report import NOT_JOINED
 
-        found = self._report()
-        return NOT_JOINED if found is None else "\n".join(found.lines())
+        report = self._report()
+        return NOT_JOINED if report is None else "\n".join(report.lines())
 
     def on_leave(self, _message: dict[str, Any]) -> None:
         """Handle the leave button."""

@@ -50,15 +50,15 @@ class NodeWindows:
         """Create and display the window, unless it is no longer wanted."""
         from IPython.display import display
 
-        made = self._make(owner)
-        made.of_cell = False
+        panel = self._make(owner)
+        panel.of_cell = False
         with self._lock:
             wanted = id(owner) in self._wanted
             if wanted:
-                self._panels[id(owner)] = made
-                display(made)
+                self._panels[id(owner)] = panel
+                display(panel)
         if not wanted:
-            made.close()
+            panel.close()
 
     def hide(self, owner: Any) -> None:
         """Remove the window for good."""

@@ -33,8 +33,8 @@ class Row:
         ranges = [*self.descriptor.integer_range, *self.descriptor.floating_point_range]
         if not ranges:
             return {}
-        one = ranges[0]
-        return {"least": one.from_value, "greatest": one.to_value, **({"step": one.step} if one.step else {})}
+        bounds = ranges[0]
+        return {"least": bounds.from_value, "greatest": bounds.to_value, **({"step": bounds.step} if bounds.step else {})}
 
     def written(self) -> str:
         """Return the value as a user would type it."""
@@ -200,10 +200,10 @@ def _typed(row: Row, value: Any) -> Any:
         return int(value) if row.kind == 2 else float(value)
     if row.kind == 4:
         return str(value)
-    found = yaml.safe_load(str(value))
-    if not isinstance(found, list):
+    values = yaml.safe_load(str(value))
+    if not isinstance(values, list):
         raise ValueError(value)
-    return [float(value) for value in found] if row.kind == 8 else found
+    return [float(value) for value in values] if row.kind == 8 else values
 
 
 def parameter_panel(node: str) -> ParameterPanel:

@@ -71,9 +71,9 @@ class PlotPanel(Panel):
             first: int | None = None
             while (message := reader.take()) is not None:
                 first = message.stamp if first is None else first
-                found = deserialize_message(message.data, get_message(kinds[message.topic]))
+                decoded = deserialize_message(message.data, get_message(kinds[message.topic]))
                 for path in (path for path, topic in topics.items() if topic == message.topic):
-                    self._curves.take(path, message.topic, found, (message.stamp - first) * 1e-9)
+                    self._curves.take(path, message.topic, decoded, (message.stamp - first) * 1e-9)
             reader.close()
         except BagError as error:
             raise BadArgument(f"The bag '{bag}' cannot be plotted: {error}") from None
@@ -82,11 +82,11 @@ class PlotPanel(Panel):
 
     def values(self, path: str) -> tuple[list[float], list[float]]:
         """Return the times [s] and the values of a curve; LookupError lists the existing names."""
-        found = self._curves.curves.get(path if path.startswith("/") else f"/{path}")
-        if found is None:
+        curve = self._curves.curves.get(path if path.startswith("/") else f"/{path}")
+        if curve is None:
             known = ", ".join(sorted(self._curves.curves)) or "none"
             raise NotThere(f"There is no curve '{path}' (yet). There are: {known}.")
-        return list(found.times), list(found.values)
+        return list(curve.times), list(curve.values)
 
     def shown(self) -> dict[str, Any]:
         """Return the points that the browser lacks."""

@@ -55,7 +55,7 @@ class ServiceCaller(Panel):
     def _type(self, name: str) -> Any:
         from rosidl_runtime_py.utilities import get_service
 
-        served = {one: list(servers) for one, servers in list(self.hidden.graph.servers.items())}
+        served = {service: list(servers) for service, servers in list(self.hidden.graph.servers.items())}
         if name not in served:
             names = self._names()
             hint = did_you_mean(name, names, f"Served are: {', '.join(names) or 'none'}.")

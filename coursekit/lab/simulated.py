@@ -13,10 +13,10 @@ def simulator() -> Any:
     """Return the newest running simulator; LookupError when none runs."""
     from coursekit.nodes.gazebo.simulators import simulators
 
-    found = simulators.running(current())
-    if not found:
+    running = simulators.running(current())
+    if not running:
         raise NotThere("No simulator runs. Start one: %ros2 launch gazebo_ros gazebo.launch.py world:=robot_world &")
-    return found[-1]
+    return running[-1]
 
 
 def robot_name(name: str = "") -> str:

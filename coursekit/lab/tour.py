@@ -88,10 +88,10 @@ def _belief(buffer: Any, frame: str, base: str) -> tuple[float, float, float]:
     from tf2_ros import TransformException
 
     try:
-        found = buffer.lookup_transform(frame, base, Time()).transform
+        transform = buffer.lookup_transform(frame, base, Time()).transform
     except TransformException:
         return math.nan, math.nan, math.nan
-    return found.translation.x, found.translation.y, 2 * math.atan2(found.rotation.z, found.rotation.w)
+    return transform.translation.x, transform.translation.y, 2 * math.atan2(transform.rotation.z, transform.rotation.w)
 
 
 def drive_along(

@@ -97,8 +97,8 @@ class Viewer(ViewerPage):
     def status(self, name: str) -> str:
         """Return the status of a display: 'Ok: ...', 'Warn: ...', 'Error: ...'."""
         self.stage.update()
-        one = self.stage.find(name)
-        return f"{one.level}: {one.remark}"
+        display = self.stage.find(name)
+        return f"{display.level}: {display.remark}"
 
     def save(self, path: str | Path) -> None:
         """Save the configuration to a file, for `viewer(path)` and `rviz2 -d path`.
@@ -149,8 +149,8 @@ class Viewer(ViewerPage):
 
 def robot_topics(hidden: HiddenNode) -> list[str]:
     """Return the topics on which robot descriptions are published."""
-    found = hidden.node.get_topic_names_and_types()
-    ends = [name for name, kinds in found if name.endswith(f"/{_ROBOT}") and "std_msgs/msg/String" in kinds]
+    topics = hidden.node.get_topic_names_and_types()
+    ends = [name for name, kinds in topics if name.endswith(f"/{_ROBOT}") and "std_msgs/msg/String" in kinds]
     return sorted(name for name in ends if hidden.node.count_publishers(name))
 
 

@@ -54,8 +54,8 @@ class ViewerPage(ScenePanel):
         """Send the page the topics that can be displayed."""
         node = self.stage.node
         published = [topic for topic in sorted(node.get_topic_names_and_types()) if node.count_publishers(topic[0])]
-        found = [[topic, name] for topic, types in published for name, kind in KINDS.items() if kind.type in types]
-        self.tell(type="topics", topics=found)
+        topics = [[topic, name] for topic, types in published for name, kind in KINDS.items() if kind.type in types]
+        self.tell(type="topics", topics=topics)
 
     def on_add(self, message: dict[str, Any]) -> None:
         """Add a display."""
@@ -76,28 +76,28 @@ class ViewerPage(ScenePanel):
 
     def on_remove(self, message: dict[str, Any]) -> None:
         """Remove a display."""
-        one = self._row_of(message)
-        if one is not None:
-            self.stage.remove(one)
+        display = self._row_of(message)
+        if display is not None:
+            self.stage.remove(display)
             self.hurry()
 
     def on_switch(self, message: dict[str, Any]) -> None:
         """Switch a display on or off."""
-        one = self._row_of(message)
-        if one is not None:
-            self.stage.switch(one, bool(message.get("on")))
+        display = self._row_of(message)
+        if display is not None:
+            self.stage.switch(display, bool(message.get("on")))
 
     def on_topic(self, message: dict[str, Any]) -> None:
         """Change the topic of a display."""
-        one, topic = self._row_of(message), str(message.get("topic", "")).strip()
-        if one is not None and topic:
-            self.stage.retopic(one, topic)
+        display, topic = self._row_of(message), str(message.get("topic", "")).strip()
+        if display is not None and topic:
+            self.stage.retopic(display, topic)
 
     def on_property(self, message: dict[str, Any]) -> None:
         """Change a property of a display."""
-        one = self._row_of(message)
-        if one is not None:
-            self._try(lambda: self.stage.change(one, {str(message.get("key")): message.get("value")}))
+        display = self._row_of(message)
+        if display is not None:
+            self._try(lambda: self.stage.change(display, {str(message.get("key")): message.get("value")}))
 
     def on_fix(self, message: dict[str, Any]) -> None:
         """Select the fixed frame."""

@@ -78,8 +78,8 @@ class WorldView(ScenePanel):
         """Run the world `times` times as fast as the clock."""
         if not (isinstance(times, (int, float)) and 0.0 < times <= 100.0):
             raise BadArgument(f"speed() takes a number above 0, up to 100; not {times!r}")
-        found = self._simulator()
-        found.soon(found.time.go_at, float(times))
+        simulator = self._simulator()
+        simulator.soon(simulator.time.go_at, float(times))
 
     def move(self, name: str, x: float, y: float, yaw: float | None = None) -> None:
         """Move a robot or object to a pose [m, m, rad]; LookupError suggests similar names."""
@@ -89,13 +89,13 @@ class WorldView(ScenePanel):
 
     def add_box(self, x: float, y: float, size: float = BOX_M) -> str:
         """Add a movable box to the world [m]. Returns its name."""
-        found = self._simulator()
-        name = self._free_name({*found.simulation.names(), *found.assemblies})
+        simulator = self._simulator()
+        name = self._free_name({*simulator.simulation.names(), *simulator.assemblies})
         half = size / 2
         corners = ((-half, -half), (half, -half), (half, half), (-half, half))
         place = Pose2D(float(x), float(y), 0.0)
         box = Thing(name, (Prism(corners, 0.0, size),), place, BOX_KG, texture="crates", model=name)
-        found.soon(found.put, Assembly(name, things=[box], place=place))
+        simulator.soon(simulator.put, Assembly(name, things=[box], place=place))
         return name
 
     def _free_name(self, taken: set[str]) -> str:
@@ -107,24 +107,24 @@ class WorldView(ScenePanel):
 
     def remove(self, name: str) -> None:
         """Remove a robot or object from the world; LookupError suggests similar names."""
-        found = self._simulator()
-        found.simulation.pose_of(name)
-        found.soon(found.delete, name)
+        simulator = self._simulator()
+        simulator.simulation.pose_of(name)
+        simulator.soon(simulator.delete, name)
 
     def _soon(self, what: str, value: Any) -> None:
-        found = self._simulator()
-        found.soon(getattr(found, what), value)
+        simulator = self._simulator()
+        simulator.soon(getattr(simulator, what), value)
 
     # -- without the browser
 
     def text(self) -> str:
         """Return the world as text: its time, robots, movable objects, and the number of fixed ones."""
-        found = self._newest()
-        if found is None:
+        simulator = self._newest()
+        if simulator is None:
             return f"world view: {NOTHING}"
-        simulation = found.simulation
+        simulation = simulator.simulation
         with simulation.busy:
-            state = "paused" if found.time.paused else "running"
+            state = "paused" if simulator.time.paused else "running"
             lines = [f"world '{simulation.world.name}': {simulation.now_ns * 1e-9:.2f} s, {state}"]
             lines += [_robot_line(name, robot) for name, robot in simulation.robots.items()]
             lines += [f"  {name}: can be pushed, at {_at(simulation.pose_of(name))}" for name in simulation.things]
@@ -135,13 +135,13 @@ class WorldView(ScenePanel):
 
     def shown(self) -> dict[str, Any]:
         """Return the texts above and below the picture."""
-        found = self._newest()
-        if found is None:
+        simulator = self._newest()
+        if simulator is None:
             return {"height": self.height_px, "there": False, "told": NOTHING}
         return {
             "height": self.height_px, "there": True, "told": self._said,
-            "time": round(found.simulation.now_ns * 1e-9, 1), "paused": found.time.paused,
-            "speed": found.time.speed, "speeds": SPEEDS, "factor": self._real_time_factor(found),
+            "time": round(simulator.simulation.now_ns * 1e-9, 1), "paused": simulator.time.paused,
+            "speed": simulator.time.speed, "speeds": SPEEDS, "factor": self._real_time_factor(simulator),
             "lasers": self.stage.lasers, "names": self.stage.names(),
         }  # fmt: skip
 

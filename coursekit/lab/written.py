@@ -40,8 +40,8 @@ class Written:
 
     def _read(self) -> dict[str, dict[str, Any]]:
         with contextlib.suppress(OSError, ValueError, TypeError):
-            found = json.loads(self._file.read_text(encoding="utf-8"))
-            return {str(path): dict(parts) for path, parts in found.items()}
+            stored = json.loads(self._file.read_text(encoding="utf-8"))
+            return {str(path): dict(parts) for path, parts in stored.items()}
         return {}
 
     def write(self, text: str) -> str:
@@ -62,7 +62,7 @@ class Written:
         whole = appended(there, text, former[1] if former else None)
         if former:
             former[1] = text
-        elif all(one != text for _, one in self.pieces):
+        elif all(known != text for _, known in self.pieces):
             self.pieces.append([cell, text])
         return self._finish(whole)
 

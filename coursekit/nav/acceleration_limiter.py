@@ -27,7 +27,7 @@ class AccelerationLimiter:
 
     def toward(self, now: Speeds, wish: Speeds, seconds: float) -> list[float]:
         """Return the velocities after `seconds`, changing from `now` towards `wish`."""
-        goal = [max(low, min(high, one)) for low, high, one in zip(self.lowest, self.highest, wish, strict=True)]
+        goal = [max(low, min(high, speed)) for low, high, speed in zip(self.lowest, self.highest, wish, strict=True)]
         most = [self._most(k, now[k], goal[k]) * seconds for k in range(3)]
         gaps = [to - at for to, at in zip(goal, now, strict=True)]
         if self.together:

@@ -123,10 +123,10 @@ class _Reader:
     def tree(self, name: str, depth: int) -> TreeNode:
         if name not in self._trees:
             raise TreeError(f"names a subtree '{name}', which it does not have; it has: {', '.join(self._trees)}")
-        found = self._trees[name]
-        if len(found) != 1:
-            raise TreeError(f"tree '{name}' has {len(found)} nodes at its top; it should have one")
-        return self._node(found[0], depth + 1)
+        nodes = self._trees[name]
+        if len(nodes) != 1:
+            raise TreeError(f"tree '{name}' has {len(nodes)} nodes at its top; it should have one")
+        return self._node(nodes[0], depth + 1)
 
     def _node(self, element: ElementTree.Element, depth: int) -> TreeNode:
         self._made += 1

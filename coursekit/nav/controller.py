@@ -163,13 +163,13 @@ class Controller:
         target = np.array([*carrot, carrot[0] + ux * self.weights[5], carrot[1] + uy * self.weights[5]])
         path = _extended(ahead, self.weights[5], ux, uy)
         gains = np.array([self.limits.acceleration, self.limits.turn_acceleration])
-        found = score(
+        scores = score(
             costs.cells, costs.x, costs.y, costs.resolution, self._outline(costs), self._near(), np.array(pose, dtype=float),
             speeds, turns, np.array(now, dtype=float), gains, self.horizon, 0.05, path, target, np.array(self.weights),
         )  # fmt: skip
-        a, b = divmod(int(found.argmin()), len(turns))
-        if not math.isfinite(found[a, b]):
-            raise ControlError(f"No valid trajectories out of {found.size}!")
+        a, b = divmod(int(scores.argmin()), len(turns))
+        if not math.isfinite(scores[a, b]):
+            raise ControlError(f"No valid trajectories out of {scores.size}!")
         return self.limits.toward(now, (float(speeds[a]), float(turns[b])), self.period)
 
 

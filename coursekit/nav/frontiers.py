@@ -48,12 +48,12 @@ def frontiers(
     edge = unknown & ndimage.binary_dilation(free, _BESIDE)
     reached = ndimage.binary_dilation(_area_of(free, cell), _BESIDE)
     labels, _ = ndimage.label(edge, _AROUND)
-    found = []
+    reachable = []
     for label in np.unique(labels[reached & edge]):
         rows, columns = np.nonzero(labels == label)
         if len(rows) * grid.resolution >= least:
-            found.append(_made(grid, rows, columns, robot, potential_scale, gain_scale))
-    return sorted(found, key=lambda frontier: frontier.cost)
+            reachable.append(_made(grid, rows, columns, robot, potential_scale, gain_scale))
+    return sorted(reachable, key=lambda frontier: frontier.cost)
 
 
 def _cell_of(grid: GridMap, robot: tuple[float, float]) -> tuple[int, int]:

@@ -46,14 +46,14 @@ def outline_points(edges: np.ndarray, circles: np.ndarray | None = None, step: f
            [0.5, 0. ],
            [1. , 0. ]])
     """
-    found = [np.zeros((0, 2))]
+    parts = [np.zeros((0, 2))]
     for x1, y1, x2, y2 in np.asarray(edges, dtype=np.float64).reshape(-1, 4):
         count = max(2, int(np.ceil(np.hypot(x2 - x1, y2 - y1) / step)) + 1)
-        found.append(np.linspace((x1, y1), (x2, y2), count))
+        parts.append(np.linspace((x1, y1), (x2, y2), count))
     for x, y, radius in np.asarray([] if circles is None else circles, dtype=np.float64).reshape(-1, 3):
         angles = np.linspace(0, 2 * np.pi, max(8, int(np.ceil(2 * np.pi * radius / step))), endpoint=False)
-        found.append(np.stack([x + radius * np.cos(angles), y + radius * np.sin(angles)], axis=1))
-    return np.concatenate(found)
+        parts.append(np.stack([x + radius * np.cos(angles), y + radius * np.sin(angles)], axis=1))
+    return np.concatenate(parts)
 
 
 def compare(grid: GridMap, outline: np.ndarray, tolerance: float = 0.05) -> Comparison:

@@ -45,8 +45,8 @@ class Movers:
             return
         while self._past and now - self._past[0][0] > LOOK_BACK[1]:
             self._past.popleft()
-        old = [(now - then, one) for then, one in self._past if now - then >= LOOK_BACK[0] - 1e-6]
-        self.found = self._compare(costs, [one for _, one in old], old[-1][0]) if old else []
+        old = [(now - then, earlier) for then, earlier in self._past if now - then >= LOOK_BACK[0] - 1e-6]
+        self.found = self._compare(costs, [earlier for _, earlier in old], old[-1][0]) if old else []
         self._past.append((now, Costmap(costs.cells.copy(), costs.resolution, costs.x, costs.y)))
 
     def _compare(self, costs: Costmap, old: list[Costmap], age: float) -> list[tuple[np.ndarray, np.ndarray]]:

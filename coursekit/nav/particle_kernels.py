@@ -21,7 +21,7 @@ def scan_likelihoods(particles, ends, field, ox, oy, cell, outside, z_hit, z_ran
     for t in range(1024):
         d = t * table_step
         table[t] = (z_hit * math.exp(-d * d / (2.0 * sigma * sigma)) + z_rand / range_max) ** 3
-    found = np.empty(len(particles))
+    likelihoods = np.empty(len(particles))
     for k in range(len(particles)):
         x, y = (particles[k, 0] - ox) / cell, (particles[k, 1] - oy) / cell
         c, s = math.cos(particles[k, 2]) / cell, math.sin(particles[k, 2]) / cell
@@ -33,5 +33,5 @@ def scan_likelihoods(particles, ends, field, ox, oy, cell, outside, z_hit, z_ran
                 total += table[int(field[i, j] / table_step)]
             else:
                 total += table[1023]
-        found[k] = total
-    return found
+        likelihoods[k] = total
+    return likelihoods

@@ -31,12 +31,12 @@ def move_differential(
     small = [min(abs(wrap(turn)), abs(wrap(turn - math.pi))) for turn in (first, second)]
     a1, a2, a3, a4 = alphas[:4]
     count = len(particles)
-    one = first - rng.normal(0, math.sqrt(a1 * small[0] ** 2 + a2 * way**2), count)
+    first_turn = first - rng.normal(0, math.sqrt(a1 * small[0] ** 2 + a2 * way**2), count)
     drive = way - rng.normal(0, math.sqrt(a3 * way**2 + a4 * (small[0] ** 2 + small[1] ** 2)), count)
-    two = second - rng.normal(0, math.sqrt(a1 * small[1] ** 2 + a2 * way**2), count)
-    heading = particles[:, 2] + one
+    second_turn = second - rng.normal(0, math.sqrt(a1 * small[1] ** 2 + a2 * way**2), count)
+    heading = particles[:, 2] + first_turn
     x, y = particles[:, 0] + drive * np.cos(heading), particles[:, 1] + drive * np.sin(heading)
-    return np.column_stack([x, y, wrap(heading + two)])
+    return np.column_stack([x, y, wrap(heading + second_turn)])
 
 
 def move_omni(

@@ -22,10 +22,10 @@ def read_address(text: str) -> str:
     >>> read_address("robot"), read_address("tls/10.0.0.2:7000")
     ('tcp/robot:7447', 'tls/10.0.0.2:7000')
     """
-    found = _SPELLED.fullmatch(text.strip())
-    if found is None or int(found[3] or PORT) > 65535:
+    match = _SPELLED.fullmatch(text.strip())
+    if match is None or int(match[3] or PORT) > 65535:
         raise NoNetwork(f"'{text}' is no address. Write the robot's name or number, and its port: %network tcp/robot:{PORT}")
-    return f"{found[1] or 'tcp'}/{found[2]}:{found[3] or PORT}"
+    return f"{match[1] or 'tcp'}/{match[2]}:{match[3] or PORT}"
 
 
 def host_and_port(address: str) -> tuple[str, int]:

@@ -69,10 +69,10 @@ def leave(session: Session, domain_id: int | None = None) -> bool:
     """Leave the network of a domain, or all of them; return whether there was one."""
     with _lock:
         links = _links.get(session, {})
-        found = [links.pop(domain) for domain in ([domain_id] if domain_id is not None else list(links)) if domain in links]
-    for link in found:
+        joined = [links.pop(domain) for domain in ([domain_id] if domain_id is not None else list(links)) if domain in links]
+    for link in joined:
         link.close()
-    return bool(found)
+    return bool(joined)
 
 
 def link_of(session: Session, domain_id: int) -> Link | None:

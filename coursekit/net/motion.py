@@ -15,7 +15,7 @@ _GOAL = "/_action/send_goal"
 
 def would_move(graph: Graph, tokens: Iterable[Token]) -> list[str]:
     """Return a sentence for each local node that would move a robot of the peers that announce these tokens."""
-    found: dict[str, None] = {}
+    sentences: dict[str, None] = {}
     for token in tokens:
         if token.kind == SUBSCRIPTION and token.type_name in MOVING:
             ends: list[Any] = list(graph.publishers.get(token.name, ()))
@@ -27,5 +27,5 @@ def would_move(graph: Graph, tokens: Iterable[Token]) -> list[str]:
             continue
         for end in ends:
             if end.type_name == token.type_name and not end.node.remote:
-                found[said.format(end.node.full_name)] = None
-    return list(found)
+                sentences[said.format(end.node.full_name)] = None
+    return list(sentences)

@@ -44,7 +44,14 @@ def wire_quality(qos: Qos) -> Quality:
     >>> wire_quality(Qos(depth=5, durability=TRANSIENT_LOCAL)).text()
     ':1:,5:,:,:,,'
     """
-    one = qos.resolved()
+    resolved = qos.resolved()
     return Quality(
-        one.reliability, one.durability, one.history, one.depth, one.deadline, one.lifespan, one.liveliness, one.lease
+        resolved.reliability,
+        resolved.durability,
+        resolved.history,
+        resolved.depth,
+        resolved.deadline,
+        resolved.lifespan,
+        resolved.liveliness,
+        resolved.lease,
     )

@@ -60,9 +60,9 @@ class Receiver:
                 self._early.append((data, came_with))
 
     def _give(self, data: bytes, came_with: Attachment | None) -> None:
-        one = self._publishers.get(came_with.gid) if came_with else None
-        one = one or next(iter(self._publishers.values()))  # its publisher is unknown: the first one stands in
-        one.receive(data, came_with)
+        publisher = self._publishers.get(came_with.gid) if came_with else None
+        publisher = publisher or next(iter(self._publishers.values()))  # its publisher is unknown: the first one stands in
+        publisher.receive(data, came_with)
 
 
 def attachment_of(sample: Any) -> Attachment | None:

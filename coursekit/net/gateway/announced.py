@@ -50,8 +50,8 @@ class Announced:
             del self._tokens[gone]
         for new in [token for token in there if token not in self._said]:
             self._announce(new)
-        speakers = [(one, text) for one, text in self._tokens.items() if one.kind == PUBLISHER]
-        self._speakers = {(one.name, one.type_name): gid_of(text) for one, text in speakers}
+        speakers = [(thing, text) for thing, text in self._tokens.items() if thing.kind == PUBLISHER]
+        self._speakers = {(thing.name, thing.type_name): gid_of(text) for thing, text in speakers}
 
     def _present(self) -> Iterator[Thing]:
         node = self._gateway.node
@@ -65,11 +65,11 @@ class Announced:
                 CLIENT: node.get_client_names_and_types_by_node,
             }
             try:
-                found = [(kind, ask(name, namespace)) for kind, ask in ends.items()]
+                groups = [(kind, ask(name, namespace)) for kind, ask in ends.items()]
             except Exception:
                 continue  # the node has just left
             yield Thing(NODE, namespace, name)
-            for kind, group in found:
+            for kind, group in groups:
                 yield from (Thing(kind, namespace, name, topic, types[0]) for topic, types in group if topic not in INSIDE)
 
     def _announce(self, new: Thing) -> None:

@@ -47,11 +47,11 @@ class Echo:
 
     def publish(self, publish: Callable[[bytes], None], data: bytes) -> None:
         """Publish a message through `publish` and remember it."""
-        one = Published(data)
+        published = Published(data)
         with self._lock:
-            self._said.append(one)
+            self._said.append(published)
         publish(data)
-        one.end_ns = time.time_ns() + ROUNDING_NS
+        published.end_ns = time.time_ns() + ROUNDING_NS
 
     def is_own(self, data: bytes, stamp_ns: int) -> bool:
         """Whether a message sent at this time is one of the gateway's own; each comes back once."""
@@ -59,7 +59,7 @@ class Echo:
         with self._lock:
             while self._said and self._said[0].begin_ns < oldest:
                 self._said.popleft()
-            found = next((sent for sent in self._said if sent.has(data, stamp_ns)), None)
-            if found is not None:
-                self._said.remove(found)
-        return found is not None
+            own = next((sent for sent in self._said if sent.has(data, stamp_ns)), None)
+            if own is not None:
+                self._said.remove(own)
+        return own is not None

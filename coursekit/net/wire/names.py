@@ -27,10 +27,10 @@ def ros_type(name: str) -> str:
     >>> ros_type("std_msgs::msg::dds_::String_")
     'std_msgs/msg/String'
     """
-    found = _TYPE.fullmatch(name)
-    if found is None or not name.isascii():
+    match = _TYPE.fullmatch(name)
+    if match is None or not name.isascii():
         raise ValueError(f"'{name[:80]}' is no type")
-    return "/".join(found.groups())
+    return "/".join(match.groups())
 
 
 def mangle(name: str) -> str:
@@ -48,10 +48,10 @@ def demangle(name: str) -> str:
     >>> demangle("%robot%scan")
     '/robot/scan'
     """
-    found = name.replace("%", "/")
-    if not _NAME.fullmatch(found) or not found.isascii():
-        raise ValueError(f"'{found[:80]}' is no name of a topic")
-    return found
+    topic = name.replace("%", "/")
+    if not _NAME.fullmatch(topic) or not topic.isascii():
+        raise ValueError(f"'{topic[:80]}' is no name of a topic")
+    return topic
 
 
 def data_key(domain_id: int, name: str, type_name: str, type_hash: str = ANY_HASH) -> str:

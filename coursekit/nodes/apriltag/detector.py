@@ -35,8 +35,8 @@ class Tag:
     @property
     def homography(self) -> np.ndarray:
         """(3, 3): from the tag, whose corners are at ±1 with y down, to the image."""
-        found: np.ndarray = cv2.getPerspectiveTransform(_SQUARE, self.corners.astype(np.float32))
-        return found
+        matrix: np.ndarray = cv2.getPerspectiveTransform(_SQUARE, self.corners.astype(np.float32))
+        return matrix
 
     @property
     def centre(self) -> np.ndarray:
@@ -70,10 +70,11 @@ class Detector:
         given.errorCorrectionRate = min(most / self._codes.maxCorrectionBits, 1.0)
         given.cornerRefinementMethod = cv2.aruco.CORNER_REFINE_SUBPIX if refine else cv2.aruco.CORNER_REFINE_NONE
         corners, ids, _ = cv2.aruco.ArucoDetector(self._codes, given).detectMarkers(grey)
-        found = [
-            self._tag(grey, int(one), at[0]) for one, at in zip([] if ids is None else ids.ravel(), corners, strict=True)
+        tags = [
+            self._tag(grey, int(tag_id), at[0])
+            for tag_id, at in zip([] if ids is None else ids.ravel(), corners, strict=True)
         ]
-        return sorted((tag for tag in found if tag.hamming <= most), key=lambda tag: tag.id)
+        return sorted((tag for tag in tags if tag.hamming <= most), key=lambda tag: tag.id)
 
     def _tag(self, grey: np.ndarray, number: int, corners: Any) -> Tag:
         """OpenCV draws these tags upside down, and begins at the upper left, clockwise."""
@@ -94,5 +95,5 @@ def _cells(grey: np.ndarray, corners: Any, count: int) -> np.ndarray:
     turn = cv2.getPerspectiveTransform(np.asarray(corners, np.float32), square)
     flat = cv2.warpPerspective(grey, turn, (edge, edge)).astype(float)
     middle = flat.reshape(count, _CELL, count, _CELL)[:, 2:-2, :, 2:-2]
-    found: np.ndarray = middle.mean(axis=(1, 3))
-    return found
+    means: np.ndarray = middle.mean(axis=(1, 3))
+    return means

@@ -54,7 +54,9 @@ class AprilTagNode(CppNode):
         transport = self._given["image_transport"]
         kind = Image if transport == "raw" else CompressedImage
         inputs = ((kind, topic_of("image_rect", transport)), (CameraInfo, "camera_info"))
-        filters = [Subscriber(self, one, topic, qos_profile=qos_profile_sensor_data) for one, topic in inputs]
+        filters = [
+            Subscriber(self, message_type, topic, qos_profile=qos_profile_sensor_data) for message_type, topic in inputs
+        ]
         self._together = TimeSynchronizer(filters, 10)
         self._together.registerCallback(self._look)
 

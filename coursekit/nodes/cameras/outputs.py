@@ -67,8 +67,8 @@ class Outputs:
 
 def calibration(manager: Any, width: int, height: int) -> CameraInfo:
     """Return a copy of the manager's calibration, or one with the size alone where it is for another size."""
-    found = manager.getCameraInfo()
-    if (found.width, found.height) != (width, height):
+    info = manager.getCameraInfo()
+    if (info.width, info.height) != (width, height):
         return CameraInfo(width=width, height=height)
-    named = {name: getattr(found, name) for name in CameraInfo.get_fields_and_field_types()}
+    named = {name: getattr(info, name) for name in CameraInfo.get_fields_and_field_types()}
     return CameraInfo(**named)

@@ -45,15 +45,15 @@ def _words(expression: str) -> list[tuple[str, str]]:
     words, at = [], 0
     text = expression.rstrip()
     while at < len(text):
-        found = _WORD.match(text, at)
-        if found is None:
+        match = _WORD.match(text, at)
+        if match is None:
             raise FilterError(f"'{expression}' cannot be read from its character {at + 1} on.")
-        kind = str(found.lastgroup)
-        word = found.group(kind)
+        kind = str(match.lastgroup)
+        word = match.group(kind)
         if kind == "name" and word.upper() in _KEYWORDS:
             kind, word = "keyword", word.upper()
         words.append((kind, word))
-        at = found.end()
+        at = match.end()
     return words
 
 

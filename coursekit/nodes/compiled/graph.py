@@ -41,8 +41,8 @@ def do_expand_name(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 def do_node_names(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Full names of all nodes."""
-    found = host.things[frame.integer()].get_node_names_and_namespaces()
-    names = [f"{space.rstrip('/')}/{name}" for name, space in found]
+    nodes = host.things[frame.integer()].get_node_names_and_namespaces()
+    names = [f"{space.rstrip('/')}/{name}" for name, space in nodes]
     return packed(len(names), *names)
 
 

@@ -98,10 +98,10 @@ def do_lifecycle_states(_host: Host, _channel: Channel, _frame: Unpacker) -> byt
 
 def do_lifecycle_transitions(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Return the transitions that a node can perform now, or all."""
-    found = host.things[frame.integer()].transitions(bool(frame.integer()))
+    transitions = host.things[frame.integer()].transitions(bool(frame.integer()))
     words = [
         word
-        for transition in found
+        for transition in transitions
         for word in (transition.transition_id, transition.label, transition.start, transition.goal)
     ]
-    return packed(len(found), *words)
+    return packed(len(transitions), *words)

@@ -85,13 +85,13 @@ def do_parameter_file(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Return the parameters in a file by node patterns, or of one node if it is named."""
     path, node = frame.text(), frame.text()
     try:
-        found = parameter_file.read(os.path.join(host.process.cwd, path))
+        values_by_node = parameter_file.read(os.path.join(host.process.cwd, path))
     except (OSError, ValueError) as error:
         raise RuntimeError(f"Error opening parameter file '{path}': {error}") from None
     if node:
-        found = {node: parameter_file.values_for(found, node)}
-    parts = [packed(len(found))]
-    for name, values in found.items():
+        values_by_node = {node: parameter_file.values_for(values_by_node, node)}
+    parts = [packed(len(values_by_node))]
+    for name, values in values_by_node.items():
         parts.append(
             packed(name, len(values), *(Parameter(name, value=value).to_parameter_msg() for name, value in values.items()))
         )
@@ -126,12 +126,12 @@ def do_find_parameter(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Return whether a parameter is declared and has a value, and the parameter."""
     node, name = host.things[frame.integer()], frame.text()
     try:
-        found = node.get_parameter(name) if node.has_parameter(name) else None
+        parameter = node.get_parameter(name) if node.has_parameter(name) else None
     except ParameterUninitializedException:
-        found = None
-    if found is None or found.type_ is Parameter.Type.NOT_SET:
+        parameter = None
+    if parameter is None or parameter.type_ is Parameter.Type.NOT_SET:
         return packed(0)
-    return packed(1, found.to_parameter_msg())
+    return packed(1, parameter.to_parameter_msg())
 
 
 def do_set_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

@@ -38,9 +38,9 @@ def do_plugins(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Return the plugins for a base class of a package."""
     package, base = frame.text(), frame.text()
     get_package_prefix(package)  # raises PackageNotFoundError for an unknown package
-    found = list(declared(package, base))
-    words = [word for plugin in found for word in (*plugin, int(os.path.isabs(plugin.library) or not plugin.library))]
-    return packed(len(found), *words)
+    plugins = list(declared(package, base))
+    words = [word for plugin in plugins for word in (*plugin, int(os.path.isabs(plugin.library) or not plugin.library))]
+    return packed(len(plugins), *words)
 
 
 def declared(package: str, base: str) -> Iterator[Plugin]:

@@ -37,8 +37,8 @@ def component_of(library: str) -> tuple[str, Callable[[], Node]] | None:
     >>> component_of("/opt/ros/humble/lib/libserver_component.so")
     ('composition::Server', <class 'coursekit.nodes.composition.nodes.Server'>)
     """
-    found = _LIBRARY.fullmatch(Path(library).name)
-    return _CLASSES.get(found[1]) if found else None
+    match = _LIBRARY.fullmatch(Path(library).name)
+    return _CLASSES.get(match[1]) if match else None
 
 
 def main(args: list[str] | None = None) -> int:
@@ -48,14 +48,14 @@ def main(args: list[str] | None = None) -> int:
         print("Requires at least one argument to be passed with the library to load", file=sys.stderr)
         return 1
     rclpy.init(args=args)
-    log, made = get_logger("dlopen_composition"), []
+    log, nodes = get_logger("dlopen_composition"), []
     for library in libraries:
         log.info(f"Load library {library}")
         component = component_of(library)
         if component is None:
             return terminate(_unknown(library), "class_loader::LibraryLoadException")
-        made.append(_instance(log, *component))
-    return spin_to_the_end(*made)
+        nodes.append(_instance(log, *component))
+    return spin_to_the_end(*nodes)
 
 
 def linked(args: list[str] | None = None) -> int:

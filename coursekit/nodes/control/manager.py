@@ -82,10 +82,10 @@ class Manager:
                 self.log.error(f"The 'type' param was not defined for '{name}'.")
                 return False
             words = self.arguments + (["--params-file", file] if file else [])
-            made = self._make(name, kind, words) if kind in self.makers else self._make_foreign(name, kind, words)
-            if made is not None:
-                self.loaded[name] = Loaded(name, kind, made)
-            return made is not None
+            controller = self._make(name, kind, words) if kind in self.makers else self._make_foreign(name, kind, words)
+            if controller is not None:
+                self.loaded[name] = Loaded(name, kind, controller)
+            return controller is not None
 
     def _make(self, name: str, kind: str, words: list[str]) -> Controller:
         cli = ["--ros-args", *words] if words else []
@@ -114,26 +114,26 @@ class Manager:
         """Configure a loaded controller; an inactive one is cleaned up, and reads its parameters again."""
         with self.lock:
             self.log.info(f"Configuring controller '{name}'")
-            one = self.loaded.get(name)
-            if one is None:
+            loaded = self.loaded.get(name)
+            if loaded is None:
                 self.log.error(
                     f"Could not configure controller with name '{name}' because no controller with this name exists"
                 )
                 return False
-            if one.state == "active":
-                self.log.error(f"Controller '{name}' can not be configured from '{one.state}' state.")
+            if loaded.state == "active":
+                self.log.error(f"Controller '{name}' can not be configured from '{loaded.state}' state.")
                 return False
-            if one.state == "inactive":
+            if loaded.state == "inactive":
                 self.log.debug(f"Controller '{name}' is cleaned-up before being configured")
-                one.controller.cleanup()
-                one.state = "unconfigured"
+                loaded.controller.cleanup()
+                loaded.state = "unconfigured"
             try:
-                one.controller.configure()
+                loaded.controller.configure()
             except ControlError as error:
-                _say(one, error)
+                _say(loaded, error)
                 self.log.error(f"After configuring, controller '{name}' is in state 'unconfigured' , expected inactive.")
                 return False
-            one.state = "inactive"
+            loaded.state = "inactive"
             return True
 
     def switch(self, start: Sequence[str], stop: Sequence[str], strict: bool) -> bool:
@@ -204,13 +204,13 @@ class Manager:
     def unload(self, name: str) -> bool:
         """Unload a controller; it must not be active."""
         with self.lock:
-            one = self.loaded.get(name)
-            if one is None or one.state == "active":
-                why = "no controller with this name exists" if one is None else "it is still active"
+            loaded = self.loaded.get(name)
+            if loaded is None or loaded.state == "active":
+                why = "no controller with this name exists" if loaded is None else "it is still active"
                 self.log.error(f"Could not unload controller with name '{name}' because {why}")
                 return False
             del self.loaded[name]
-            one.controller.leave(self.executor)
+            loaded.controller.leave(self.executor)
             return True
 
     # -- work

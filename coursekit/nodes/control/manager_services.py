@@ -109,17 +109,17 @@ class ManagerServices:
         return answer
 
     def _set_component(self, request: Any, answer: Any) -> Any:
-        one = next((each for each in self._manager.hardware if each.info.name == request.name), None)
+        component = next((each for each in self._manager.hardware if each.info.name == request.name), None)
         target = request.target_state.label or STATES.get(request.target_state.id, "")
-        if one is None:
+        if component is None:
             self._manager.log.error(f"hardware component with name '{request.name}' does not exist")
             return answer
         if target not in _IDS:
             self._manager.log.error(f"hardware component with name '{request.name}' cannot be brought to '{target}'")
             return answer
         with self._manager.lock:
-            answer.ok = bring(one, target, self._manager.hardware_log)
-        answer.state.label, answer.state.id = one.state, _IDS.get(one.state, 0)
+            answer.ok = bring(component, target, self._manager.hardware_log)
+        answer.state.label, answer.state.id = component.state, _IDS.get(component.state, 0)
         return answer
 
 

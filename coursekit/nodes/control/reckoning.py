@@ -63,10 +63,10 @@ class Reckoning:
         msg.pose.covariance, msg.twist.covariance = self._covariances
         self._out.publish(msg)
         if self._tf is not None:
-            one = TransformStamped(header=msg.header, child_frame_id=self._frames[1])
-            one.transform.translation.x, one.transform.translation.y = self._x, self._y
-            one.transform.rotation = turned
-            self._tf.publish(TFMessage(transforms=[one]))
+            transform = TransformStamped(header=msg.header, child_frame_id=self._frames[1])
+            transform.transform.translation.x, transform.transform.translation.y = self._x, self._y
+            transform.transform.rotation = turned
+            self._tf.publish(TFMessage(transforms=[transform]))
 
 
 __all__ = ["Reckoning"]

@@ -29,16 +29,16 @@ def own_arguments(argv: list[str]) -> list[str]:
     >>> own_arguments(["x", "--ros-args", "-r", "__node:=cm", "--params-file", "a.yaml", "--"])
     ['--params-file', 'a.yaml']
     """
-    found: list[str] = []
+    arguments: list[str] = []
     within = False
     for word in argv:
         if word in ("--ros-args", "--"):
             within = word == "--ros-args"
         elif within and word.startswith(("__node:=", "__name:=")):
-            found.pop()
+            arguments.pop()
         elif within:
-            found.append(word)
-    return found
+            arguments.append(word)
+    return arguments
 
 
 class ControlNode:

@@ -110,7 +110,7 @@ class SteeringController(Controller):
             return 0.0, 0.0
         turned = [wheel * dt for wheel in wheels]
         if self._kind == "position":
-            turned = [one - before for one, before in zip(wheels, self._last or wheels, strict=True)]
+            turned = [wheel - before for wheel, before in zip(wheels, self._last or wheels, strict=True)]
             self._last = wheels
         way = sum(turned) / len(turned) * self._radius
         return way, way * sum(map(self._bend, angles, _sides(angles))) / len(angles)

@@ -44,11 +44,11 @@ class Switching:
     def _fitting(self, names: Sequence[str], state: str, what: str) -> list[Loaded] | None:
         fitting = []
         for name in names:
-            one = self._loaded.get(name)
-            if one is not None and one.state == state:
-                fitting.append(one)
+            loaded = self._loaded.get(name)
+            if loaded is not None and loaded.state == state:
+                fitting.append(loaded)
                 continue
-            why = "no controller with this name exists" if one is None else f"it is not {state}"
+            why = "no controller with this name exists" if loaded is None else f"it is not {state}"
             text = f"Could not '{what}' controller with name '{name}' because {why}"
             (self._log.error if self._strict else self._log.warning)(text)
             if self._strict:
@@ -57,18 +57,18 @@ class Switching:
 
     def _free(self, starting: list[Loaded], held: set[str]) -> list[Loaded] | None:
         """Return those whose interfaces exist and are free."""
-        found = []
+        free = []
         for loaded in starting:
             wanted = loaded.controller.command_names()
             fault = self._missing(loaded, wanted, held)
             if not fault:
                 held |= set(wanted)
-                found.append(loaded)
+                free.append(loaded)
                 continue
             self._log.error(fault)
             if self._strict:
                 return None
-        return found
+        return free
 
     def _missing(self, one: Loaded, wanted: list[str], held: set[str]) -> str:
         for kind, names, there in (

@@ -90,14 +90,14 @@ class Trajectory:
             return done, True
         begin = (self.begin_ns - self.start_ns) * 1e-9
         before = Point(begin, self.before.positions, self.before.velocities, self.before.accelerations)
-        one = before
+        previous = before
         for other in self.points:
             if time < other.time:
                 break
-            one = other
+            previous = other
         if not self.splines:
-            return (before if one is before else other), False
-        return between(one, other, time), False
+            return (before if previous is before else other), False
+        return between(previous, other, time), False
 
 
 def _or(told: Array | None, usual: Array) -> Array:

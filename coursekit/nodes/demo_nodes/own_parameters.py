@@ -40,7 +40,7 @@ class Asking:
 
     def __init__(self, name: str, wanted: dict[str, Any]) -> None:
         self.node = CppNode(name)
-        self.wanted = [Parameter(one, value=value) for one, value in wanted.items()]
+        self.wanted = [Parameter(key, value=value) for key, value in wanted.items()]
         for parameter in self.wanted:
             self.node.declare_parameter(parameter.name, parameter.type_)
         self.client = AsyncParameterClient(self.node, name)
@@ -65,9 +65,9 @@ def _list(name: str, args: list[str] | None) -> int:
         log.info("Setting parameters...")
         asking.set()
         log.info("Listing parameters...")
-        found = asking.answer(asking.client.list_parameters(["foo", "bar"], 10)).result
-        lines = ["", "Parameter names:", *(f" {parameter}" for parameter in sorted(found.names))]
-        log.info("\n".join([*lines, "Parameter prefixes:", *(f" {prefix}" for prefix in found.prefixes)]))
+        listed = asking.answer(asking.client.list_parameters(["foo", "bar"], 10)).result
+        lines = ["", "Parameter names:", *(f" {parameter}" for parameter in sorted(listed.names))]
+        log.info("\n".join([*lines, "Parameter prefixes:", *(f" {prefix}" for prefix in listed.prefixes)]))
     return 0
 
 

@@ -45,8 +45,8 @@ class Watcher(CppNode):
 
     def _hear(self, event: Any) -> None:
         if re.fullmatch("(/a_namespace/.*)|(/this_node)", event.node):
-            if found := self._handler.get_parameter_from_event(event, THEIRS, REMOTE):
-                self._tell("cb3", found, " of type:")
+            if changed := self._handler.get_parameter_from_event(event, THEIRS, REMOTE):
+                self._tell("cb3", changed, " of type:")
             for parameter in self._handler.get_parameters_from_event(event):
                 self._tell("cb3", parameter, " of type:")
 

@@ -52,12 +52,12 @@ class Analyzer:
         return [head, *(item.to_status(self.path, stale=item.name in stale) for item in items)]
 
     def _count_items(self, head: DiagnosticStatus) -> None:
-        found = len(self.items)
-        if self._count == found == 0:
+        count = len(self.items)
+        if self._count == count == 0:
             head.level, head.message = bytes([OK]), WORDS[OK]
-        elif self._count > 0 and found != self._count:
+        elif self._count > 0 and count != self._count:
             head.level = max(head.level, bytes([ERROR]))
-            head.message = f"Expected {self._count}, found {found}" if found else f"No items found, expected {self._count}"
+            head.message = f"Expected {self._count}, found {count}" if count else f"No items found, expected {self._count}"
 
 
 class GenericAnalyzer(Analyzer):

@@ -26,7 +26,7 @@ class AnalyzerGroup:
     def __init__(self, path: str, name: str, given: Settings, now_ns: int, log: Any) -> None:
         self.path, self.name, self._log, self._now_ns = path, name, log, now_ns
         self._problems: list[Item] = []
-        self._analyzers = [one for key in sorted(given) if (one := self._made(key, given[key])) is not None]
+        self._analyzers = [analyzer for key in sorted(given) if (analyzer := self._made(key, given[key])) is not None]
         if not self._analyzers:
             log.error(f"No analyzers initialized in AnalyzerGroup '{name}'")
 
@@ -59,13 +59,15 @@ class AnalyzerGroup:
         if not self._analyzers:
             return [status_of(self.path if self.path != "/" else "/AnalyzerGroup", ERROR, "No analyzers")]
         reports = [(analyzer, analyzer.report(now_ns)) for analyzer in self._analyzers]
-        heads = [(one.name, status) for one, report in reports for status in report if status.name == one.path]
-        made = [status for _, report in reports for status in report]
+        heads = [
+            (analyzer.name, status) for analyzer, report in reports for status in report if status.name == analyzer.path
+        ]
+        statuses = [status for _, report in reports for status in report]
         if self.path != "/" and heads:
             own = status_of(self.path, together([status.level[0] for _, status in heads]))
             own.values = [KeyValue(key=name, value=status.message) for name, status in heads]
-            made.append(own)
-        return made + [item.to_status(self.path, stale=True) for item in self._problems]
+            statuses.append(own)
+        return statuses + [item.to_status(self.path, stale=True) for item in self._problems]
 
 
 __all__ = ["AnalyzerGroup"]

@@ -80,15 +80,15 @@ class Explore(Node):
             return
         scales = self._given["min_frontier_size"], self._given["potential_scale"], self._given["gain_scale"]
         try:
-            found = frontiers(self._costmap.grid, (here.x, here.y), *scales)
+            candidates = frontiers(self._costmap.grid, (here.x, here.y), *scales)
         except ValueError as fault:
             self.get_logger().error(str(fault))
-            found = []
-        self._show(found)
-        if not found:
+            candidates = []
+        self._show(candidates)
+        if not candidates:
             self._stop("No frontiers found, stopping.")
             return
-        self._pursue(found)
+        self._pursue(candidates)
 
     def _pursue(self, found: list[Frontier]) -> None:
         """Continue to the best frontier that was not abandoned."""

@@ -15,14 +15,14 @@ _BLUE, _RED, _GREEN = (0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)
 
 def markers(found: list[Frontier], given_up: list[bool], frame: str, stamp: Any, before: int) -> MarkerArray:
     """Make two markers for each frontier; surplus ones of `before` are deleted."""
-    made: list[Marker] = []
+    drawn: list[Marker] = []
 
     def add(kind: int, colour: tuple[float, float, float], size: float) -> Marker:
-        marker = Marker(ns="frontiers", id=len(made), type=kind, action=Marker.ADD, frame_locked=True)
+        marker = Marker(ns="frontiers", id=len(drawn), type=kind, action=Marker.ADD, frame_locked=True)
         marker.header.frame_id, marker.header.stamp = frame, stamp
         marker.scale.x = marker.scale.y = marker.scale.z = size
         marker.color = ColorRGBA(r=colour[0], g=colour[1], b=colour[2], a=1.0)
-        made.append(marker)
+        drawn.append(marker)
         return marker
 
     least = found[0].cost if found else 0.0
@@ -32,6 +32,6 @@ def markers(found: list[Frontier], given_up: list[bool], frame: str, stamp: Any,
         size = min(abs(least * 0.4 / frontier.cost), 0.5) if frontier.cost else 0.5
         ball = add(Marker.SPHERE, _GREEN, size)
         ball.pose.position.x, ball.pose.position.y = frontier.nearest
-    while len(made) < before:
+    while len(drawn) < before:
         add(Marker.POINTS, _BLUE, 0.1).action = Marker.DELETE
-    return MarkerArray(markers=made)
+    return MarkerArray(markers=drawn)

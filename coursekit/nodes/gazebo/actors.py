@@ -56,13 +56,13 @@ def _walk(element: Element) -> Walk | None:
 
 def _rising(times: list[float], poses: list[Pose2D]) -> tuple[list[float], list[Pose2D]]:
     """Keep only the last of waypoints with the same time."""
-    kept = [number for number, (one, after) in enumerate(pairwise([*times, math.inf])) if one < after]
+    kept = [number for number, (before, after) in enumerate(pairwise([*times, math.inf])) if before < after]
     return [times[number] for number in kept], [poses[number] for number in kept]
 
 
 def _flat(element: Element) -> Pose2D:
-    made = pose(element)
-    return Pose2D(float(made[0, 3]), float(made[1, 3]), yaw_of(made))
+    matrix = pose(element)
+    return Pose2D(float(matrix[0, 3]), float(matrix[1, 3]), yaw_of(matrix))
 
 
 __all__ = ["actor"]

@@ -95,11 +95,11 @@ def _raise(made: Blueprint, level: Array) -> None:
 def _read_plugins(made: Blueprint, namespace: str) -> tuple[Drive | None, list[Device]]:
     drive, devices = None, []
     for plugin in made.plugins:
-        one, more = read_plugin(plugin, made, namespace)
-        if one is not None and drive is not None:
+        plugin_drive, more = read_plugin(plugin, made, namespace)
+        if plugin_drive is not None and drive is not None:
             made.note(plugin, "is a second drive; the first one drives")
             continue
-        drive = one or drive
+        drive = plugin_drive or drive
         devices += more
     return drive, devices
 
@@ -112,7 +112,7 @@ def _robot(made: Blueprint, drive: Drive | None, devices: list[Device], parts: l
     source = next(
         (plugin for plugin in made.plugins if any(word in (plugin.get("filename") or "") for word in drives)), None
     )
-    told = [*devices, *(one for each in devices if isinstance(each, ControlDevice) for _, one in each.odometry)]
+    told = [*devices, *(device for each in devices if isinstance(each, ControlDevice) for _, device in each.odometry)]
     odometer = next((device for device in told if isinstance(device, OdometryDevice) and device.command_topic), None)
     encoder = odometer is not None and not odometer.exact
     drift = drift_of(source, encoder) if source is not None else EXACT

@@ -50,8 +50,8 @@ def read_controllers(plugin: Element, model: Blueprint, namespace: str) -> tuple
     odometry: dict[str, OdometryDevice] = {}
     for name, entry in manager.items():
         if isinstance(entry, dict) and entry.get("type") == DRIVE:
-            made, odometry[name] = _drive(plugin, model, name, told.get(name, {}), prefix)
-            drive = drive or made
+            controller_drive, odometry[name] = _drive(plugin, model, name, told.get(name, {}), prefix)
+            drive = drive or controller_drive
     rate = manager.get("update_rate", 100)
     if not isinstance(rate, (int, float)) or not 0 < rate <= 10_000:
         raise plugin.error(f"has an update_rate of {rate}", "Give one above 0, up to 10000 a second.")
@@ -145,14 +145,14 @@ def _drive(plugin: Element, model: Blueprint, name: str, told: dict[str, Any], p
     except (KeyError, TypeError, ValueError):
         cure = "Give wheel_separation and wheel_radius in metres, more than 0, and 6 numbers for each covariance diagonal."
         raise plugin.error(f"controller '{name}' has numbers that are none", cure) from None
-    made = Drive("differential", separation=separation, radius=radius, left=left, right=right, watchdog=patience, **limits)
+    drive = Drive("differential", separation=separation, radius=radius, left=left, right=right, watchdog=patience, **limits)
     stamped, node = bool(told.get("use_stamped_vel", True)), f"{prefix}/{name}"
     odom, base = odometry_frames(told, prefix)
     device = OdometryDevice(
         "~/odom", odom, rate, node, "~/cmd_vel" if stamped else "~/cmd_vel_unstamped", base, True,
         bool(told.get("enable_odom_tf", True)), exact=False, stamped=stamped, spreads=spreads,
     )  # fmt: skip
-    return made, device
+    return drive, device
 
 
 def _limits(told: dict[str, Any]) -> dict[str, Any]:

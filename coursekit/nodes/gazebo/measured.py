@@ -55,7 +55,7 @@ def shakes_of(sensor: Element) -> tuple[float, float, float, float]:
 
 def picture_of(sensor: Element, camera: Element | None) -> tuple[int, int, float]:
     """Return width, height and field of view [rad] of a camera. Raises UrdfError for impossible values."""
-    width, height = (round(number(camera, f"image/{one}", size)) for one, size in (("width", 320), ("height", 240)))
+    width, height = (round(number(camera, f"image/{side}", size)) for side, size in (("width", 320), ("height", 240)))
     if not (16 <= width <= 4096 and 16 <= height <= 4096):
         raise sensor.error(f"has pictures of {width}x{height}", "Give a width and height from 16 to 4096.")
     fov = number(camera, "horizontal_fov", 1.047)

@@ -60,7 +60,7 @@ def exported(attribute: str) -> list[Path]:
 @lru_cache(maxsize=8)
 def _exported(attribute: str, shares: tuple[tuple[Path, int], ...]) -> tuple[Path, ...]:
     """Cached until a package is added to or removed from a folder: a world calls this for each of its meshes."""
-    found: list[Path] = []
+    folders: list[Path] = []
     for file in (path for share, _ in shares for path in sorted(share.glob("*/package.xml"))):
         try:
             text = read_text(file, errors="replace")
@@ -72,8 +72,8 @@ def _exported(attribute: str, shares: tuple[tuple[Path, int], ...]) -> tuple[Pat
             continue
         for element in export.all("gazebo_ros") if export is not None else ():
             told = (element.get(attribute) or "").replace("${prefix}", str(file.parent))
-            found += [Path(folder) for folder in split_folders(told)]
-    return tuple(found)
+            folders += [Path(folder) for folder in split_folders(told)]
+    return tuple(folders)
 
 
 def find_model(uri: str, near: Path | None = None) -> Path:

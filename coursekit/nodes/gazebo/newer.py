@@ -151,7 +151,7 @@ def _planar(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | 
 
 
 def _odometry_publisher(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:
-    made = OdometryDevice(
+    device = OdometryDevice(
         names.topic(plugin.tell("odom_topic"), "odometry"),
         plugin.tell("odom_frame") or f"{model.name}/odom",
         number(plugin, "odom_publish_frequency", 50.0) or 50.0,
@@ -161,7 +161,7 @@ def _odometry_publisher(plugin: Element, model: Blueprint, names: GzNames) -> tu
         covariance=(0.0, 0.0, 0.0),
         tf_topic=names.topic(plugin.tell("tf_topic"), "pose"),
     )
-    return None, [made]
+    return None, [device]
 
 
 def _joint_states(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:
@@ -180,11 +180,11 @@ def _poses(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | N
     moving = tuple(link for link in links if link not in still)
     topic, world = names.topic(plugin.tell("topic"), "pose"), names.world if whole else ""
     rate, seldom = (number(plugin, key, 60.0) for key in ("update_frequency", "static_update_frequency"))
-    made: list[Device] = [PoseDevice(topic, "", min(rate, 100.0) if rate > 0 else 60.0, NODE, model.name, world, moving)]
+    devices: list[Device] = [PoseDevice(topic, "", min(rate, 100.0) if rate > 0 else 60.0, NODE, model.name, world, moving)]
     if still:
         rate = min(seldom, 100.0) if seldom > 0 else 60.0
-        made.append(PoseDevice(f"{topic}_static", "", rate, NODE, model.name, "", still))
-    return None, made
+        devices.append(PoseDevice(f"{topic}_static", "", rate, NODE, model.name, "", still))
+    return None, devices
 
 
 def _position(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:
@@ -205,7 +205,7 @@ def _velocity(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive 
 
 
 def _turning(model: Blueprint) -> tuple[str, ...]:
-    return tuple(one for one, kind in model.joints.items() if kind not in ("fixed", ""))
+    return tuple(joint for joint, kind in model.joints.items() if kind not in ("fixed", ""))
 
 
 def _trajectory(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:

@@ -26,21 +26,21 @@ class PosePublisher(SensorPublisher):
     def publish(self, time_ns: int) -> None:
         if not self._out.get_subscription_count():
             return
-        device, found = self.device, []
+        device, transforms = self.device, []
         if device.world:
             place = pose_at(self.simulation, self.robot, time_ns)
             whole = TransformStamped(child_frame_id=device.model)
             whole.header.frame_id = device.world
             whole.transform.translation.x, whole.transform.translation.y = place.x, place.y
             whole.transform.rotation = heading(place.theta)
-            found.append(whole)
+            transforms.append(whole)
         for name, pose in device.links:
-            one = transform_of(np.array(pose).reshape(4, 4))
-            one.header.frame_id, one.child_frame_id = device.model, f"{device.model}/{name}"
-            found.append(one)
-        for one in found:
-            one.header.stamp = stamp_of(time_ns)
-        self._out.publish(TFMessage(transforms=found))
+            transform = transform_of(np.array(pose).reshape(4, 4))
+            transform.header.frame_id, transform.child_frame_id = device.model, f"{device.model}/{name}"
+            transforms.append(transform)
+        for transform in transforms:
+            transform.header.stamp = stamp_of(time_ns)
+        self._out.publish(TFMessage(transforms=transforms))
 
 
 def transform_of(pose: Array) -> TransformStamped:

@@ -31,11 +31,11 @@ class OdometryPublisher(SensorPublisher):
         forward, left, turn = robot.velocity if device.exact else robot.wheels
         stamp = stamp_of(time_ns)
         if self._tf is not None:
-            one = TransformStamped(child_frame_id=device.base_frame)
-            one.header.stamp, one.header.frame_id = stamp, device.frame
-            one.transform.translation.x, one.transform.translation.y = place.x, place.y
-            one.transform.rotation = heading(place.theta)
-            self._tf.publish(TFMessage(transforms=[one]))
+            transform = TransformStamped(child_frame_id=device.base_frame)
+            transform.header.stamp, transform.header.frame_id = stamp, device.frame
+            transform.transform.translation.x, transform.transform.translation.y = place.x, place.y
+            transform.transform.rotation = heading(place.theta)
+            self._tf.publish(TFMessage(transforms=[transform]))
         if self._out is not None and self._out.get_subscription_count():
             msg = odometry(place, (forward, left, turn), (0, 0, 0) if device.spreads else device.covariance)
             covariances = msg.pose.covariance, msg.twist.covariance

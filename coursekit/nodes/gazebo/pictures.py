@@ -59,10 +59,10 @@ class CameraPublisher(SensorPublisher):
 def view_of(device: CameraDevice, width: int = 0, height: int = 0) -> View:
     """Return the view of a camera, in its own or another size."""
     assert device.pose is not None
-    made = device.pose
-    turn = float(np.arctan2(made[1, 0], made[0, 0]))
-    tilt = float(np.arcsin(np.clip(-made[2, 0], -1.0, 1.0)))
-    x, y, z = (float(number) for number in made[:3, 3])
+    pose = device.pose
+    turn = float(np.arctan2(pose[1, 0], pose[0, 0]))
+    tilt = float(np.arcsin(np.clip(-pose[2, 0], -1.0, 1.0)))
+    x, y, z = (float(number) for number in pose[:3, 3])
     return View((x, y, turn), max(z, 0.02), tilt, device.fov, width or device.width, height or device.height, device.far)
 
 

@@ -68,7 +68,7 @@ def _odometry(
     plugin: Element, model: Blueprint, namespace: str, rate: float, shown: bool, exact: bool
 ) -> OdometryDevice:
     names = names_of(plugin, namespace)
-    x, y, turn = (number(plugin, f"covariance_{one}", size) for one, size in (("x", 1e-5), ("y", 1e-5), ("yaw", 1e-3)))
+    x, y, turn = (number(plugin, f"covariance_{axis}", size) for axis, size in (("x", 1e-5), ("y", 1e-5), ("yaw", 1e-3)))
     return OdometryDevice(
         names.topic(plugin.tell("odometry_topic") or plugin.tell("odometryTopic") or "odom"),
         plugin.tell("odometry_frame") or plugin.tell("odometryFrame") or "odom",

@@ -43,7 +43,7 @@ def as_urdf(root: Element) -> str:
     for child in model.children:
         if child.tag in ("model", "include"):
             raise child.error("is a model within a model", "A robot_description is one model; write its links into it.")
-    made = Xml("robot", name=model.get("name") or "model")
+    robot = Xml("robot", name=model.get("name") or "model")
     frames = frames_of(model)
     joints = {joint.tell("child"): joint for joint in model.all("joint")}
 
@@ -53,15 +53,15 @@ def as_urdf(root: Element) -> str:
         return frames(link if joint is None else joint.get("name") or "")
 
     for link in model.all("link"):
-        _link(made, link, place, frames)
+        _link(robot, link, place, frames)
     for joint in joints.values():
-        _joint(made, joint, place)
-    return tostring(made, encoding="unicode")
+        _joint(robot, joint, place)
+    return tostring(robot, encoding="unicode")
 
 
 def _link(made: Xml, link: Element, place: Callable[[str], Array], frames: Callable[[str], Array]) -> None:
     name = link.get("name") or ""
-    one = SubElement(made, "link", name=name)
+    urdf_link = SubElement(made, "link", name=name)
     inverse = np.linalg.inv(place(name))
 
     def beside(part: Element) -> Array:
@@ -74,7 +74,7 @@ def _link(made: Xml, link: Element, place: Callable[[str], Array], frames: Calla
 
     inertial = link.first("inertial")
     if inertial is not None:
-        heavy = SubElement(one, "inertial")
+        heavy = SubElement(urdf_link, "inertial")
         _origin(heavy, beside(inertial))
         SubElement(heavy, "mass", value=inertial.tell("mass") or "1")
         words = {key: inertial.tell(f"inertia/{key}") for key in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")}
@@ -82,7 +82,7 @@ def _link(made: Xml, link: Element, place: Callable[[str], Array], frames: Calla
         SubElement(heavy, "inertia", {key: words[key] or usual[key] for key in words})
     for part in (*link.all("visual"), *link.all("collision")):
         for kind, words in _shapes(part):
-            shape = SubElement(one, part.tag)
+            shape = SubElement(urdf_link, part.tag)
             _origin(shape, beside(part))
             SubElement(SubElement(shape, "geometry"), kind, words)
             colour = part.tell("material/diffuse")
@@ -106,17 +106,17 @@ def _joint(made: Xml, joint: Element, place: Callable[[str], Array]) -> None:
         raise joint.error(f"has type '{joint.get('type')}'", f"Types are: {', '.join(TYPES)}.")
     lower, upper = (_bound(joint, end, sign) for end, sign in (("lower", -1), ("upper", 1)))
     kind = "continuous" if kind == "revolute" and math.isinf(lower) and math.isinf(upper) else kind
-    one = SubElement(made, "joint", name=name, type=kind)
-    SubElement(one, "parent", link=parent)
-    SubElement(one, "child", link=child)
-    _origin(one, np.linalg.inv(place(parent)) @ place(child))
+    urdf_joint = SubElement(made, "joint", name=name, type=kind)
+    SubElement(urdf_joint, "parent", link=parent)
+    SubElement(urdf_joint, "child", link=child)
+    _origin(urdf_joint, np.linalg.inv(place(parent)) @ place(child))
     if kind in ("fixed", "floating"):
         return
-    SubElement(one, "axis", xyz=joint.tell("axis/xyz") or "0 0 1")
+    SubElement(urdf_joint, "axis", xyz=joint.tell("axis/xyz") or "0 0 1")
     words = {"lower": repr(max(lower, -ENDLESS)), "upper": repr(min(upper, ENDLESS))}
     most = {key: _bound(joint, key, 1) for key in ("effort", "velocity")}
     words |= {key: "0" if value < 0 or math.isinf(value) else repr(value) for key, value in most.items()}
-    SubElement(one, "limit", words)
+    SubElement(urdf_joint, "limit", words)
 
 
 def _bound(joint: Element, end: str, sign: int) -> float:

@@ -75,14 +75,14 @@ def frames_of(model: Element, file: Path | None = None, depth: int = 0) -> Calla
         outer, _, inner = name.partition("::")
         if inner and name not in named and outer in named and named[outer].tag in ("model", "include"):
             return of(outer, (*above, name)) @ within(named[outer])(inner)
-        one = named.get(name)
-        found = merged(name, (*above, name)) if one is None and name not in above else None
-        if found is not None:
-            return found
-        if one is None or name in above:
-            what = "which is relative to itself" if one is not None else "which does not exist"
+        element = named.get(name)
+        matrix = merged(name, (*above, name)) if element is None and name not in above else None
+        if matrix is not None:
+            return matrix
+        if element is None or name in above:
+            what = "which is relative to itself" if element is not None else "which does not exist"
             raise model.error(f"has a pose relative to '{name}', {what}", f"Frames are: {', '.join(named) or 'none'}.")
-        return placed(one, (*above, name))
+        return placed(element, (*above, name))
 
     return of
 

@@ -90,12 +90,12 @@ def _read_world(element: Element, file: Path, newer: bool) -> SdfWorld:
     models, things = [], []
     name = element.get("name") or file.stem
     names: dict[str, int] = {}
-    for made in blueprints:
-        count = names[made.name] = names.get(made.name, -1) + 1
+    for blueprint in blueprints:
+        count = names[blueprint.name] = names.get(blueprint.name, -1) + 1
         if count:
-            made.name = f"{made.name}_{count - 1}"
-        made.newer = name if newer else None
-        done = assemble(made)
+            blueprint.name = f"{blueprint.name}_{count - 1}"
+        blueprint.newer = name if newer else None
+        done = assemble(blueprint)
         notes += done.notes
         things += done.things
         models.append(done)
@@ -143,14 +143,14 @@ def _models(element: Element, file: Path, notes: list[str]) -> Iterator[Blueprin
 def _restore(state: Element, blueprints: list[Blueprint]) -> None:
     """Move models to the poses of a saved state, including links moved inside them."""
     saved = {model.get("name"): model for model in state.all("model")}
-    for made in blueprints:
-        one = saved.get(made.name)
-        if one is None or one.first("pose") is None:
+    for blueprint in blueprints:
+        model = saved.get(blueprint.name)
+        if model is None or model.first("pose") is None:
             continue
-        made.pose = pose(one)
-        inverse = np.linalg.inv(made.pose)
-        for link in one.all("link"):
-            blue = made.links.get(link.get("name") or "")
+        blueprint.pose = pose(model)
+        inverse = np.linalg.inv(blueprint.pose)
+        for link in model.all("link"):
+            blue = blueprint.links.get(link.get("name") or "")
             if blue is not None and link.first("pose") is not None:
                 new = inverse @ pose(link)
                 shift = new @ np.linalg.inv(blue.pose)
@@ -176,9 +176,9 @@ def read_entity(
 
     root = read(text, str(file) if file else "")
     if root.tag == "robot":
-        made = blueprint_of(parse(text, file or ""))
-        made.text = text
-        return done(made)
+        blueprint = blueprint_of(parse(text, file or ""))
+        blueprint.text = text
+        return done(blueprint)
     root = _root(text, str(file) if file else "")
     within = root.first("world") or root
     for child in within.children:

@@ -69,10 +69,10 @@ class Gazebo(Node):
         self.session = current()
         self.verbose = verbose
         opened = open_world(world, self.is_newer)
-        made = opened.world
-        self.newer = made.name if self.is_newer else None
+        loaded = opened.world
+        self.newer = loaded.name if self.is_newer else None
         self.systems = opened.systems
-        self.simulation = Simulation(made, seed)
+        self.simulation = Simulation(loaded, seed)
         self.time = SimTime(self.session.clock, paused)
         self.assemblies: dict[str, Assembly] = {}
         self.sensors: dict[str, list[SensorPublisher]] = {}
@@ -86,10 +86,10 @@ class Gazebo(Node):
         self.around = Whereabouts(self)
         self._api = (Services(self), States(self, opened.state), Forces(self))
         warm_up()
-        self.tell(list(made.notes))
+        self.tell(list(loaded.notes))
         for model in opened.models:
             self._admit(model)
-        self.get_logger().info(f"World '{made.name}' with {len(self.around.models())} models")
+        self.get_logger().info(f"World '{loaded.name}' with {len(self.around.models())} models")
         simulators.add(self)
 
     # -- models

@@ -141,13 +141,13 @@ class SpawnEntityNode(Node):
 
     def _from_topic(self, topic: str) -> str:
         self.log.info(f"Loading entity published on topic {topic}")
-        found: list[str] = []
+        texts: list[str] = []
         latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-        self.create_subscription(String, topic, lambda msg: found.append(msg.data), latched)
+        self.create_subscription(String, topic, lambda msg: texts.append(msg.data), latched)
         self.log.info(f"Waiting for entity xml on {topic}")
-        while rclpy.ok() and not (found and found[-1]):
+        while rclpy.ok() and not (texts and texts[-1]):
             rclpy.spin_once(self)
-        return found[-1]
+        return texts[-1]
 
     # -- services
 

@@ -18,14 +18,14 @@ from .sensor_publishers import SensorPublisher, stamp_of
 def wheels_of(model: Blueprint, joints: tuple[str, ...], topic: str, rate: float, node: str) -> WheelDevice:
     """Return a drive's wheel frames; their parent is the link that fixed joints are merged into, as in Gazebo."""
     assert model.robot is not None
-    made = []
+    wheels = []
     for name in joints:
         told = model.robot.joints[name]
         parent = model.lumped.get(told.parent, told.parent)
         pose = np.linalg.inv(model.links[parent].pose) @ model.axles[name]
         x, y, z = map(float, told.axis)
-        made.append((name, parent, told.child, tuple(pose.ravel().tolist()), (x, y, z)))
-    return WheelDevice(topic, "", rate, node, tuple(made))
+        wheels.append((name, parent, told.child, tuple(pose.ravel().tolist()), (x, y, z)))
+    return WheelDevice(topic, "", rate, node, tuple(wheels))
 
 
 def turned(pose: Array, axis: tuple[float, float, float], angle: float) -> Array:
@@ -46,12 +46,12 @@ class WheelPublisher(SensorPublisher):
         self._out = self.publisher(TFMessage, self.device.topic, 100)
 
     def publish(self, time_ns: int) -> None:
-        found = []
+        transforms = []
         for joint, parent, child, pose, axis in self.device.wheels:
-            one = transform_of(turned(np.array(pose).reshape(4, 4), axis, self.robot.angles.get(joint, 0.0)))
-            one.header.stamp, one.header.frame_id, one.child_frame_id = stamp_of(time_ns), parent, child
-            found.append(one)
-        self._out.publish(TFMessage(transforms=found))
+            transform = transform_of(turned(np.array(pose).reshape(4, 4), axis, self.robot.angles.get(joint, 0.0)))
+            transform.header.stamp, transform.header.frame_id, transform.child_frame_id = stamp_of(time_ns), parent, child
+            transforms.append(transform)
+        self._out.publish(TFMessage(transforms=transforms))
 
 
 __all__ = ["WheelPublisher", "wheels_of"]

@@ -34,8 +34,8 @@ class Whereabouts:
 
     def links(self) -> list[str]:
         """Return all links, as `model::link`."""
-        models, made = self.models(), self._node.assemblies
-        return [f"{name}::{link}" for name in models if name in made for link in made[name].frames]
+        models, assemblies = self.models(), self._node.assemblies
+        return [f"{name}::{link}" for name in models if name in assemblies for link in assemblies[name].frames]
 
     def where(self, name: str) -> tuple[Pose2D, Speed]:
         """Return the pose and velocity in the world. LookupError suggests similar names."""
@@ -44,11 +44,11 @@ class Whereabouts:
             raise LookupError(f"entity [{name}] does not exist. {known(model, self.models())}")
         place, speed = self._model(model)
         if link:
-            made = self._node.assemblies.get(model)
-            if made is None or link not in made.frames:
-                there = ", ".join(made.frames) if made is not None else "none that are told apart"
+            assembly = self._node.assemblies.get(model)
+            if assembly is None or link not in assembly.frames:
+                there = ", ".join(assembly.frames) if assembly is not None else "none that are told apart"
                 raise LookupError(f"entity [{name}] does not exist. Links of '{model}' are: {there}.")
-            pose = made.frames[link]
+            pose = assembly.frames[link]
             place = place @ Pose2D(float(pose[0, 3]), float(pose[1, 3]), math.atan2(pose[1, 0], pose[0, 0]))
         return place, speed
 

@@ -88,10 +88,10 @@ class RosGzBridge(Node):
         self._frame = str(self.declare_parameter("override_frame_id", "").value)
         self._lazy_ways: list[Way] = []
         self.create_timer(beat * 1e-3, self._follow)
-        made, faults = of_file(file) if file else ([], [])
+        bridges, faults = of_file(file) if file else ([], [])
         for fault in faults:
             self.get_logger().error(fault)
-        for word in [*words, *made]:
+        for word in [*words, *bridges]:
             self.add(word)
 
     def _follow(self) -> None:

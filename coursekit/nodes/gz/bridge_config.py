@@ -67,13 +67,13 @@ def of_file(name: str) -> tuple[list[Bridged], list[str]]:
         return [], [f"Could not parse config: {error}"]
     if not isinstance(rows, list):
         return [], ["Could not parse config: top level must be a YAML sequence"]
-    made, faults = [], []
+    bridges, faults = [], []
     for row in rows:
         try:
-            made.append(_of_row(row))
+            bridges.append(_of_row(row))
         except ValueError as error:
             faults.append(f"Could not parse entry: {error}")
-    return made, faults
+    return bridges, faults
 
 
 def _of_row(row: Any) -> Bridged:

@@ -92,15 +92,15 @@ class Creator:
         return bool(wish.sdf or wish.sdf_filename)
 
     def _heard(self, topic: str) -> str:
-        found: list[str] = []
+        texts: list[str] = []
         latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-        self.node.create_subscription(String, topic, lambda msg: found.append(msg.data), latched)
-        while rclpy.ok() and not found:
+        self.node.create_subscription(String, topic, lambda msg: texts.append(msg.data), latched)
+        while rclpy.ok() and not texts:
             self.log.info(f"Waiting messages on topic [{topic}].")
             until = self.node.get_clock().now().nanoseconds + 1_000_000_000
-            while not found and (left := until - self.node.get_clock().now().nanoseconds) > 0:
+            while not texts and (left := until - self.node.get_clock().now().nanoseconds) > 0:
                 rclpy.spin_once(self.node, timeout_sec=left * 1e-9)
-        return found[-1] if found else ""
+        return texts[-1] if texts else ""
 
     def _ask(self, service: str, wish: EntityFactory) -> int:
         client = self.asker.create_client(SpawnEntity, service)

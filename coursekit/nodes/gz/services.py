@@ -94,11 +94,11 @@ class GzServices:
         msg, stamp = TFMessage(), stamp_of(self._gazebo.simulation.now_ns)
         for name in self._around.models():
             place, _ = self._around.where(name)
-            one = TransformStamped(child_frame_id=name)
-            one.header.stamp, one.header.frame_id = stamp, self._world
-            one.transform.translation.x, one.transform.translation.y = place.x, place.y
-            one.transform.rotation = heading(place.theta)
-            msg.transforms.append(one)
+            transform = TransformStamped(child_frame_id=name)
+            transform.header.stamp, transform.header.frame_id = stamp, self._world
+            transform.transform.translation.x, transform.transform.translation.y = place.x, place.y
+            transform.transform.rotation = heading(place.theta)
+            msg.transforms.append(transform)
         return msg
 
 

@@ -40,6 +40,6 @@ class CameraStage(Node):
         except CvBridgeError as fault:
             self.get_logger().error(f"cv_bridge exception: {fault}")
             return
-        made = self.change(picture, info)
-        self._image.publish(self._bridge.cv2_to_imgmsg(made, image.encoding, header=image.header))
+        changed = self.change(picture, info)
+        self._image.publish(self._bridge.cv2_to_imgmsg(changed, image.encoding, header=image.header))
         self._info.publish(info)

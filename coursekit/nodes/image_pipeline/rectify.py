@@ -48,8 +48,8 @@ class RectifyNode(Node):
         columns, rows = cv2.initUndistortRectifyMap(
             np.asarray(model.K), np.asarray(model.D), np.asarray(model.R), np.asarray(model.P), size, cv2.CV_32FC1
         )
-        made = cv2.remap(raw, columns, rows, self._given["interpolation"])
-        return self._bridge.cv2_to_imgmsg(made, image.encoding, header=image.header)
+        rectified = cv2.remap(raw, columns, rows, self._given["interpolation"])
+        return self._bridge.cv2_to_imgmsg(rectified, image.encoding, header=image.header)
 
 
 def main(args: list[str] | None = None) -> int:

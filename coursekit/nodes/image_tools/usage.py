@@ -21,5 +21,5 @@ def told(name: str, what: str, parameters: Mapping[str, str], args: Sequence[str
     if not {"-h", "--help"} & set(words):
         return False
     print(f"Usage: {name} [-h] [--ros-args [-p param:=value] ...]\n{what}\n\nOptions:\n  -h, --help\tShow this and exit\n")
-    print("\n".join(["Parameters:", *(f"  {one:<12}{text}" for one, text in (QOS | dict(parameters)).items())]))
+    print("\n".join(["Parameters:", *(f"  {parameter:<12}{text}" for parameter, text in (QOS | dict(parameters)).items())]))
     return True

@@ -17,8 +17,8 @@ _CHUNK = 64 * _EVENT.size
 
 def devices() -> list[Path]:
     """Return the connected gamepads, in order."""
-    found = [path for path in INPUTS.glob("js*") if path.name[2:].isdigit()] if INPUTS.is_dir() else []
-    return sorted(found, key=lambda path: int(path.name[2:]))
+    paths = [path for path in INPUTS.glob("js*") if path.name[2:].isdigit()] if INPUTS.is_dir() else []
+    return sorted(paths, key=lambda path: int(path.name[2:]))
 
 
 class Device:

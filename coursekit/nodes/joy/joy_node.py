@@ -125,8 +125,8 @@ class JoyNode(GamepadNode):
     def wanted(self) -> Path | None:
         """Look for the name, or take the gamepad of that number."""
         name, number = self._given["device_name"], self._given["device_id"]
-        found = devices()
-        chosen = [path for path in found if name_of(path) == name][:1] if name else found[number : number + 1]
+        paths = devices()
+        chosen = [path for path in paths if name_of(path) == name][:1] if name else paths[number : number + 1]
         return chosen[0] if number >= 0 and chosen else None
 
     def opened(self, device: Device) -> None:

@@ -57,10 +57,10 @@ class FilterChain(Node):
     def _matrix(self, target: str, source: str, stamp: Any) -> Any:
         """Return the 4x4 matrix between two frames at a time, or the latest one if that time is not available yet."""
         try:
-            found = self._buffer.lookup_transform_core(target, source, Time.from_msg(stamp)).transform
+            transform = self._buffer.lookup_transform_core(target, source, Time.from_msg(stamp)).transform
         except TransformException:
-            found = self._buffer.lookup_transform_core(target, source, Time()).transform
-        t, q = found.translation, found.rotation
+            transform = self._buffer.lookup_transform_core(target, source, Time()).transform
+        t, q = transform.translation, transform.rotation
         return np.array(matrix((t.x, t.y, t.z, q.x, q.y, q.z, q.w)))
 
     def _hear(self, msg: LaserScan) -> None:

@@ -68,10 +68,10 @@ def speckle(scan: LaserScan, given: dict[str, Any], frames: Frames) -> None:
     """LaserScanSpeckleFilter"""
     ranges, how = _ranges(scan), (given["filter_window"], given["max_range_difference"], given["max_range"])
     if given["filter_type"] == 0:
-        made = filters.speckles_by_distance(ranges, *how)
+        filtered = filters.speckles_by_distance(ranges, *how)
     else:
-        made = filters.speckles_by_neighbours(ranges, *how, scan.angle_increment)
-    scan.ranges = floats(made)
+        filtered = filters.speckles_by_neighbours(ranges, *how, scan.angle_increment)
+    scan.ranges = floats(filtered)
 
 
 def shadows(scan: LaserScan, given: dict[str, Any], frames: Frames) -> None:

@@ -38,9 +38,9 @@ def cloud_message(particles: ParticleFilter, frame: str, stamp: Any) -> Particle
     msg.header.frame_id, msg.header.stamp = frame, stamp
     step = -(-len(particles.particles) // SHOWN)
     for row, weight in zip(particles.particles[::step].tolist(), particles.weights[::step].tolist(), strict=True):
-        one = Particle(weight=weight * step)
-        put(Pose2D(*row), one.pose.position, one.pose.orientation)
-        msg.particles.append(one)
+        particle = Particle(weight=weight * step)
+        put(Pose2D(*row), particle.pose.position, particle.pose.orientation)
+        msg.particles.append(particle)
     return msg
 
 

@@ -55,8 +55,8 @@ class CloudSource(Source):
 
 def points_of(msg: PointCloud2) -> Array:
     """Return a cloud's finite points, (n, 3) [m]."""
-    found = read_points(msg, field_names=["x", "y", "z"])
-    points = np.column_stack([np.asarray(found[axis], float).ravel() for axis in "xyz"])
+    table = read_points(msg, field_names=["x", "y", "z"])
+    points = np.column_stack([np.asarray(table[axis], float).ravel() for axis in "xyz"])
     finite: Array = points[np.isfinite(points).all(axis=1)]
     return finite
 

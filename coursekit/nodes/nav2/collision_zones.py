@@ -54,8 +54,8 @@ class RobotZone:
         return zone
 
     def _points(self) -> list[Any]:
-        found: list[Any] = list(self.node.get_parameter(f"{self.name}.points").value)
-        return found
+        points: list[Any] = list(self.node.get_parameter(f"{self.name}.points").value)
+        return points
 
     def _radius(self) -> float:
         radius: float = self.given["radius"]

@@ -86,10 +86,10 @@ def controller(
     if kind not in _MAKERS:
         return foreign.get(ForeignController, name, kind, [*_MAKERS, _SHIM])
     make, defaults = _MAKERS[kind]
-    made = make(declare(node, defaults, name))
-    made.turn_first, made.period = turn_first or made.turn_first, period
-    fit(made, costmap)
-    return made
+    own_controller = make(declare(node, defaults, name))
+    own_controller.turn_first, own_controller.period = turn_first or own_controller.turn_first, period
+    fit(own_controller, costmap)
+    return own_controller
 
 
 def fit(one: Controller, costmap: CostmapNode) -> None:
@@ -140,10 +140,10 @@ def _goal_checker(node: Node, name: str, foreign: ForeignPlugins) -> GoalChecker
     kind = declare(node, _GOAL_KIND, name)["plugin"]
     if kind not in _GOAL_KINDS:
         return foreign.get(ForeignGoalChecker, name, kind, _GOAL_KINDS)
-    one = declare(node, _GOAL, name)
+    given = declare(node, _GOAL, name)
     still = declare(node, _STOPPED, name) if kind == _GOAL_KINDS[1] else None
     speeds = (still["trans_stopped_velocity"], still["rot_stopped_velocity"]) if still else None
-    return GoalChecker(one["xy_goal_tolerance"], one["yaw_goal_tolerance"], one["stateful"], speeds)
+    return GoalChecker(given["xy_goal_tolerance"], given["yaw_goal_tolerance"], given["stateful"], speeds)
 
 
 def progress_checker(node: Node, name: str, foreign: ForeignPlugins) -> ProgressChecker | ForeignProgressChecker:

@@ -134,8 +134,8 @@ class ControllerServer(Server):
             "Received a goal, begin computing control effort." if fresh else "Passing new path to controller."
         )
         self._plan_out.publish(request.path)
-        one = self._controllers[request.controller_id or next(iter(self._controllers))]
-        drive = ForeignDrive(self, handle, one) if isinstance(one, ForeignController) else Drive(self, handle, one)
+        chosen = self._controllers[request.controller_id or next(iter(self._controllers))]
+        drive = ForeignDrive(self, handle, chosen) if isinstance(chosen, ForeignController) else Drive(self, handle, chosen)
         beat = Beat(self, self._period)
         try:
             while not drive.step():

@@ -63,9 +63,9 @@ class Filter:
         columns, rows = np.floor(places / self.mask.resolution).astype(int).T
         height, width = self.mask.cells.shape
         inside = (rows >= 0) & (rows < height) & (columns >= 0) & (columns < width)
-        found = np.full(len(points), -1, dtype=np.int16)
-        found[inside] = self.mask.cells[rows[inside], columns[inside]]
-        return found
+        values = np.full(len(points), -1, dtype=np.int16)
+        values[inside] = self.mask.cells[rows[inside], columns[inside]]
+        return values
 
     def apply(self, costs: Costmap, frame: str, robot: tuple[float, float]) -> None:
         """Apply the filter, with the robot at a position in the costmap."""
@@ -127,11 +127,11 @@ _KINDS = {"nav2_costmap_2d::KeepoutFilter": Keepout, "nav2_costmap_2d::SpeedFilt
 
 def filters(node: Any, names: list[str], where: Whereabouts) -> list[Filter]:
     """Return a costmap's filters. ValueError for unknown types."""
-    found = []
+    costmap_filters = []
     for name in names:
         kind = declare(node, {"plugin": ""}, name)["plugin"]
         if kind not in _KINDS:
             what = f"costmap filter {name} of type '{kind}'"
             raise ValueError(no_such_plugin(what, kind, "nav2_costmap_2d::Layer", _KINDS))
-        found.append(_KINDS[kind](node, name, where))
-    return found
+        costmap_filters.append(_KINDS[kind](node, name, where))
+    return costmap_filters

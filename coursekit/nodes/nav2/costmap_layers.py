@@ -58,19 +58,21 @@ class Layers:
 
     def _add_obstacles(self, name: str, layer: dict[str, Any], where: Whereabouts) -> None:
         given = sources(self.node, name, layer["observation_sources"])
-        made = layer_of(self.costmap, given)
-        self.obstacles.append((made, layer))
+        obstacle_layer = layer_of(self.costmap, given)
+        self.obstacles.append((obstacle_layer, layer))
         frame = self.given["global_frame"]
         kinds = {"LaserScan": ScanSource, "PointCloud2": CloudSource}
-        self._sources += [kinds[source["data_type"]](self.node, where, frame, made, source) for source in given]
+        self._sources += [kinds[source["data_type"]](self.node, where, frame, obstacle_layer, source) for source in given]
 
     def _add_ranges(self, name: str, layer: dict[str, Any], where: Whereabouts) -> None:
         if not layer["topics"]:
             raise ValueError(f"{name}.topics is empty: name those of the sensors, as topics: [/sonar]")
-        made = ObstacleLayer(self.costmap)
-        self.obstacles.append((made, {**layer, "footprint_clearing_enabled": True}))
+        obstacle_layer = ObstacleLayer(self.costmap)
+        self.obstacles.append((obstacle_layer, {**layer, "footprint_clearing_enabled": True}))
         frame = self.given["global_frame"]
-        self._sources += [RangeSource(self.node, where, frame, made, {**layer, "topic": topic}) for topic in layer["topics"]]
+        self._sources += [
+            RangeSource(self.node, where, frame, obstacle_layer, {**layer, "topic": topic}) for topic in layer["topics"]
+        ]
 
     def _add_foreign(self, name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
         self.foreign.append(foreign_layer(self.node, name, layer["plugin"], KINDS))
@@ -157,31 +159,31 @@ class Layers:
         """Return the costs at time `now` [s], for a robot at this pose."""
         if self.given["rolling_window"]:
             self._roll(x, y)
-        made = self.costmap.like(self.empty)
+        costmap = self.costmap.like(self.empty)
         if self._static is not None and self._static_given["enabled"]:
-            self._lay_static(made)
+            self._lay_static(costmap)
         outline = self.robot.at(x, y, yaw)
         for layer, given in self.obstacles:
             if not given["enabled"]:
                 continue
             if given["footprint_clearing_enabled"]:
                 layer.free(outline)
-            combine(made.cells, layer.map.cells)
+            combine(costmap.cells, layer.map.cells)
         if self._movers is not None:
-            self._movers.see(made, now)
+            self._movers.see(costmap, now)
         at = Pose2D(x, y, yaw)
         for foreign in self.foreign[: self._first_above]:
-            foreign.update(made, self.robot, at)
+            foreign.update(costmap, self.robot, at)
         for zones in self._filters:  # before the inflation, so that the whole robot stays out of the zones
-            zones.apply(made, self.given["global_frame"], (x, y))
+            zones.apply(costmap, self.given["global_frame"], (x, y))
         if self.inflation is not None:
-            self._spread.spread(made.cells, self.inflation["inflate_unknown"])
+            self._spread.spread(costmap.cells, self.inflation["inflate_unknown"])
         for foreign in self.foreign[self._first_above :]:
-            foreign.update(made, self.robot, at)
+            foreign.update(costmap, self.robot, at)
         if self._movers is not None:
-            self._movers.mark(made, self.robot.inscribed)
-        self.costmap = made
-        return made
+            self._movers.mark(costmap, self.robot.inscribed)
+        self.costmap = costmap
+        return costmap
 
     def _roll(self, x: float, y: float) -> None:
         rows, columns = self.costmap.cells.shape

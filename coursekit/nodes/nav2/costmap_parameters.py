@@ -76,17 +76,17 @@ def layers(node: Node, names: list[str]) -> list[tuple[str, str, dict[str, Any]]
 
     A foreign one is a C++ class, and has its `plugin` only; `KINDS` are the others' classes.
     """
-    found = []
+    rows = []
     for name in names:
         kind = declare(node, {"plugin": _USUAL.get(name, "")}, name)["plugin"]
         what, defaults = KINDS.get(kind, ("foreign", {"plugin": kind}))
-        found.append((name, what, declare(node, defaults, name)))
-    return found
+        rows.append((name, what, declare(node, defaults, name)))
+    return rows
 
 
 def sources(node: Node, layer: str, names: str) -> list[dict[str, Any]]:
     """Return the sensors of an obstacle layer."""
-    found = []
+    sensors = []
     for name in names.split():
         source = declare(node, SOURCE, f"{layer}.{name}")
         source["topic"], source["name"] = source["topic"] or name, f"{layer}.{name}"
@@ -95,12 +95,12 @@ def sources(node: Node, layer: str, names: str) -> list[dict[str, Any]]:
                 f"{layer}.{name}.data_type is '{source['data_type']}': Only topics that use point cloud2s or laser scans are"
                 " currently supported. Write LaserScan or PointCloud2"
             )
-        found.append(source)
-    return found
+        sensors.append(source)
+    return sensors
 
 
 def footprint(given: dict[str, Any]) -> Footprint:
     """Return the robot's footprint if given, otherwise a disc. ValueError if both are invalid."""
     text = given["footprint"].strip()
-    made = Footprint.parse(text) if text not in ("", "[]") else Footprint.disc(given["robot_radius"])
-    return made.padded(given["footprint_padding"])
+    outline = Footprint.parse(text) if text not in ("", "[]") else Footprint.disc(given["robot_radius"])
+    return outline.padded(given["footprint_padding"])

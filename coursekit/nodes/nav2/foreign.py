@@ -92,11 +92,11 @@ class ForeignPlugins:
         there = self._all.get(name)
         if isinstance(there, wanted):
             return there
-        made = wanted(*where_is(wanted, name, kind, known), name, self._node, self._costmap)
-        self._all[name] = made
+        plugin = wanted(*where_is(wanted, name, kind, known), name, self._node, self._costmap)
+        self._all[name] = plugin
         self._node.get_logger().info(wanted.created.format(name=name, kind=kind))
-        made.configure()
-        return made
+        plugin.configure()
+        return plugin
 
     def change(self, what: str) -> None:
         """Call activate, deactivate or cleanup of all."""

@@ -30,6 +30,6 @@ class ForeignLayer(Foreign):
 
 def foreign_layer(node: Any, name: str, kind: str, known: Any) -> ForeignLayer:
     """Return a layer of a costmap's node, not configured yet. Raises NoPlugin, CppFault."""
-    made = ForeignLayer(*where_is(ForeignLayer, name, kind, known), name, node, node)
+    layer = ForeignLayer(*where_is(ForeignLayer, name, kind, known), name, node, node)
     node.get_logger().info(ForeignLayer.created.format(name=name))
-    return made
+    return layer

@@ -17,13 +17,13 @@ def declare(node: Node, defaults: Mapping[str, Any], prefix: str = "") -> dict[s
 
     A value's type must match its default, otherwise ValueError is raised.
     """
-    found, asked = {}, getattr(node, "asked_for", {})
+    values, asked = {}, getattr(node, "asked_for", {})
     for name, default in defaults.items():
         full = f"{prefix}.{name}" if prefix else name
         if not node.has_parameter(full):
             node.declare_parameter(full, default, _ANY)
-        found[name] = _checked(f"{node.get_name()}: {full}", asked.get(full, node.get_parameter(full).value), default)
-    return found
+        values[name] = _checked(f"{node.get_name()}: {full}", asked.get(full, node.get_parameter(full).value), default)
+    return values
 
 
 class Obedience:

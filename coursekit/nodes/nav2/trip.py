@@ -45,8 +45,8 @@ class Crew:
         """The client of an action."""
         if (kind, name) not in self._clients:
             self._clients[kind, name] = ActionClient(self.node, kind, name)
-        made: ActionClient = self._clients[kind, name]
-        return made
+        client: ActionClient = self._clients[kind, name]
+        return client
 
     def service(self, kind: Any, name: str) -> Any:
         """The client of a service."""

@@ -142,5 +142,5 @@ def task_of(node: Any, name: str, foreign: ForeignPlugins) -> Task:
     if plugin not in KINDS:
         return foreign.get(ForeignTask, name, plugin, KINDS)
     kind = KINDS[plugin]
-    made: Task = kind(node, declare(node, kind.DEFAULTS, name))
-    return made
+    task: Task = kind(node, declare(node, kind.DEFAULTS, name))
+    return task

@@ -46,9 +46,9 @@ class Converter(Node):
         self._listener = TransformListener(self._buffer, self)
         self._out = self.create_publisher(kinds[1], topics[1], qos_profile_sensor_data)
         self._ear = LazyEar(self, self._out, kinds[0], topics[0], self._hear, self.given["queue_size"])
-        made, heard = names
+        published, heard = names
         start, end = f"starting {heard} subscriber", f"shutting down {heard} subscriber"
-        self._ear.words = (f"Got a subscriber to {made}, {start}", f"No subscribers to {made}, {end}")
+        self._ear.words = (f"Got a subscriber to {published}, {start}", f"No subscribers to {published}, {end}")
 
     def _hear(self, msg: Any) -> None:
         raise NotImplementedError
@@ -59,13 +59,13 @@ class Converter(Node):
             return cloud
         stamp, wait = Time.from_msg(cloud.header.stamp), Duration(seconds=self.given["transform_tolerance"])
         try:
-            found = self._buffer.lookup_transform(self._frame, cloud.header.frame_id, stamp, wait)
+            transform = self._buffer.lookup_transform(self._frame, cloud.header.frame_id, stamp, wait)
         except TransformException as fault:
             self.get_logger().error(f"Transform failure: {fault}", throttle_duration_sec=1.0)
             return None
-        made: PointCloud2 = do_transform_cloud(cloud, found)
-        made.header.frame_id = self._frame
-        return made
+        transformed: PointCloud2 = do_transform_cloud(cloud, transform)
+        transformed.header.frame_id = self._frame
+        return transformed
 
 
 class PointCloudToLaserScan(Converter):
@@ -86,8 +86,8 @@ class PointCloudToLaserScan(Converter):
             setattr(scan, name, getattr(fan, name))
         scan.scan_time, scan.range_max = given["scan_time"], min(fan.range_max, _LARGEST)
         nothing = math.inf if given["use_inf"] else min(fan.range_max + given["inf_epsilon"], _LARGEST)
-        found = read_points(cloud, field_names=["x", "y", "z"], skip_nans=True)
-        points = np.column_stack([np.asarray(found[axis], float).ravel() for axis in "xyz"])
+        table = read_points(cloud, field_names=["x", "y", "z"], skip_nans=True)
+        points = np.column_stack([np.asarray(table[axis], float).ravel() for axis in "xyz"])
         scan.ranges = floats(of_points(points, fan, nothing))
         self._out.publish(scan)
 

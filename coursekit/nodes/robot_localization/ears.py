@@ -80,12 +80,12 @@ class Ears:
     def _add(self, source: Source, make: Callable[[], Measurement | None]) -> None:
         """Queue a measurement; warn if a transform for it is missing."""
         try:
-            made = make()
+            measurement = make()
         except TransformException as fault:
             self._warn(f"{source.name}_transform", f"A message of {source.name} ({source.topic}) cannot be used: {fault}")
             return
-        if made is not None:
-            self._estimator.add(made)
+        if measurement is not None:
+            self._estimator.add(measurement)
 
     # -- kinds of messages
 

@@ -54,9 +54,9 @@ class FilterNode(Node):
         more = declare(self, {"alpha": 0.001, "kappa": 0.0, "beta": 2.0}) if kind is Ukf else {}
         noise, scaled = parameters.covariance(self, "process_noise_covariance"), given["dynamic_process_noise_covariance"]
         history = round(abs(given["history_length"]) * 1e9) if given["smooth_lagged_data"] else 0
-        made = kind(noise, control=self._control, scaled=scaled, **more)
+        kalman_filter = kind(noise, control=self._control, scaled=scaled, **more)
         timeout, up_to_now = round(given["sensor_timeout"] * 1e9), given["predict_to_current_time"]
-        self._estimator = Estimator(made, timeout, history, up_to_now=up_to_now)
+        self._estimator = Estimator(kalman_filter, timeout, history, up_to_now=up_to_now)
         self._reset()
 
     def _reset(self) -> None:

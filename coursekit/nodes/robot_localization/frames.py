@@ -22,7 +22,7 @@ class Frames:
         if target == source:
             return IDENTITY
         try:
-            found = self._buffer.lookup_transform_core(target, source, Time(nanoseconds=max(stamp_ns, 0)))
+            transform = self._buffer.lookup_transform_core(target, source, Time(nanoseconds=max(stamp_ns, 0)))
         except TransformException:
-            found = self._buffer.lookup_transform_core(target, source, Time())
-        return pose_of(found.transform.translation, found.transform.rotation)
+            transform = self._buffer.lookup_transform_core(target, source, Time())
+        return pose_of(transform.transform.translation, transform.transform.rotation)

@@ -56,11 +56,11 @@ def square(numbers: Any) -> Array:
 def turned(covariance: Array, rotation: Array) -> Array:
     """Rotate the covariance of one or two vectors."""
     full = np.kron(np.eye(len(covariance) // 3), rotation)
-    made: Array = full @ covariance @ full.T
-    return made
+    rotated: Array = full @ covariance @ full.T
+    return rotated
 
 
 def turned_mask(used: Mask, rotation: Array) -> Mask:
     """Rotate the mask of a vector: a rotated component is used if a used component contributes to it."""
-    made: Mask = np.linalg.norm(rotation * used, axis=1) >= 1e-6
-    return made
+    mask: Mask = np.linalg.norm(rotation * used, axis=1) >= 1e-6
+    return mask

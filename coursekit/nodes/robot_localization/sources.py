@@ -41,10 +41,10 @@ class Source:
 
     def part(self, measure: str) -> Mask:
         """Which of the 15 state variables are used from its pose, twist or acceleration."""
-        made = np.zeros(SIZE, bool)
+        mask = np.zeros(SIZE, bool)
         if measure in MEASURES[self.kind]:
-            made[PLACES[measure]] = self.used[PLACES[measure]]
-        return made
+            mask[PLACES[measure]] = self.used[PLACES[measure]]
+        return mask
 
 
 def sources(node: Node) -> list[Source]:
@@ -53,10 +53,10 @@ def sources(node: Node) -> list[Source]:
 
 
 def _of_kind(node: Node, kind: str) -> list[Source]:
-    found: list[Source] = []
-    while topic := _given(node, name := f"{kind}{len(found)}"):
-        found.append(_read(node, kind, name, str(topic)))
-    return found
+    numbered: list[Source] = []
+    while topic := _given(node, name := f"{kind}{len(numbered)}"):
+        numbered.append(_read(node, kind, name, str(topic)))
+    return numbered
 
 
 def _given(node: Node, name: str) -> Any:

@@ -136,7 +136,7 @@ def followers(parameters: Mapping[str, Any]) -> dict[str, Follower]:
     >>> followers({"head.parent": "neck", "head.factor": 2.0})
     {'head': Follower(parent='neck', factor=2.0, offset=0.0)}
     """
-    found: dict[str, dict[str, Any]] = {}
+    entries: dict[str, dict[str, Any]] = {}
     for name, value in parameters.items():
         joint, _, key = name.partition(".")
         if not key or "." in key:
@@ -145,7 +145,10 @@ def followers(parameters: Mapping[str, Any]) -> dict[str, Follower]:
             raise ValueError(
                 f"Invalid dependent_joint name '{key}' (allowed values are 'parent', 'factor', 'offset')"
             )
-        found.setdefault(joint, {})[key] = value
-    if any("parent" not in element for element in found.values()):
+        entries.setdefault(joint, {})[key] = value
+    if any("parent" not in element for element in entries.values()):
         raise ValueError("All dependent_joints must at least have a parent")
-    return {name: Follower(one["parent"], one.get("factor", 1.0), one.get("offset", 0.0)) for name, one in found.items()}
+    return {
+        name: Follower(entry["parent"], entry.get("factor", 1.0), entry.get("offset", 0.0))
+        for name, entry in entries.items()
+    }

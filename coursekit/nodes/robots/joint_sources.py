@@ -79,19 +79,19 @@ def _check_version(root: Element) -> None:
 
 def _needed(element: Element, tag: str, form: str) -> Element:
     """The element, or the first element below it, with that tag."""
-    found = next(_all_below(element, tag), None)
-    if found is None:
+    needed = next(_all_below(element, tag), None)
+    if needed is None:
         raise element.error(f'{form} must have a "{tag}" tag', f"There is no <{tag}> in it.")
-    return found
+    return needed
 
 
 def _all_below(element: Element, tag: str) -> Iterator[Element]:
     waiting = [element]
     while waiting:
-        one = waiting.pop(0)
-        if one.tag == tag:
-            yield one
-        waiting = [*one.children, *waiting]
+        current = waiting.pop(0)
+        if current.tag == tag:
+            yield current
+        waiting = [*current.children, *waiting]
 
 
 def _below(element: Element, tag: str) -> _Text | None:
@@ -99,7 +99,7 @@ def _below(element: Element, tag: str) -> _Text | None:
     limits = next(_all_below(element, tag), None)
     if limits is None:
         return None
-    return lambda name: None if (found := limits.first(name)) is None else found.text
+    return lambda name: None if (limit := limits.first(name)) is None else limit.text
 
 
 def _limit(joint: Element, kind: str, tags: tuple[str, str], said: _Text | None) -> Limit:

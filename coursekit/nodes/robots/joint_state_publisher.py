@@ -117,10 +117,10 @@ class JointStatePublisher(Node):
             self._publisher.publish(msg)
 
     def _fill(self, msg: JointState, number: int, name: str) -> None:
-        found = self.model.resolve(name)
-        if found is None:
+        resolved = self.model.resolve(name)
+        if resolved is None:
             return
-        joint, factor, offset = found
+        joint, factor, offset = resolved
         if joint.position is not None:
             msg.position[number] = joint.position * factor + offset
         if joint.velocity is not None:

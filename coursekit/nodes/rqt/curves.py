@@ -21,12 +21,12 @@ def paths(words: Sequence[str]) -> list[str]:
     >>> paths(["/odom.twist.twist.linear.x:y"])
     ['/odom.twist.twist.linear.x', '/odom.twist.twist.linear.y']
     """
-    found = []
+    curves = []
     for word in (word for word in words if word.strip(";")):
         first, *others = word.strip(";").split(":")
         before = first[: max(first.rfind("/"), first.rfind(".")) + 1]
-        found += [first, *(f"{before}{other}" for other in others)]
-    return [path if path.startswith("/") else f"/{path}" for path in found]
+        curves += [first, *(f"{before}{other}" for other in others)]
+    return [path if path.startswith("/") else f"/{path}" for path in curves]
 
 
 def topic_of(path: str, topics: Iterable[str]) -> str:

@@ -105,7 +105,7 @@ def make_config(
     views: Mapping[str, Any] | None = None,
 ) -> Config:
     """A view from its parts; raises ValueError."""
-    saved = {str(name): one for name, given in (views or {}).items() if (one := make_view(given))}
+    saved = {str(name): complete for name, given in (views or {}).items() if (complete := make_view(given))}
     return Config(str(fixed_frame or ""), [display_config(display) for display in displays], make_view(view), views=saved)
 
 
@@ -115,19 +115,19 @@ def make_view(given: Any) -> dict[str, Any] | None:
         return None
     if not isinstance(given, Mapping) or any(key not in VIEWS for key in given):
         raise ValueError(f"view: {given!r} cannot be read; it may have {', '.join(VIEWS)}.")
-    made: dict[str, Any] = {**VIEW, **given}
-    made["target"] = [float(number) for number in made["target"]]
-    if len(made["target"]) != 3 or not all(map(math.isfinite, made["target"])):
+    view: dict[str, Any] = {**VIEW, **given}
+    view["target"] = [float(number) for number in view["target"]]
+    if len(view["target"]) != 3 or not all(map(math.isfinite, view["target"])):
         raise ValueError(f"view: target {given['target']!r} is no point; write three numbers [m].")
-    if made.get("type", "Orbit") not in VIEW_TYPES:
-        raise ValueError(f"view: there is no type {made['type']!r}; there are {', '.join(VIEW_TYPES)}.")
-    frame, kind = str(made.get("target_frame") or ""), made.get("type", "Orbit")
+    if view.get("type", "Orbit") not in VIEW_TYPES:
+        raise ValueError(f"view: there is no type {view['type']!r}; there are {', '.join(VIEW_TYPES)}.")
+    frame, kind = str(view.get("target_frame") or ""), view.get("type", "Orbit")
     if kind == FLAT:
-        made["pitch"] = math.pi / 2
-    numbers = {key: float(made[key]) for key in ("distance", "yaw", "pitch")}
+        view["pitch"] = math.pi / 2
+    numbers = {key: float(view[key]) for key in ("distance", "yaw", "pitch")}
     if not all(map(math.isfinite, numbers.values())):
         raise ValueError(f"view: {given!r} has a number that is none.")
-    return {**numbers, "target": made["target"], **going_with(frame, kind)}
+    return {**numbers, "target": view["target"], **going_with(frame, kind)}
 
 
 def going_with(frame: str, kind: str) -> dict[str, Any]:

@@ -54,14 +54,14 @@ def save(config: Config, path: str | Path) -> None:
 
 def _small(display: DisplayConfig) -> dict[str, Any]:
     kind = KINDS[display.kind]
-    made: dict[str, Any] = {"type": display.kind}
+    entry: dict[str, Any] = {"type": display.kind}
     if kind.type:
-        made["topic"] = display.topic
+        entry["topic"] = display.topic
     if display.name != display.kind:
-        made["name"] = display.name
+        entry["name"] = display.name
     if not display.enabled:
-        made["enabled"] = False
-    return made | {key: value for key, value in display.options.items() if value != {**QOS, **kind.options}.get(key)}
+        entry["enabled"] = False
+    return entry | {key: value for key, value in display.options.items() if value != {**QOS, **kind.options}.get(key)}
 
 
 __all__ = ["read", "save"]

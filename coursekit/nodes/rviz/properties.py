@@ -106,9 +106,9 @@ def _property(key: str, like: Any) -> Property:
 
 def changed(display: DisplayConfig, given: Mapping[str, Any]) -> dict[str, Any]:
     """All options of a display with some of them changed; numbers stay within their bounds. Raises ValueError."""
-    found = display_config({"type": display.kind, **given}).options
+    options = display_config({"type": display.kind, **given}).options
     bounds = {row.key: row for row in properties(display.kind)}
-    return {**display.options, **{key: _within(found[key], bounds[key]) for key in given}}
+    return {**display.options, **{key: _within(options[key], bounds[key]) for key in given}}
 
 
 def _within(value: Any, bounds: Property) -> Any:

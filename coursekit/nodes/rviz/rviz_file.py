@@ -19,11 +19,11 @@ def from_rviz(data: Mapping[str, Any]) -> Config:
     manager = data.get("Visualization Manager") or {}
     config = Config(str((manager.get("Global Options") or {}).get("Fixed Frame", "") or ""))
     for entry in _flat(manager.get("Displays") or []):
-        made = _display(entry)
-        if made is None:
+        display = _display(entry)
+        if display is None:
             config.skipped.append(f"{entry.get('Name', '?')} ({entry.get('Class', '?')})")
         else:
-            config.displays.append(made)
+            config.displays.append(display)
     views = manager.get("Views") or {}
     config.view = _view(views.get("Current") or {})
     for entry in (views.get("Saved") or [])[:MOST_DISPLAYS]:
@@ -64,10 +64,10 @@ def _display(entry: Mapping[str, Any]) -> DisplayConfig | None:
         topic = topic.get("Value")
     for key, value in _options(entry):
         _take(given, kind, str(key).lower().replace(" ", "_"), value)
-    made = display_config(given)
+    display = display_config(given)
     if topic:
-        made.topic = str(topic)
-    return made
+        display.topic = str(topic)
+    return display
 
 
 def _options(entry: Mapping[str, Any]) -> Iterator[tuple[Any, Any]]:

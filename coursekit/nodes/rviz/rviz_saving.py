@@ -42,7 +42,7 @@ _TOOLS = ("Interact", "MoveCamera", "Select", "FocusCamera", "Measure", "SetInit
 
 def _display(one: DisplayConfig) -> dict[str, Any]:
     kind = KINDS[one.kind]
-    made: dict[str, Any] = {
+    entry: dict[str, Any] = {
         "Class": f"{_PLUGINS.get(one.kind, 'rviz_default_plugins')}/{one.kind}",
         "Name": one.name,
         "Enabled": one.enabled,
@@ -50,17 +50,17 @@ def _display(one: DisplayConfig) -> dict[str, Any]:
     }
     if kind.type:
         where = "Description Topic" if one.kind == "RobotModel" else "Topic"
-        made |= {where: _topic(one)} | ({"Description Source": "Topic"} if one.kind == "RobotModel" else {})
+        entry |= {where: _topic(one)} | ({"Description Source": "Topic"} if one.kind == "RobotModel" else {})
     options = {key: value for key, value in one.options.items() if key not in QOS}
     if one.kind == "Odometry":
-        made["Shape"] = {"Value": options.pop("shape")} | {rviz_name(key): _value(options.pop(key)) for key in _SHAPED}
+        entry["Shape"] = {"Value": options.pop("shape")} | {rviz_name(key): _value(options.pop(key)) for key in _SHAPED}
     if "covariance" in options:
-        made["Covariance"] = {"Value": options.pop("covariance")}
+        entry["Covariance"] = {"Value": options.pop("covariance")}
     if "reference_frame" in options:
         options["reference_frame"] = options["reference_frame"] or FIXED
     if not options.get("color_transformer", "set"):
         del options["color_transformer"]  # RViz chooses by the cloud's fields
-    return made | {rviz_name(key): _value(value) for key, value in options.items()}
+    return entry | {rviz_name(key): _value(value) for key, value in options.items()}
 
 
 def _topic(one: DisplayConfig) -> dict[str, Any]:

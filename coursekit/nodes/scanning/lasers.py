@@ -32,10 +32,10 @@ class Lasers:
             self._complain(f"{expected}; they are taken from angle_min on")
         key = (scan.header.frame_id, scan.angle_min, scan.angle_increment, scan.range_min, scan.range_max)
         if key not in self._known:
-            made = self._make(scan)
-            if made is None:
+            laser = self._make(scan)
+            if laser is None:
                 return None
-            self._known[key] = made
+            self._known[key] = laser
         return self._known[key]
 
     def _make(self, scan: LaserScan) -> Laser | None:

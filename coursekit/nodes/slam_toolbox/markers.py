@@ -76,7 +76,7 @@ def _list(space: str, kind: int, size: float, color: tuple[float, float, float],
 
 def _array(markers: Iterable[Marker], frame: str, stamp: Any) -> MarkerArray:
     """The markers with their frame and time."""
-    made = list(markers)
-    for marker in made:
+    all_markers = list(markers)
+    for marker in all_markers:
         marker.header.frame_id, marker.header.stamp = frame, stamp
-    return MarkerArray(markers=made)
+    return MarkerArray(markers=all_markers)

@@ -134,9 +134,9 @@ class Services:
             if not engine.slam.keyframes:
                 return "there is no map yet to localise in"
             self._mapping = engine
-            made = localizing(engine.slam, None)
-            made.look_near(engine.pose)
-            self._node.use(made)
+            localizer = localizing(engine.slam, None)
+            localizer.look_near(engine.pose)
+            self._node.use(localizer)
         elif not on and not isinstance(engine, Mapping):
             slam = getattr(self, "_mapping", Mapping(Slam(self._node.slam_params))).slam
             if slam.keyframes:

@@ -35,9 +35,9 @@ class TopicMonitor(Node):
 
     def _look(self) -> None:
         for topic, kinds in self.get_topic_names_and_types():
-            found = _TOPIC.fullmatch(topic)
-            if found and topic not in self._known and "std_msgs/msg/Header" in kinds:
-                self._watch(topic, found["reliability"] == "best_effort")
+            match = _TOPIC.fullmatch(topic)
+            if match and topic not in self._known and "std_msgs/msg/Header" in kinds:
+                self._watch(topic, match["reliability"] == "best_effort")
 
     def _watch(self, topic: str, best_effort: bool) -> None:
         self.get_logger().info(f"Subscribing to topic: {topic}")
@@ -53,9 +53,9 @@ class TopicMonitor(Node):
         self.create_subscription(Header, topic, lambda msg: self._hear(topic, known, msg), qos)
 
     def _hear(self, topic: str, known: TopicStatistics, msg: Header) -> None:
-        if found := _NUMBER.match(msg.frame_id):
-            self.get_logger().info(f"{topic}: {found[0]}")
-            known.heard(int(found[0]), self._now())
+        if match := _NUMBER.match(msg.frame_id):
+            self.get_logger().info(f"{topic}: {match[0]}")
+            known.heard(int(match[0]), self._now())
 
     def _now(self) -> float:
         return self.get_clock().now().nanoseconds * 1e-9

@@ -48,8 +48,8 @@ class Computed(Node):
         return qos_profile_from_short_keys(args.qos_profile or "sensor_data", **own)
 
     def _fitting(self, topic: str) -> QoSProfile:
-        found = source_of(self, topic)
-        return found[1] if found else QoSPresetProfiles.get_from_short_key("sensor_data")
+        source = source_of(self, topic)
+        return source[1] if source else QoSPresetProfiles.get_from_short_key("sensor_data")
 
 
 class Transform(Computed):
@@ -85,10 +85,10 @@ class RelayField(Computed):
             values = _evaluated(self._values, m)
         except AttributeError as fault:
             raise RuntimeError(f"Invalid field: {fault}") from fault
-        made, now = self.kind(), self.get_clock().now().to_msg()
-        for stamp in set_message_fields(made, values, expand_header_auto=True, expand_time_now=True):
+        message, now = self.kind(), self.get_clock().now().to_msg()
+        for stamp in set_message_fields(message, values, expand_header_auto=True, expand_time_now=True):
             stamp(now)
-        return made
+        return message
 
 
 def _imported(names: list[str]) -> dict[str, Any]:

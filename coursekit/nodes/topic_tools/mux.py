@@ -54,9 +54,9 @@ class Mux(Node):
         """Subscribe to the selected topic once it has a publisher."""
         if self._ear is not None or self.selected == NONE:
             return
-        found = source_of(self, self.selected)
-        if found is not None:
-            kind, qos = found
+        source = source_of(self, self.selected)
+        if source is not None:
+            kind, qos = source
             if self._mouth is None:
                 self._mouth = self.create_publisher(kind, self.output_topic, 10)
             self._ear = self.create_subscription(kind, self.selected, self._mouth.publish, qos, raw=True)

@@ -60,9 +60,9 @@ class Tool(Node):
             self._ear = self.create_subscription(self._kind, self.input_topic, self.take, self._qos, raw=True)
 
     def _open(self) -> None:
-        found = source_of(self, self.input_topic)
-        if found is not None:
-            self._kind, self._qos = found
+        source = source_of(self, self.input_topic)
+        if source is not None:
+            self._kind, self._qos = source
             self._mouth = self.create_publisher(self._kind, self.output_topic, self._qos)
             self._look()
 

@@ -43,11 +43,11 @@ class FrameListener(Node):
 
     def _follow(self) -> None:
         try:
-            found = self._buffer.lookup_transform(FOLLOWER, self.target, Time())
+            transform = self._buffer.lookup_transform(FOLLOWER, self.target, Time())
         except TransformException as error:
             self.get_logger().info(f"Could not transform {FOLLOWER} to {self.target}: {error}")
             return
-        place, twist = found.transform.translation, Twist()
+        place, twist = transform.transform.translation, Twist()
         twist.angular.z = math.atan2(place.y, place.x)
         twist.linear.x = 0.5 * math.hypot(place.x, place.y)
         self._publisher.publish(twist)

@@ -66,15 +66,15 @@ class Turbo:
 
     def scaled(self, asked: Twist) -> Twist:
         """The velocity for a gamepad's deflections of -1 to 1; zero where they are none."""
-        made, reason = Twist(), _fault(asked)
+        velocity, reason = Twist(), _fault(asked)
         if reason:
             self._node.get_logger().error(reason)
-            return made
+            return velocity
         along = self._forward if asked.linear.x >= 0 else self._backward
-        made.linear.x = asked.linear.x * along.at(self._step)
-        made.linear.y = asked.linear.y * self._lateral.at(self._step)
-        made.angular.z = asked.angular.z * self._angular.at(self._angular_step)
-        return made
+        velocity.linear.x = asked.linear.x * along.at(self._step)
+        velocity.linear.y = asked.linear.y * self._lateral.at(self._step)
+        velocity.angular.z = asked.angular.z * self._angular.at(self._angular_step)
+        return velocity
 
     def change(self, by: int) -> None:
         """Go up or down a step, driving and turning."""

@@ -63,10 +63,10 @@ def package_folder(workspace: Path, package: str) -> Path | None:
 
 
 def _name(manifest: Path) -> str:
-    found = None
+    match = None
     with contextlib.suppress(OSError):
-        found = re.search(r"<name>\s*([^<\s]+)\s*</name>", read_text(manifest, errors="replace"))
-    return found[1] if found else manifest.parent.name
+        match = re.search(r"<name>\s*([^<\s]+)\s*</name>", read_text(manifest, errors="replace"))
+    return match[1] if match else manifest.parent.name
 
 
 def _sources(folder: Path) -> Iterator[Path]:
@@ -77,12 +77,12 @@ def _sources(folder: Path) -> Iterator[Path]:
 
 def _linked(folders: list[Path]) -> set[Path]:
     """Return the sources that links in these folders point to."""
-    found = set()
+    sources = set()
     for folder in folders:
         for place, inner, files in os.walk(folder):
             links = (Path(place) / file for file in (*inner, *files))
-            found |= {link.resolve() for link in links if link.is_symlink()}
-    return found
+            sources |= {link.resolve() for link in links if link.is_symlink()}
+    return sources
 
 
 def _is_below(path: Path, linked: set[Path]) -> bool:

@@ -222,14 +222,14 @@ class _Runner:
         if "RELATIVE" in patterns:
             at = patterns.index("RELATIVE")
             base, patterns = Path(patterns[at + 1]), patterns[:at] + patterns[at + 2 :]
-        found = {p for text in patterns if text != "CONFIGURE_DEPENDS" for p in self._glob(text, words[0])}
-        paths = [os.path.relpath(path, base) if base else str(path) for path in sorted(found)]
+        files = {p for text in patterns if text != "CONFIGURE_DEPENDS" for p in self._glob(text, words[0])}
+        paths = [os.path.relpath(path, base) if base else str(path) for path in sorted(files)]
         self.variables.values[words[1]] = ";".join(paths)
 
     def _glob(self, text: str, mode: str) -> list[Path]:
         pattern = os.path.relpath(self.folder / text, self.folder)
-        found = self.folder.rglob(pattern) if mode == "GLOB_RECURSE" else self.folder.glob(pattern)
-        return list(found)
+        paths = self.folder.rglob(pattern) if mode == "GLOB_RECURSE" else self.folder.glob(pattern)
+        return list(paths)
 
     def add_subdirectory(self, command: Command, words: list[str]) -> None:
         folder = self.folder / words[0] if words else self.folder

@@ -36,8 +36,8 @@ def commands(reading: Reading, results: Path, depends: Collection[str] = ()) -> 
     `depends` are the test dependencies of the package, including linters.
     """
     folder = results / reading.project
-    found = [_RUNNABLE[call.command.name](call, folder) for call in reading.tests if call.command.name in _RUNNABLE]
-    return found + [lint for call in reading.tests if call.command.name in _LINTS for lint in _lints(call, folder, depends)]
+    tests = [_RUNNABLE[call.command.name](call, folder) for call in reading.tests if call.command.name in _RUNNABLE]
+    return tests + [lint for call in reading.tests if call.command.name in _LINTS for lint in _lints(call, folder, depends)]
 
 
 def left_out(reading: Reading) -> list[str]:
@@ -108,10 +108,10 @@ def _arguments(words: Sequence[str]) -> list[str]:
 
 
 def _file(call: Call, path: str) -> Path:
-    found = call.folder / path
-    if not found.exists():
-        raise CMakeError(f"{call.command.name}: there is no {found}", call.command.file, call.command.line)
-    return found
+    file = call.folder / path
+    if not file.exists():
+        raise CMakeError(f"{call.command.name}: there is no {file}", call.command.file, call.command.line)
+    return file
 
 
 _RUNNABLE = {

@@ -23,12 +23,12 @@ class Distribution(EnvironmentExtensionPoint):  # type: ignore[misc]
 
     def create_environment_hooks(self, prefix_path: Path, pkg_name: str) -> list[Path]:
         """Return the files created: one for each variable and each kind of shell that supports it."""
-        made = []
+        hooks = []
         for shell in _shells():
             with contextlib.suppress(NotImplementedError):  # PowerShell's extension, which uses the dsv files
                 for name in TOLD:
-                    made.append(shell.create_hook_set_value(name.lower(), prefix_path, pkg_name, name, DISTRIBUTION[name]))
-        return made
+                    hooks.append(shell.create_hook_set_value(name.lower(), prefix_path, pkg_name, name, DISTRIBUTION[name]))
+        return hooks
 
 
 def _shells() -> list[ShellExtensionPoint]:

@@ -137,8 +137,8 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
                 self._copy(path, target)
         if files:
             self._create(f"{_INDEX}/rosidl_interfaces/{package}", "".join(f"{p.suffix[1:]}/{p.name}\n" for p in files))
-            made = {**interface_rules.python_files(package, files), **package_stubs(package, files)}
-            for name, text in made.items():
+            text_by_name = {**interface_rules.python_files(package, files), **package_stubs(package, files)}
+            for name, text in text_by_name.items():
                 self._create(f"{site}/{name}", text)
             for name, text in interface_rules.cpp_files(package, files).items():
                 self._create(f"include/{package}/{name}", text)

@@ -128,8 +128,8 @@ def hints(text: str) -> list[str]:
     >>> hints("all went well")
     []
     """
-    found = sorted(_found(text), key=lambda one: one[0])
-    said = dict.fromkeys(f"{_place(text, at)}{sentence}" for at, sentence in found)
+    mistakes = sorted(_found(text), key=lambda one: one[0])
+    said = dict.fromkeys(f"{_place(text, at)}{sentence}" for at, sentence in mistakes)
     return list(said)[:3]
 
 

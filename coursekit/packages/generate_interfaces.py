@@ -48,8 +48,8 @@ def generate(package: str, folder: Path, files: list[Path]) -> None:
     """Write the headers, the Python package and the index entry for a package's definition files."""
     for name, text in interface_rules.cpp_files(package, files).items():
         _write(folder / "include" / name, text)
-    made = {**interface_rules.python_files(package, files), **package_stubs(package, files)}
-    for name, text in made.items():
+    text_by_name = {**interface_rules.python_files(package, files), **package_stubs(package, files)}
+    for name, text in text_by_name.items():
         _write(folder / "python" / name, text)
     (folder / "share").mkdir(parents=True, exist_ok=True)
     for path in filter(is_translated, files):

@@ -129,18 +129,18 @@ def _not_found(reading: Reading, prefixes: Iterable[Path]) -> list[Exception]:
     """Return dependencies that no find_package() has found, directly or through another package."""
     if any(call.command.name == "ament_auto_find_build_dependencies" for call in reading.calls):
         return []  # it finds all dependencies in package.xml
-    found, places = set(reading.found), [*prefixes, UNDERLAY]
-    waiting = list(found)
+    known, places = set(reading.found), [*prefixes, UNDERLAY]
+    waiting = list(known)
     while waiting:
         name = waiting.pop()
-        more = {other for place in places for other in exported_by(name, place / "share")} - found
-        found |= more
+        more = {other for place in places for other in exported_by(name, place / "share")} - known
+        known |= more
         waiting += more
     return [
         _problem(call, f"the passed dependency '{name}' has not been found before using find_package()")
         for call in _calls(reading)
         for name in _dependencies(call)
-        if name not in found
+        if name not in known
     ]
 
 
@@ -174,23 +174,23 @@ def _unknown(base: str, message: Message, own: set[str], named: set[str], prefix
 def python_files(package: str, files: Iterable[Path]) -> dict[str, str]:
     """Return the files of the Python package with their text, by path relative to site-packages."""
     kinds = {path.suffix[1:] for path in files}
-    made = {f"{package}/__init__.py": _docstring(f"Interfaces of {package}.") + "\n", f"{package}/py.typed": ""}
+    text_by_name = {f"{package}/__init__.py": _docstring(f"Interfaces of {package}.") + "\n", f"{package}/py.typed": ""}
     for kind, what in (("msg", "Messages"), ("srv", "Services"), ("action", "Actions")):
         if kind in kinds:
             said = _docstring(f"{what} of {package}, made from their definition files when first used.")
-            made[f"{package}/{kind}/__init__.py"] = _FACE.format(said=said)
-    return made
+            text_by_name[f"{package}/{kind}/__init__.py"] = _FACE.format(said=said)
+    return text_by_name
 
 
 def cpp_files(package: str, files: Iterable[Path]) -> dict[str, str]:
     """Return the C++ and C headers of the definition files with their text, by path relative to the include folder."""
-    made: dict[str, str] = {}
+    text_by_name: dict[str, str] = {}
     for path in files:
         kind = path.suffix[1:]
         interface = parse_file(package, path)
-        made[f"{package}/{kind}/{header_name(path.stem)}.hpp"] = header(interface, kind)
-        made |= {**inner_headers(package, kind, path.stem), **c_headers(interface, kind)}
-    return made
+        text_by_name[f"{package}/{kind}/{header_name(path.stem)}.hpp"] = header(interface, kind)
+        text_by_name |= {**inner_headers(package, kind, path.stem), **c_headers(interface, kind)}
+    return text_by_name
 
 
 def _docstring(text: str) -> str:

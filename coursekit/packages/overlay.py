@@ -22,20 +22,20 @@ def overlay_environment(install: Path, env: Mapping[str, str]) -> dict[str, str]
 
 
 def _packages_in_order(install: Path) -> list[tuple[str, Path]]:
-    found: dict[str, tuple[Path, list[str]]] = {}
+    packages: dict[str, tuple[Path, list[str]]] = {}
     for prefix in [install, *sorted(entry for entry in install.iterdir() if entry.is_dir())]:
         folder = prefix / "share" / "colcon-core" / "packages"
         for entry in sorted(folder.iterdir()) if folder.is_dir() else ():
-            found[entry.name] = (prefix, [folder for folder in read_text(entry).split(os.pathsep) if folder])
+            packages[entry.name] = (prefix, [folder for folder in read_text(entry).split(os.pathsep) if folder])
     ordered: dict[str, Path] = {}
 
     def visit(name: str, path: tuple[str, ...] = ()) -> None:
-        if name in found and name not in ordered and name not in path:
-            for needed in found[name][1]:
+        if name in packages and name not in ordered and name not in path:
+            for needed in packages[name][1]:
                 visit(needed, (*path, name))
-            ordered[name] = found[name][0]
+            ordered[name] = packages[name][0]
 
-    for name in found:
+    for name in packages:
         visit(name)
     return list(ordered.items())
 

@@ -68,7 +68,7 @@ class ChildProcess(BaseProcess):
                 if terminal:
                     os.close(terminal[1])
         self._count_child(1)
-        pipes = [one[0] if one else pipe for one, pipe in zip(terminals, _outputs(self._child), strict=True)]
+        pipes = [terminal[0] if terminal else pipe for terminal, pipe in zip(terminals, _outputs(self._child), strict=True)]
         readers = [
             threading.Thread(target=self._read, args=(stream, pipe), daemon=True)
             for stream, pipe in zip(("stdout", "stderr"), pipes, strict=True)

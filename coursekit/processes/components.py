@@ -24,12 +24,12 @@ class ComponentNotFound(LookupError):
 
 def registered() -> dict[str, dict[str, Path]]:
     """Return the executables of components registered in the ament index, by package and class."""
-    found: dict[str, dict[str, Path]] = {}
+    executables: dict[str, dict[str, Path]] = {}
     for prefix in prefixes():
         folder = prefix / "share" / "ament_index" / "resource_index" / "rclcpp_components"
         for entry in sorted(folder.iterdir()) if folder.is_dir() else ():
-            found.setdefault(entry.name, _listed(prefix, entry))
-    return dict(sorted(found.items()))
+            executables.setdefault(entry.name, _listed(prefix, entry))
+    return dict(sorted(executables.items()))
 
 
 def _listed(prefix: Path, entry: Path) -> dict[str, Path]:

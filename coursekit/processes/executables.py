@@ -78,12 +78,12 @@ def _index(prefix: Path) -> Path:
 
 def packages() -> dict[str, Path]:
     """Return every package with its prefix; the first prefix with a package wins."""
-    found: dict[str, Path] = {}
+    prefix_by_package: dict[str, Path] = {}
     for prefix in prefixes():
         folder = _index(prefix)
         for entry in sorted(folder.iterdir()) if folder.is_dir() else ():
-            found.setdefault(entry.name, prefix)
-    return dict(sorted(found.items()))
+            prefix_by_package.setdefault(entry.name, prefix)
+    return dict(sorted(prefix_by_package.items()))
 
 
 def prefix_of(package: str) -> Path:
@@ -101,9 +101,9 @@ def executables_of(package: str) -> list[Path]:
     For skipped C++ executables, coursekit's own programs of that package are included.
     """
     prefix = prefix_of(package)
-    found = {path.name: path for path in stand_ins(package)} if skipped_of(package, prefix) else {}
-    found |= {path.name: path for path in _programs(package, prefix)}
-    return [found[name] for name in sorted(found)]
+    path_by_name = {path.name: path for path in stand_ins(package)} if skipped_of(package, prefix) else {}
+    path_by_name |= {path.name: path for path in _programs(package, prefix)}
+    return [path_by_name[name] for name in sorted(path_by_name)]
 
 
 def stand_ins(package: str) -> list[Path]:

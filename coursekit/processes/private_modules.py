@@ -106,8 +106,8 @@ def top_level_names(folder: Path) -> list[str]:
 
 def _is_elsewhere(name: str, beside: Sequence[str]) -> bool:
     """Whether Python would import another module of this name from the folders `beside` the one that contains it."""
-    found = importlib.machinery.PathFinder.find_spec(name, beside)
-    return name in sys.builtin_module_names or (found is not None and found.origin is not None)
+    spec = importlib.machinery.PathFinder.find_spec(name, beside)
+    return name in sys.builtin_module_names or (spec is not None and spec.origin is not None)
 
 
 def use_private_modules(process: Process, folders: Sequence[str]) -> None:
@@ -167,13 +167,13 @@ def import_module(name: str, package: str | None = None) -> ModuleType:
 
 def own_path(_nothing: object = None) -> Callable[[], None]:
     """Store sys.path; return the function that restores it, without folders of processes but with others' additions."""
-    found, before = sys.path, list(sys.path)
+    path, before = sys.path, list(sys.path)
 
     def undo() -> None:
         with _path_lock:
             others = [folder for folder in sys.path if folder not in _added and folder not in before]
-            found[:] = [*others, *(folder for folder in before if folder in sys.path)]
-            sys.path = found
+            path[:] = [*others, *(folder for folder in before if folder in sys.path)]
+            sys.path = path
             _added.clear()
 
     return undo

@@ -106,8 +106,8 @@ def _lone_tilde(text: str) -> Reason | None:
 
 
 def _number_token(text: str) -> Reason | None:
-    found = _NUMBER_TOKEN.search(text)
-    return ("topic name token must not start with a number", found.start()) if found else None
+    match = _NUMBER_TOKEN.search(text)
+    return ("topic name token must not start with a number", match.start()) if match else None
 
 
 def validate_full_topic_name(text: str) -> Reason | None:
@@ -151,13 +151,13 @@ def validate_namespace(text: str, kind: str = "namespace") -> Reason | None:
 
 
 def _bad_path(kind: str, text: str) -> Reason | None:
-    if found := _NOT_PATH.search(text):
+    if match := _NOT_PATH.search(text):
         reason = f"{kind} must not contain characters other than alphanumerics, '_', or '/'"
-        return reason, found.start()
+        return reason, match.start()
     if (index := text.find("//")) >= 0:
         return f"{kind} must not contain repeated '/'", index + 1
-    if found := _NUMBER_TOKEN.search(text):
-        return f"{kind} must not have a token that starts with a number", found.start()
+    if match := _NUMBER_TOKEN.search(text):
+        return f"{kind} must not have a token that starts with a number", match.start()
     return None
 
 
@@ -169,9 +169,9 @@ def validate_node_name(text: str) -> Reason | None:
     """
     if not text:
         return "node name must not be empty", 0
-    if found := _NOT_WORD.search(text):
+    if match := _NOT_WORD.search(text):
         reason = "node name must not contain characters other than alphanumerics or '_'"
-        return reason, found.start()
+        return reason, match.start()
     if text[0].isdigit():
         return "node name must not start with a number", 0
     if len(text) > MAX_NODE_NAME_LENGTH:

@@ -65,8 +65,8 @@ def _integer(text: str) -> int | None:
 
 
 def _number(text: str) -> float | None:
-    if found := _INFINITE.fullmatch(text):
-        return -math.inf if found[1] == "-" else math.inf
+    if match := _INFINITE.fullmatch(text):
+        return -math.inf if match[1] == "-" else math.inf
     if _NAN.fullmatch(text):
         return math.nan
     try:

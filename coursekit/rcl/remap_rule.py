@@ -37,11 +37,11 @@ def scope(text: str) -> tuple[str | None, str]:
     >>> scope("talker:chatter:=news"), scope("chatter:=news")
     (('talker', 'chatter:=news'), (None, 'chatter:=news'))
     """
-    found = _SCOPE.fullmatch(text)
-    assert found is not None  # the pattern matches any text
-    if found[1] in ("rostopic", "rosservice") and found[2].startswith("//"):
+    match = _SCOPE.fullmatch(text)
+    assert match is not None  # the pattern matches any text
+    if match[1] in ("rostopic", "rosservice") and match[2].startswith("//"):
         return None, text
-    return found[1], found[2]
+    return match[1], match[2]
 
 
 def sides(rule: str) -> tuple[str, str]:
@@ -74,13 +74,13 @@ def remap_rule(text: str) -> Remap:
     if left == "__ns":
         _expect(names.validate_namespace(right))
         return Remap("namespace", node, left, right)
-    found = _MATCH.fullmatch(left)
-    if not found:
+    match = _MATCH.fullmatch(left)
+    if not match:
         raise RuleError(f"Expecting token or wildcard, got '{left}'")
     if not _REPLACEMENT.fullmatch(right):
         raise RuleError(f"'{right}' is no name to remap to")
-    kind = {"rostopic": "topic", "rosservice": "service"}.get(found[1], "any")
-    return Remap(kind, node, found[2], right)
+    kind = {"rostopic": "topic", "rosservice": "service"}.get(match[1], "any")
+    return Remap(kind, node, match[2], right)
 
 
 def _expect(reason: names.Reason | None) -> None:

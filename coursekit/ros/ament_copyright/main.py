@@ -25,17 +25,17 @@ def main(argv: Sequence[str] | None = None) -> int:
         print("\n".join(f"{name}: {title}" for name, title in sorted(LICENSES.items())))
         return 0
     excluded = {os.path.abspath(path) for path in asked.exclude}
-    found = {source for word in asked.paths for source in _sources(Path(word)) if os.path.abspath(source) not in excluded}
-    if not found:
+    files = {source for word in asked.paths for source in _sources(Path(word)) if os.path.abspath(source) not in excluded}
+    if not files:
         print("No repository roots and files found")
     cases = []
-    for path in sorted(found):
+    for path in sorted(files):
         good, said = _judged(path)
         cases.append((str(path), "" if good else said))
         if not good or asked.verbose:
             print(f"{path}: {said}", file=sys.stdout if good else sys.stderr)
     bad = sum(1 for _, why in cases if why)
-    counted = f"checked {len(found)} files"
+    counted = f"checked {len(files)} files"
     print(f"{bad} errors, {counted}" if bad else f"No problems found, {counted}", file=sys.stderr if bad else sys.stdout)
     if asked.xunit_file:
         write_results(asked.xunit_file, cases, [name for name, _ in cases], time.monotonic() - began)

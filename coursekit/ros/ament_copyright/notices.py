@@ -47,10 +47,10 @@ def notice_of(text: str) -> Notice | None:
     """
     holders, license_ = [], UNKNOWN
     for comment in _comments(text):
-        found = list(_COPYRIGHT.finditer(comment))
-        holders += [f"{notice[2]} ({notice[1]})" for notice in found]
+        notices = list(_COPYRIGHT.finditer(comment))
+        holders += [f"{notice[2]} ({notice[1]})" for notice in notices]
         if license_ == UNKNOWN:
-            license_ = license_of(comment[found[-1].end() :] if found else comment)
+            license_ = license_of(comment[notices[-1].end() :] if notices else comment)
     return Notice(holders, license_) if holders else None
 
 
@@ -66,11 +66,11 @@ def license_of(text: str) -> str:
 
 def _comments(text: str) -> Iterator[str]:
     """Yield the comments that begin at the start of a line, without comment markers."""
-    for found in _LINES.finditer(text):
-        mark = found[1]
-        yield "\n".join(line[len(mark) + 1 :] for line in found[0].splitlines())
-    for found in _BLOCK.finditer(text):
-        lines = (found[1] or found[2] or "").splitlines()
+    for match in _LINES.finditer(text):
+        mark = match[1]
+        yield "\n".join(line[len(mark) + 1 :] for line in match[0].splitlines())
+    for match in _BLOCK.finditer(text):
+        lines = (match[1] or match[2] or "").splitlines()
         lines = lines[1:-1] if len(lines) > 2 else lines[-1:]
         yield "\n".join(re.sub(r"^\s*\*? ?", "", line) for line in lines) if len(lines) > 1 else "".join(lines)
 

@@ -34,12 +34,12 @@ def main(argv: Sequence[str] | None = None) -> int:
     code, lines = _run(["--show-source", *_words(asked)])
     for line in lines:
         print(f"\n{line}" if _FINDING.fullmatch(line) else line)
-    found = [(one[1], one[2], one[3]) for line in lines if (one := _FINDING.fullmatch(line))]
-    found.sort(key=lambda finding: finding[0].partition(":")[0])
+    findings = [(match[1], match[2], match[3]) for line in lines if (match := _FINDING.fullmatch(line))]
+    findings.sort(key=lambda finding: finding[0].partition(":")[0])
     excluded = {os.path.abspath(path) for path in asked.exclude}
     files = {file for path in asked.paths for file in _python_files(path) if os.path.basename(file) not in asked.exclude}
     checked = sorted(file for file in files if os.path.abspath(file) not in excluded)
-    _summarize(found, checked)
+    _summarize(findings, checked)
     if asked.xunit_file:
         write_results(asked.xunit_file, _cases(lines) or [("flake8", "")], checked, time.monotonic() - began)
     return code
@@ -72,8 +72,8 @@ def _run(words: Sequence[str]) -> tuple[int, list[str]]:
 
 def _cases(lines: Sequence[str]) -> list[tuple[str, str]]:
     """Each finding as a case: its code and position, and its text with the source line that flake8 shows below it."""
-    pairs = [(found, lines[at + 1 : at + 2]) for at, line in enumerate(lines) if (found := _FINDING.fullmatch(line))]
-    return [(f"{one[2]} ({one[1][:-2]})", f"{one[3].strip()}:\n{''.join(source)}\n") for one, source in pairs]
+    pairs = [(match, lines[at + 1 : at + 2]) for at, line in enumerate(lines) if (match := _FINDING.fullmatch(line))]
+    return [(f"{match[2]} ({match[1][:-2]})", f"{match[3].strip()}:\n{''.join(source)}\n") for match, source in pairs]
 
 
 def _python_files(path: str) -> Iterator[str]:

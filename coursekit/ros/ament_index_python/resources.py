@@ -27,8 +27,8 @@ def _check(resource_type: str, resource_name: str | None = None) -> None:
 
 
 def _folders(resource_type: str = "") -> list[tuple[str, Path]]:
-    found = [(path, Path(path) / RESOURCE_INDEX_SUBFOLDER / resource_type) for path in get_search_paths()]
-    return [(path, folder) for path, folder in found if folder.is_dir()]
+    folders = [(path, Path(path) / RESOURCE_INDEX_SUBFOLDER / resource_type) for path in get_search_paths()]
+    return [(path, folder) for path, folder in folders if folder.is_dir()]
 
 
 def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:

@@ -40,13 +40,13 @@ def main(argv: Sequence[str] | None = None) -> int:
     files = sorted({source for path in asked.paths for source in _sources(path) if os.path.abspath(source) not in excluded})
     for file in files:
         print(f"checking {file}")
-    found = _findings(files, _chosen(asked)) if files else []
-    for finding in found:
+    findings = _findings(files, _chosen(asked)) if files else []
+    for finding in findings:
         print(f"{finding.place}: {finding.what}", file=sys.stderr)
-    print(f"{len(found)} errors" if found else "No problems found", file=sys.stderr if found else sys.stdout)
+    print(f"{len(findings)} errors" if findings else "No problems found", file=sys.stderr if findings else sys.stdout)
     if asked.xunit_file:
-        write_results(asked.xunit_file, _cases(files, found), files, time.monotonic() - began)
-    return int(bool(found))
+        write_results(asked.xunit_file, _cases(files, findings), files, time.monotonic() - began)
+    return int(bool(findings))
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -96,8 +96,8 @@ def _findings(files: list[str], chosen: list[str]) -> list[_Finding]:
     command = [sys.executable, "-m", "pydocstyle", *chosen, *files]
     result = subprocess.run(command, capture_output=True, encoding="utf-8", errors="replace", check=False)
     print(result.stderr.replace("WARNING: ", ""), end="", file=sys.stderr)
-    found = [
+    findings = [
         _Finding(match["file"], match["place"], match["what"], f"{match['code']} ({match['file']}:{match['line']})")
         for match in _FINDING.finditer(result.stdout)
     ]
-    return found + [_Finding(file, file, why, file) for file, why in _UNREADABLE.findall(result.stderr)]
+    return findings + [_Finding(file, file, why, file) for file, why in _UNREADABLE.findall(result.stderr)]

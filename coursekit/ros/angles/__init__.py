@@ -33,8 +33,8 @@ def normalize_angle(angle: float) -> float:
     >>> round(normalize_angle(4.0), 3)
     -2.283
     """
-    made = normalize_angle_positive(angle)
-    return made - _TURN if made > pi else made
+    positive = normalize_angle_positive(angle)
+    return positive - _TURN if positive > pi else positive
 
 
 def shortest_angular_distance(from_angle: float, to_angle: float) -> float:

@@ -41,8 +41,8 @@ class LaunchDescription(LaunchDescriptionEntity):
 
     def get_launch_arguments(self, conditional_inclusion: bool = False) -> list[DeclareLaunchArgument]:
         """Return the arguments that this description and its includes declare, each name once."""
-        found = self.get_launch_arguments_with_include_launch_description_actions(conditional_inclusion)
-        return [argument for argument, _ in found]
+        pairs = self.get_launch_arguments_with_include_launch_description_actions(conditional_inclusion)
+        return [argument for argument, _ in pairs]
 
     def get_launch_arguments_with_include_launch_description_actions(
         self, conditional_inclusion: bool = False

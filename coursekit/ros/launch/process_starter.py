@@ -56,14 +56,14 @@ def start_process(
         cmd = shell_command(" ".join(cmd), env)
     elif is_package_executable(cmd[0]):
         return current.start_executable(cmd[0], list(cmd[1:]), env=env, cwd=cwd, on_output=on_output, tty=tty)
-    found = which(cmd[0], env.get("PATH"))
-    if found is None:
+    executable = which(cmd[0], env.get("PATH"))
+    if executable is None:
         raise FileNotFoundError(2, "there is no such program", cmd[0])
     if has_compiled_here(cmd):
-        host, name = UNDERLAY / COMPILED_HOST, os.path.basename(found)
-        words = [found, *cmd[1:]]
+        host, name = UNDERLAY / COMPILED_HOST, os.path.basename(executable)
+        words = [executable, *cmd[1:]]
         return current.start_executable(host, words, name=name, env=env, cwd=cwd, on_output=on_output, tty=tty)
-    child = ChildProcess(current, [found, *cmd[1:]], name=os.path.basename(cmd[0]), env=env, cwd=cwd)
+    child = ChildProcess(current, [executable, *cmd[1:]], name=os.path.basename(cmd[0]), env=env, cwd=cwd)
     return current.launch(child, on_output, tty)
 
 

@@ -51,13 +51,13 @@ def _description(value: Any, prefix: str) -> LaunchDescription:
 
 
 def _ready_action(description: LaunchDescription) -> ReadyToTest:
-    found = list(find_ready_actions(description.entities))
-    if len(found) > 1:
+    actions = list(find_ready_actions(description.entities))
+    if len(actions) > 1:
         raise RuntimeError("launch_pytest fixtures must return a LaunchDescription containing only one ReadyToTest action")
-    if not found:
-        found = [ReadyToTest()]
-        description.add_action(found[0])
-    return found[0]
+    if not actions:
+        actions = [ReadyToTest()]
+        description.add_action(actions[0])
+    return actions[0]
 
 
 async def _first(*futures: Any) -> None:

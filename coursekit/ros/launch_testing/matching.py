@@ -33,16 +33,16 @@ def build_text_match(expected_text: Any, *, strict: bool = False) -> Match:
             actual = normalize_lineseps(actual)
             if strict:
                 return (start, len(actual)) if actual[start:] == expected_text else None
-            found = actual.find(expected_text, start)
-            return None if found < 0 else (found, found + len(expected_text))
+            begin = actual.find(expected_text, start)
+            return None if begin < 0 else (begin, begin + len(expected_text))
 
         return of_text
     if hasattr(expected_text, "search"):
 
         def of_pattern(actual: str, start: int = 0) -> Span | None:
             look = expected_text.match if strict else expected_text.search
-            found = look(normalize_lineseps(actual), start)
-            return None if found is None else found.span()
+            match = look(normalize_lineseps(actual), start)
+            return None if match is None else match.span()
 
         return of_pattern
     if isinstance(expected_text, Iterable):
@@ -89,11 +89,11 @@ def _in_order(matches: list[Match], strict: bool) -> Match:
     def match(actual: Any, start: int = 0) -> Span | None:
         begin, end = None, start
         for find in matches:
-            found = find(actual, end)
-            if found is None or (strict and found[0] != end):
+            span = find(actual, end)
+            if span is None or (strict and span[0] != end):
                 return None
-            begin = found[0] if begin is None else begin
-            end = found[1]
+            begin = span[0] if begin is None else begin
+            end = span[1]
         assert begin is not None
         return begin, end
 

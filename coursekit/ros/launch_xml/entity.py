@@ -76,12 +76,12 @@ class Entity(frontend.Entity):
         return text if separator is None else text.split(separator)
 
     def __child_entities(self, name: str, optional: bool) -> list[Entity] | None:
-        found = [child for child in self.__element.children if child.tag == name]
-        if not found:
+        children = [child for child in self.__element.children if child.tag == name]
+        if not children:
             self.__complain(name, "a nested tag", optional)
             return None
         self.__read_children.add(name)
-        return [Entity(child, parent=self) for child in found]
+        return [Entity(child, parent=self) for child in children]
 
     def __complain(self, name: str, data_type: Any, optional: bool) -> None:
         if not optional:

@@ -105,8 +105,8 @@ class ParameterEventHandler:
         """Return the new or changed parameter of the node in the event, or None."""
         if event.node != node_name:
             return None
-        found = ParameterEventHandler.get_parameters_from_event(event)
-        return next((each for each in found if each.name == parameter_name), None)
+        parameters = ParameterEventHandler.get_parameters_from_event(event)
+        return next((each for each in parameters if each.name == parameter_name), None)
 
     @staticmethod
     def get_parameters_from_event(event: ParameterEvent) -> Iterator[Parameter]:

@@ -35,10 +35,10 @@ def get_action_clients_and_servers(*, node: Any, action_name: str) -> tuple[Name
     clients: NamesAndTypes = []
     servers: NamesAndTypes = []
     for other in get_node_names(node=node, include_hidden_nodes=True):
-        for found, ask in ((clients, get_action_client_info), (servers, get_action_server_info)):
+        for ends, ask in ((clients, get_action_client_info), (servers, get_action_server_info)):
             known = dict(ask(node=node, remote_node_name=other.full_name, include_hidden=True))
             if name in known:
-                found.append((other.full_name, known[name]))
+                ends.append((other.full_name, known[name]))
     return clients, servers
 
 

@@ -16,8 +16,10 @@ EXTENSION_POINT_GROUP_NAME = "ros2cli.extension_point"
 def get_all_entry_points() -> dict[str, dict[str, tuple[Any, Any]]]:
     """The distribution and the entry point of each name in each group that is an extension point."""
     points = [*get_entry_points(EXTENSION_POINT_GROUP_NAME), EXTENSION_POINT_GROUP_NAME]
-    found = {group: {name: (point.dist, point) for name, point in get_entry_points(group).items()} for group in points}
-    return {group: entries for group, entries in found.items() if entries}
+    entries_by_group = {
+        group: {name: (point.dist, point) for name, point in get_entry_points(group).items()} for group in points
+    }
+    return {group: entries for group, entries in entries_by_group.items() if entries}
 
 
 def get_entry_points(group_name: str) -> dict[str, Any]:
@@ -25,8 +27,8 @@ def get_entry_points(group_name: str) -> dict[str, Any]:
     process = current_process()
     folders = [] if process is None else python_folders(process.env)
     distributions = importlib.metadata.distributions(path=folders)
-    found = [point for each in distributions for point in each.entry_points if point.group == group_name]
-    return {point.name: point for point in reversed(found)}  # the first folder on the path wins
+    points = [point for each in distributions for point in each.entry_points if point.group == group_name]
+    return {point.name: point for point in reversed(points)}  # the first folder on the path wins
 
 
 def load_entry_points(group_name: str, *, exclude_names: Sequence[str] | None = None) -> dict[str, Any]:

@@ -15,13 +15,13 @@ def instantiate_extensions(
     group_name: str, *, exclude_names: Sequence[str] | None = None, unique_instance: bool = False
 ) -> dict[str, Any]:
     """An instance of each class of a group, by name. Failures are reported and left out."""
-    made = {}
+    extensions = {}
     for name, kind in load_entry_points(group_name, exclude_names=exclude_names).items():
         try:
-            made[name] = kind()
+            extensions[name] = kind()
         except Exception as error:
             print(f"Failed to instantiate '{name}' of group '{group_name}': {error!r}", file=sys.stderr)
-    return made
+    return extensions
 
 
 def satisfies_version(version: str, caret_range: str) -> None:

@@ -68,18 +68,18 @@ def _is_hidden_name(name: str) -> bool:
 
 def get_node_names(*, node: Any, include_hidden_nodes: bool = False) -> list[NodeName]:
     """The nodes of the graph."""
-    found = [
+    names = [
         NodeName(name, namespace, f"{namespace.rstrip('/')}/{name}")
         for name, namespace, *_ in node.get_node_names_and_namespaces()
     ]
-    return [entry for entry in found if include_hidden_nodes or not _is_hidden_name(entry.full_name)]
+    return [entry for entry in names if include_hidden_nodes or not _is_hidden_name(entry.full_name)]
 
 
 def get_topics(remote_node_name: str, func: Any, *, include_hidden_topics: bool = False) -> list[TopicInfo]:
     """The result of `func(name, namespace)` for a node, as TopicInfo."""
     remote = parse_node_name(remote_node_name)
-    found = [TopicInfo(name, types) for name, types in func(remote.name, remote.namespace)]
-    return [entry for entry in found if include_hidden_topics or not topic_or_service_is_hidden(entry.name)]
+    topics = [TopicInfo(name, types) for name, types in func(remote.name, remote.namespace)]
+    return [entry for entry in topics if include_hidden_topics or not topic_or_service_is_hidden(entry.name)]
 
 
 def get_subscriber_info(*, node: Any, remote_node_name: str, include_hidden: bool = False) -> list[TopicInfo]:

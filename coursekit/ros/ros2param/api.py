@@ -92,8 +92,8 @@ def load_parameter_dict(*, node: Any, node_name: str, parameter_dict: dict[str, 
 
 def load_parameter_file(*, node: Any, node_name: str, parameter_file: str, use_wildcard: bool) -> None:
     """Set the values of a file for the node, and print the result of each."""
-    found = parameter_dict_from_yaml_file(parameter_file, use_wildcard, target_nodes=[node_name])
-    _set_and_tell(node, node_name, list(found.values()))
+    parameters = parameter_dict_from_yaml_file(parameter_file, use_wildcard, target_nodes=[node_name])
+    _set_and_tell(node, node_name, list(parameters.values()))
 
 
 def _set_and_tell(node: Any, node_name: str, parameters: list[Parameter]) -> None:

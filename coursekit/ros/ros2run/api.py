@@ -29,8 +29,8 @@ def get_executable_path(*, package_name: str, executable_name: str) -> str | Non
     >>> Path(get_executable_path(package_name="demo_nodes_py", executable_name="talker")).parts[-2:]
     ('demo_nodes_py', 'talker')
     """
-    found = map(Path, get_executable_paths(package_name=package_name))
-    paths = [str(path) for path in found if executable_name in (path.name, executable_name_of(path))]
+    executables = map(Path, get_executable_paths(package_name=package_name))
+    paths = [str(path) for path in executables if executable_name in (path.name, executable_name_of(path))]
     if len(paths) > 1:
         raise MultipleExecutables(paths)
     return paths[0] if paths else None

@@ -22,8 +22,8 @@ POLL_SECONDS = 0.1
 
 def get_service_names_and_types(*, node: Any, include_hidden_services: bool = False) -> list[Any]:
     """(name, types) of the services."""
-    found = node.get_service_names_and_types()
-    return [(name, types) for name, types in found if include_hidden_services or not topic_or_service_is_hidden(name)]
+    services = node.get_service_names_and_types()
+    return [(name, types) for name, types in services if include_hidden_services or not topic_or_service_is_hidden(name)]
 
 
 def get_service_names(*, node: Any, include_hidden_services: bool = False) -> list[str]:
@@ -37,13 +37,13 @@ def get_service_class(node: Any, service: str, blocking: bool = False, include_h
     Raises:
         RuntimeError: for a service of several types, or a type that is not installed.
     """
-    found = _class_of(node, service, include_hidden_services)
-    if found is None:
+    service_class = _class_of(node, service, include_hidden_services)
+    if service_class is None:
         print(f"WARNING: service [{service}] does not appear to be served yet")
-    while found is None and blocking and rclpy.ok():
+    while service_class is None and blocking and rclpy.ok():
         current().clock.sleep(POLL_SECONDS)
-        found = _class_of(node, service, include_hidden_services)
-    return found
+        service_class = _class_of(node, service, include_hidden_services)
+    return service_class
 
 
 def _class_of(node: Any, service: str, include_hidden_services: bool) -> Any:

@@ -74,8 +74,8 @@ def _number(text: str, kind: Any, fault: str, least: int) -> Any:
 
 def get_topic_names_and_types(*, node: Any, include_hidden_topics: bool = False) -> list[Any]:
     """(name, types) of the topics."""
-    found = node.get_topic_names_and_types()
-    return [(name, types) for name, types in found if include_hidden_topics or not topic_or_service_is_hidden(name)]
+    topics = node.get_topic_names_and_types()
+    return [(name, types) for name, types in topics if include_hidden_topics or not topic_or_service_is_hidden(name)]
 
 
 def get_topic_names(*, node: Any, include_hidden_topics: bool = False) -> list[str]:
@@ -89,13 +89,13 @@ def get_msg_class(node: Any, topic: str, blocking: bool = False, include_hidden_
     Raises:
         RuntimeError: for an invalid name, a topic of several types, or a type that is not installed.
     """
-    found = _class_of(node, topic, include_hidden_topics)
-    if found is None:
+    message_class = _class_of(node, topic, include_hidden_topics)
+    if message_class is None:
         print(f"WARNING: topic [{topic}] does not appear to be published yet")
-    while found is None and blocking and rclpy.ok():
+    while message_class is None and blocking and rclpy.ok():
         current().clock.sleep(POLL_SECONDS)
-        found = _class_of(node, topic, include_hidden_topics)
-    return found
+        message_class = _class_of(node, topic, include_hidden_topics)
+    return message_class
 
 
 def _class_of(node: Any, topic: str, include_hidden_topics: bool) -> Any:

@@ -71,14 +71,14 @@ class PlayerNode(Node):
     # -- publishers
 
     def _publishers_of_bag(self) -> dict[str, Any]:
-        made = {}
+        publisher_by_topic = {}
         for topic in self.reader.get_all_topics_and_types():
             if not self._topics or topic.name in self._topics:
                 try:
-                    made[topic.name] = self.create_publisher(_type_of(topic), topic.name, self._profile(topic))
+                    publisher_by_topic[topic.name] = self.create_publisher(_type_of(topic), topic.name, self._profile(topic))
                 except Exception as error:  # an invalid type or name must not prevent the playback of the other topics
                     self.get_logger().warning(f"Ignoring a topic '{topic.name}', reason: {error}.")
-        return made
+        return publisher_by_topic
 
     def _profile(self, topic: TopicMetadata) -> QoSProfile:
         chosen = self._options.topic_qos_profile_overrides.get(topic.name)

@@ -115,5 +115,5 @@ def _chosen(storage_filter: StorageFilter, names: list[str]) -> list[str] | None
     if not (storage_filter.topics or expression or hidden):
         return None
     some = storage_filter.topics or expression
-    found = [name for name in names if name in storage_filter.topics or (expression and re.search(expression, name))]
-    return [name for name in (found if some else names) if not (hidden and re.search(hidden, name))]
+    matching = [name for name in names if name in storage_filter.topics or (expression and re.search(expression, name))]
+    return [name for name in (matching if some else names) if not (hidden and re.search(hidden, name))]

@@ -26,8 +26,8 @@ class TopicFilter:
 
     def select(self) -> dict[str, str]:
         """The topics to record and their types, among those in the graph now."""
-        found = self._node.get_topic_names_and_types()
-        return {name: types[0] for name, types in found if types and self._takes(name, types)}
+        topics = self._node.get_topic_names_and_types()
+        return {name: types[0] for name, types in topics if types and self._takes(name, types)}
 
     def _takes(self, name: str, types: list[str]) -> bool:
         if not self._is_meant(name):

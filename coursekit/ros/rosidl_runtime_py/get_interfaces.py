@@ -20,8 +20,10 @@ def get_interface_packages() -> dict[str, str]:
 
 
 def _of(package_names: Iterable[str], kinds: Iterable[str]) -> dict[str, list[str]]:
-    found = {package: _names(package, kinds) for package in list(package_names) or sorted(get_interface_packages())}
-    return {package: names for package, names in found.items() if names}
+    names_by_package = {
+        package: _names(package, kinds) for package in list(package_names) or sorted(get_interface_packages())
+    }
+    return {package: names for package, names in names_by_package.items() if names}
 
 
 def _names(package: str, kinds: Iterable[str]) -> list[str]:
@@ -62,8 +64,8 @@ def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[s
 def _as_idl(package: str, path: Path) -> Path | None:
     """The IDL of a definition. ROS installs it beside the definition; here it is written on demand."""
     definitions = [path.with_suffix(suffix) for suffix in (".msg", ".srv", ".action")]
-    found = next((definition for definition in definitions if definition.exists()), None)
-    return idl_file(package, found) if path.suffix == ".idl" and found is not None else None
+    definition = next((definition for definition in definitions if definition.exists()), None)
+    return idl_file(package, definition) if path.suffix == ".idl" and definition is not None else None
 
 
 def get_interface_path(interface_name: str) -> str:
@@ -81,10 +83,10 @@ def get_interface_path(interface_name: str) -> str:
         raise LookupError(f"Unknown package '{parts[0]}'")
     path = Path(prefix, "share", *parts)
     if path.suffix:
-        found = path if path.exists() else _as_idl(parts[0], path)
+        file = path if path.exists() else _as_idl(parts[0], path)
     else:
         suffixes = _SUFFIXES.get(parts[-2], (".msg",))
-        found = next((p for p in (path.with_suffix(s) for s in suffixes) if p.exists()), None)
-    if found is None:
+        file = next((p for p in (path.with_suffix(s) for s in suffixes) if p.exists()), None)
+    if file is None:
         raise LookupError(f"Could not find the interface '{path if path.suffix else path.with_suffix('.idl')}'")
-    return str(found)
+    return str(file)

@@ -63,23 +63,23 @@ def get_message(identifier: str) -> Any:
     >>> get_message('std_msgs/msg/String')
     <class 'std_msgs.msg._string.String'>
     """
-    found = import_message_from_namespaced_type(get_message_namespaced_type(identifier))
-    if not is_message(found):
+    message_class = import_message_from_namespaced_type(get_message_namespaced_type(identifier))
+    if not is_message(message_class):
         raise ValueError(f"Expected the full name of a message, got '{identifier}'")
-    return found
+    return message_class
 
 
 def get_service(identifier: str) -> Any:
     """Return a service class; raises ValueError if the name is not that of a service."""
-    found = import_message_from_namespaced_type(get_service_namespaced_type(identifier))
-    if not is_service(found):
+    service_class = import_message_from_namespaced_type(get_service_namespaced_type(identifier))
+    if not is_service(service_class):
         raise ValueError(f"Expected the full name of a service, got '{identifier}'")
-    return found
+    return service_class
 
 
 def get_action(identifier: str) -> Any:
     """Return an action class; raises ValueError if the name is not that of an action."""
-    found = import_message_from_namespaced_type(get_action_namespaced_type(identifier))
-    if not is_action(found):
+    action_class = import_message_from_namespaced_type(get_action_namespaced_type(identifier))
+    if not is_action(action_class):
         raise ValueError(f"Expected the full name of an action, got '{identifier}'")
-    return found
+    return action_class

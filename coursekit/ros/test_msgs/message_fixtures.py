@@ -84,8 +84,8 @@ def get_msg_arrays() -> list[Any]:
 
 def get_msg_unbounded_sequences() -> list[Any]:
     """Sequences with three elements, with one, and without any."""
-    one = types.UnboundedSequences(bool_values=[True], string_values=["max value"], basic_types_values=[_basic(1, 1.0)])
-    return [_filled(types.UnboundedSequences()), one, types.UnboundedSequences(alignment_check=4)]
+    single = types.UnboundedSequences(bool_values=[True], string_values=["max value"], basic_types_values=[_basic(1, 1.0)])
+    return [_filled(types.UnboundedSequences()), single, types.UnboundedSequences(alignment_check=4)]
 
 
 def get_msg_bounded_sequences() -> list[Any]:
@@ -106,10 +106,10 @@ def get_msg_multi_nested() -> list[Any]:
         "unbounded_sequences": get_msg_unbounded_sequences(),
     }
     message = types.MultiNested()
-    for kind, made in kinds.items():
-        setattr(message, f"array_of_{kind}", (made * 3)[:3])
-        setattr(message, f"bounded_sequence_of_{kind}", made[:2])
-        setattr(message, f"unbounded_sequence_of_{kind}", made)
+    for kind, messages in kinds.items():
+        setattr(message, f"array_of_{kind}", (messages * 3)[:3])
+        setattr(message, f"bounded_sequence_of_{kind}", messages[:2])
+        setattr(message, f"unbounded_sequence_of_{kind}", messages)
     return [message]
 
 
@@ -136,8 +136,8 @@ def get_test_msg(message_name: str) -> list[Any]:
     >>> len(get_test_msg("Builtins"))
     1
     """
-    made = {name.replace("_", ""): make for name, make in globals().items() if name.startswith("get_msg_")}
-    make = made.get(f"getmsg{message_name.lower()}")
+    makers = {name.replace("_", ""): make for name, make in globals().items() if name.startswith("get_msg_")}
+    make = makers.get(f"getmsg{message_name.lower()}")
     if make is None:
         known = ", ".join(sorted(name for name in dir(types) if name[0].isupper()))
         raise ValueError(f"There is no test message '{message_name}' (known: {known})")

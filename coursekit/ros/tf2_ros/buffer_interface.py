@@ -58,8 +58,8 @@ class BufferInterface:
         """
         do_transform = self.registration.get(type(object_stamped))
         header = object_stamped.header
-        found = self.lookup_transform(target_frame, header.frame_id, header.stamp, timeout)
-        return _as(do_transform(object_stamped, found), new_type)
+        transform = self.lookup_transform(target_frame, header.frame_id, header.stamp, timeout)
+        return _as(do_transform(object_stamped, transform), new_type)
 
     def transform_full(
         self,
@@ -73,8 +73,10 @@ class BufferInterface:
         """A stamped message in another frame at another time, through a frame that does not move."""
         do_transform = self.registration.get(type(object_stamped))
         header = object_stamped.header
-        found = self.lookup_transform_full(target_frame, target_time, header.frame_id, header.stamp, fixed_frame, timeout)
-        return _as(do_transform(object_stamped, found), new_type)
+        transform = self.lookup_transform_full(
+            target_frame, target_time, header.frame_id, header.stamp, fixed_frame, timeout
+        )
+        return _as(do_transform(object_stamped, transform), new_type)
 
     def lookup_transform(
         self, target_frame: str, source_frame: str, time: Time, timeout: Duration = Duration()

@@ -186,8 +186,8 @@ class ElementError(RuntimeError, ValueError, TypeError, AttributeError):
 
 def _installed(group: str, what: str) -> Iterator[tuple[str, Any]]:
     """Yield the name and the object of each entry point of a group; warn about those that fail."""
-    found: Any = importlib.metadata.entry_points()
-    for entry_point in found.select(group=group) if hasattr(found, "select") else found.get(group, []):
+    entry_points: Any = importlib.metadata.entry_points()
+    for entry_point in entry_points.select(group=group) if hasattr(entry_points, "select") else entry_points.get(group, []):
         try:
             yield entry_point.name, entry_point.load()
         except Exception:

@@ -94,8 +94,8 @@ def get_output_loggers(
         ValueError: for another configuration.
     """
     targets = _targets(output_config)
-    made = [_output_logger(process_name, stream, targets, main_log_file_name) for stream in ("stdout", "stderr")]
-    return made[0], made[1]
+    loggers = [_output_logger(process_name, stream, targets, main_log_file_name) for stream in ("stdout", "stderr")]
+    return loggers[0], loggers[1]
 
 
 def _targets(output_config: str | Mapping[str, Any]) -> Mapping[str, Any]:

@@ -55,7 +55,7 @@ class FindExecutable(Substitution):
             SubstitutionFailure: if there is no such program.
         """
         name = perform_substitutions(context, self.__name)
-        found = which(name, context.environment.get("PATH"))
-        if found is None:
+        path = which(name, context.environment.get("PATH"))
+        if path is None:
             raise SubstitutionFailure(f"executable '{name}' not found on the PATH")
-        return found
+        return path

@@ -63,10 +63,10 @@ class LoadComposableNodes(Action):
         self.__container_name = self.__name_of_container(context)
         service = f"{self.__container_name}/_container/load_node"
         self.__client = get_ros_node(context).create_client(LoadNode, service)
-        made = [
+        requested = [
             get_composable_node_load_request(description, context) for description in self.__composable_node_descriptions
         ]
-        requests = [request for request in made if request is not None]
+        requests = [request for request in requested if request is not None]
         if requests:
             assert context.asyncio_loop is not None
             loading = context.asyncio_loop.run_in_executor(None, self.__load_all, requests, context)

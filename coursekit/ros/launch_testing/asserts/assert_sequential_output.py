@@ -36,9 +36,9 @@ class SequentialTextChecker:
     def assertInStdout(self, msg: str) -> None:
         """Fail unless `msg` comes after the last match; a text that spans two pieces is not found."""
         for number in range(self._piece, len(self._output)):
-            found = self._output[number].find(msg, self._at if number == self._piece else 0)
-            if found >= 0:
-                self._piece, self._at = number, found + len(msg)
+            index = self._output[number].find(msg, self._at if number == self._piece else 0)
+            if index >= 0:
+                self._piece, self._at = number, index + len(msg)
                 return
         raise AssertionError(
             f"'{msg}' not found in sequence after previous match.  "

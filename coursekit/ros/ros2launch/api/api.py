@@ -41,9 +41,9 @@ def get_share_file_path_from_package(*, package_name: str, file_name: str) -> st
     try:
         return verb.file_in_share(package_name, share, file_name)
     except verb.LaunchFileError as error:
-        found = [str(path) for path in sorted(Path(share).rglob(file_name))]
-        if found:
-            raise MultipleLaunchFilesError(str(error), found) from None
+        paths = [str(path) for path in sorted(Path(share).rglob(file_name))]
+        if paths:
+            raise MultipleLaunchFilesError(str(error), paths) from None
         raise FileNotFoundError(str(error)) from None
 
 
@@ -55,8 +55,8 @@ def is_launch_file(path: str) -> bool:
 
 def get_launch_file_paths(*, path: str) -> list[str]:
     """Return the launch files in a folder and below."""
-    found = (os.path.join(root, name) for root, _, names in os.walk(path) for name in sorted(names))
-    return [path for path in found if is_launch_file(path)]
+    paths = (os.path.join(root, name) for root, _, names in os.walk(path) for name in sorted(names))
+    return [path for path in paths if is_launch_file(path)]
 
 
 def print_a_launch_file(*, launch_file_path: str) -> None:

@@ -82,7 +82,10 @@ def generate_launch_description():
     }
     return LaunchDescription(
         [
-            *(DeclareLaunchArgument(name, default_value=one, description=text) for name, (one, text) in ARGUMENTS.items()),
+            *(
+                DeclareLaunchArgument(name, default_value=default, description=text)
+                for name, (default, text) in ARGUMENTS.items()
+            ),
             included(gazebo, "gzserver.launch.py", {"world": given["world"]}, simulated),
             included(gazebo, "gzclient.launch.py", {}, shown),
             Node(

@@ -20,7 +20,9 @@ ARGUMENTS = {
 
 def generate_launch_description():
     """Return the arguments and the bridge."""
-    declared = [DeclareLaunchArgument(name, default_value=one, description=text) for name, (one, text) in ARGUMENTS.items()]
+    declared = [
+        DeclareLaunchArgument(name, default_value=default, description=text) for name, (default, text) in ARGUMENTS.items()
+    ]
     bridge = Node(
         package="ros_gz_bridge",
         executable="bridge_node",

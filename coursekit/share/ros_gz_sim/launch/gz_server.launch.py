@@ -21,5 +21,7 @@ def _server(context):
 
 def generate_launch_description():
     """Return the arguments and the server."""
-    declared = [DeclareLaunchArgument(name, default_value=one, description=text) for name, (one, text) in ARGUMENTS.items()]
+    declared = [
+        DeclareLaunchArgument(name, default_value=default, description=text) for name, (default, text) in ARGUMENTS.items()
+    ]
     return LaunchDescription([*declared, OpaqueFunction(function=_server)])

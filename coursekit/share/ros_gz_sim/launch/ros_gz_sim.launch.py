@@ -11,4 +11,4 @@ def generate_launch_description():
     """Return both, with all their arguments."""
     files = (("ros_gz_sim", "gz_server.launch.py"), ("ros_gz_bridge", "ros_gz_bridge.launch.py"))
     sources = [PathJoinSubstitution([FindPackageShare(package), "launch", file]) for package, file in files]
-    return LaunchDescription([IncludeLaunchDescription(PythonLaunchDescriptionSource(one)) for one in sources])
+    return LaunchDescription([IncludeLaunchDescription(PythonLaunchDescriptionSource(source)) for source in sources])

@@ -57,8 +57,8 @@ COMPILED_HOST = "nodes/compiled/host.py"
 def load(place: str) -> Any:
     """Return the object at 'package.module:name', or the module at 'package.module'."""
     module, _, name = place.partition(":")
-    found = importlib.import_module(module)
-    return getattr(found, name) if name else found
+    imported = importlib.import_module(module)
+    return getattr(imported, name) if name else imported
 
 
 def command(name: str) -> Callable[..., int] | None:

@@ -58,8 +58,8 @@ def hits(space: pymunk.Space, shape: Any) -> Iterator[tuple[Any, float]]:
     middle = shape.cache_bb().center()
     for hit in space.shape_query(shape):
         yield hit.shape, min((point.distance for point in hit.contact_point_set.points), default=0.0)
-    for found in space.point_query(middle, 0.0, pymunk.ShapeFilter()):  # concentric shapes have no contact points
-        yield found.shape, found.distance
+    for info in space.point_query(middle, 0.0, pymunk.ShapeFilter()):  # concentric shapes have no contact points
+        yield info.shape, info.distance
 
 
 def drag(body: pymunk.Body, friction: float, seconds: float) -> None:

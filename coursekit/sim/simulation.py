@@ -285,9 +285,9 @@ class Simulation:
         >>> simulation.scan(Lidar(beams=1, angle_min=0.0), place=Pose2D(1.0, 0.0, 0.0)).tolist()
         [1.5]
         """
-        one = self.robots[robot] if isinstance(robot, str) else robot
-        at = place if place is not None else (one.place if one is not None else Pose2D()) @ lidar.mount
-        return self.scene(lidar.height).look(lidar, at, one.body if one is not None else None)
+        carrier = self.robots[robot] if isinstance(robot, str) else robot
+        at = place if place is not None else (carrier.place if carrier is not None else Pose2D()) @ lidar.mount
+        return self.scene(lidar.height).look(lidar, at, carrier.body if carrier is not None else None)
 
     def scene(self, height: float) -> OutlineScene:
         """Return the outlines at a height, cached until an object is added or removed."""

@@ -23,8 +23,8 @@ class ViewScene:
     def __init__(self, simulation: Any) -> None:
         self.changes: int = simulation.changes
         fixed = [_thing(thing, thing.place) for thing in simulation.fixed_things()]
-        self._fixed = np.concatenate([one for one, _ in fixed] or [np.zeros((0, 6))])
-        self._looks = np.concatenate([one for _, one in fixed] or [np.zeros((0, 4))])
+        self._fixed = np.concatenate([edges for edges, _ in fixed] or [np.zeros((0, 6))])
+        self._looks = np.concatenate([looks for _, looks in fixed] or [np.zeros((0, 4))])
         self._moving = [(body, *_thing(thing, ORIGIN)) for thing, body in simulation.things.values()]
         for robot in simulation.robots.values():
             edges = _edges(robot.model.parts)

@@ -76,7 +76,7 @@ def world_text(path: str | Path) -> str:
     try:
         return read_text(file)
     except (OSError, UnicodeDecodeError) as error:
-        beside = [found.name for found in file.parent.glob("*.yaml")] if file.parent.is_dir() else []
+        beside = [sibling.name for sibling in file.parent.glob("*.yaml")] if file.parent.is_dir() else []
         cure = f"Check the path. {known(file.name, beside)}"
         raise WorldError(f"cannot be read: {error}", file=str(file), cure=cure) from None
 
@@ -123,9 +123,9 @@ def _world(data: Lines, file: str) -> World:
 def _element(row: Any, kind: str, number: int, build: Callable[[Fields], Thing], file: str) -> list[Thing]:
     if not isinstance(row, Lines):
         raise WorldError(f"'{row}' is no element", file=file, element=f"{kind}[{number}]", cure="Write {name: ..., ...}.")
-    one = "box" if kind == "boxes" else kind.removesuffix("s")
-    label = str(row.get("name", f"{one}_{number}"))
-    fields = Fields(row, f"{one} '{label}'", file, row.line)
+    singular = "box" if kind == "boxes" else kind.removesuffix("s")
+    label = str(row.get("name", f"{singular}_{number}"))
+    fields = Fields(row, f"{singular} '{label}'", file, row.line)
     thing = replace(build(fields), name=label, model=label)
     copies = _copies(fields, thing)
     fields.finish()

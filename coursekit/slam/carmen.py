@@ -56,13 +56,13 @@ class CarmenLog:
         """Return the sensor of each scan: from its own header, else from PARAM lines, else the 180° of old logs."""
         limit = self._range_limit()
         offset = self._offset()
-        made: dict[tuple[str, int, object], Laser] = {}
+        laser_by_key: dict[tuple[str, int, object], Laser] = {}
         chosen = []
         for reading in self.readings:
             key = (reading.kind, len(reading.ranges), reading.laser)
-            if key not in made:
-                made[key] = self._laser(reading, limit.get(key[:2], np.inf), offset)
-            chosen.append(made[key])
+            if key not in laser_by_key:
+                laser_by_key[key] = self._laser(reading, limit.get(key[:2], np.inf), offset)
+            chosen.append(laser_by_key[key])
         return chosen
 
     def _laser(self, reading: Reading, limit: float, offset: Pose2D) -> Laser:
@@ -189,5 +189,5 @@ def _nothing(path: str | Path, log: CarmenLog, kinds: Counter[str]) -> str:
         return f"{path}: none of its {log.bad} scans can be read; {log.complaints[0]}"
     if not kinds:
         return f"{path} is empty: expected a CARMEN log with {_WANTED} lines"
-    found = ", ".join(repr(kind) for kind in kinds)
-    return f"{path} is no CARMEN log: no line begins with {_WANTED} (found {found})"
+    listed = ", ".join(repr(kind) for kind in kinds)
+    return f"{path} is no CARMEN log: no line begins with {_WANTED} (found {listed})"

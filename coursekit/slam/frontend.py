@@ -55,15 +55,15 @@ class Tracker:
         if not self.params.matching:
             self.pose = guess
             return Refined(guess, np.eye(3), 1.0, 0.0), 1.0, True
-        found, score = self._match(scan, guess, self._sigmas(motion, known))
+        refined, score = self._match(scan, guess, self._sigmas(motion, known))
         accepted = score >= self.params.minimum_score
         if not accepted and known:
-            found = Refined(guess, found.information * 0.0, found.inliers, found.spread)
-        self._speed = self.pose.to(found.pose)
-        if accepted and known and self._plausible(guess.to(found.pose), motion):
+            refined = Refined(guess, refined.information * 0.0, refined.inliers, refined.spread)
+        self._speed = self.pose.to(refined.pose)
+        if accepted and known and self._plausible(guess.to(refined.pose), motion):
             self._wheels.learn(self._told, self._speed)
-        self.pose = found.pose
-        return found, score, accepted
+        self.pose = refined.pose
+        return refined, score, accepted
 
     def _match(self, scan: Scan, guess: Pose2D, sigmas: tuple[float, float]) -> tuple[Refined, float]:
         """Return the best match near the guess; when it is much poorer than usual, a clearly better one farther away."""

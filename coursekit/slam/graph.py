@@ -127,5 +127,5 @@ class PoseGraph:
         >>> round(graph.error_of(edge), 6)
         9.0
         """
-        one = Problem(*(part[edge : edge + 1] for part in vars(self.edges).values()))
-        return float(squared_errors(one, residuals(one, self.poses))[0])
+        problem = Problem(*(part[edge : edge + 1] for part in vars(self.edges).values()))
+        return float(squared_errors(problem, residuals(problem, self.poses))[0])

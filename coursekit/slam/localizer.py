@@ -75,9 +75,9 @@ class Localizer:
 
     def add(self, scan: Scan, odometry: Pose2D | None = None) -> Result:
         """Process the next scan."""
-        found, score, accepted = self._tracker.track(scan, odometry)
+        refined, score, accepted = self._tracker.track(scan, odometry)
         self.lost = 0 if accepted else self.lost + 1
-        return Result(self.pose, score, accepted, found.degeneracy, found.covariance)
+        return Result(self.pose, score, accepted, refined.degeneracy, refined.covariance)
 
     def find(
         self, scan: Scan, near: Pose2D | None = None, distance: float | None = None, turn: float = math.pi
@@ -97,6 +97,6 @@ class Localizer:
             sample(scan.points, 100), guess, reach, turn, p.loop_angle_step, p.minimum_score
         )
         if score > 0:
-            found = refine(scan.points, self._submap, pose, pose, np.zeros((3, 3)), gate=0.4, rounds=15)
-            self.set_pose(self._frame @ found.pose)
+            refined = refine(scan.points, self._submap, pose, pose, np.zeros((3, 3)), gate=0.4, rounds=15)
+            self.set_pose(self._frame @ refined.pose)
         return (self.pose, score) if score > 0 else (guess, 0.0)

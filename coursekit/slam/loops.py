@@ -63,12 +63,12 @@ class LoopSearch:
             return []
         ways = _ways(graph, keyframe.number)
         self._usual.learn(self._keyframes, graph.poses)
-        found = []
+        loops = []
         for submap, near in self._candidates(keyframe.number, graph, ways):
             loop = self._try(keyframe, submap, near, graph, float(ways[near]))
             if loop is not None:
-                found.append(loop)
-        return self._settle(found, graph)
+                loops.append(loop)
+        return self._settle(loops, graph)
 
     def _candidates(self, number: int, graph: PoseGraph, ways: Array) -> list[tuple[Submap, int]]:
         """Return submaps whose keyframes may be near, nearest first, with the nearest keyframe of each."""
@@ -97,20 +97,20 @@ class LoopSearch:
         pose, score = self._field(submap).find(sample(points, 100), guess, distance, angle, p.loop_angle_step, p.loop_score)
         if score <= p.loop_score:
             return None
-        found = refine(points, submap, pose, pose, np.zeros((3, 3)), gate=0.4, rounds=15)
-        if found.inliers < p.loop_inliers or found.pose.distance(pose) > 0.4:
+        refined = refine(points, submap, pose, pose, np.zeros((3, 3)), gate=0.4, rounds=15)
+        if refined.inliers < p.loop_inliers or refined.pose.distance(pose) > 0.4:
             return None
-        nearest = sorted(submap.members, key=lambda m: (submap.members[m].distance(found.pose), m))
-        alike = self._field(submap).rival(sample(points, 100), found.pose) > p.loop_rival
-        if alike or self._contradicts(keyframe, submap, nearest[:WITNESSES], found.pose):
+        nearest = sorted(submap.members, key=lambda m: (submap.members[m].distance(refined.pose), m))
+        alike = self._field(submap).rival(sample(points, 100), refined.pose) > p.loop_rival
+        if alike or self._contradicts(keyframe, submap, nearest[:WITNESSES], refined.pose):
             self.rejected += 1
             return None
         first = nearest[0]
         return Loop(
             first,
             keyframe.number,
-            submap.members[first].to(found.pose),
-            loop_precision(found.information),
+            submap.members[first].to(refined.pose),
+            loop_precision(refined.information),
             score,
         )
 

@@ -122,8 +122,8 @@ def errors(trajectory: Array, relations: Array, slack: float = 0.5) -> Errors:
             "do the two files belong to the same log?"
         )
     chosen = relations[inside]
-    found = between(poses_at(trajectory, chosen[:, 0]), poses_at(trajectory, chosen[:, 1]))
-    wrong = between(chosen[:, 2:], found)
+    estimated = between(poses_at(trajectory, chosen[:, 0]), poses_at(trajectory, chosen[:, 1]))
+    wrong = between(chosen[:, 2:], estimated)
     metres, degrees = np.hypot(wrong[:, 0], wrong[:, 1]), np.degrees(np.abs(wrong[:, 2]))
     return Errors(
         float(metres.mean()), float(metres.std()), float(degrees.mean()), float(degrees.std()),

@@ -88,18 +88,18 @@ class Slam:
         >>> round(result.pose.x, 2), result.accepted
         (0.1, True)
         """
-        found, score, accepted = self.tracker.track(scan, odometry)
+        refined, score, accepted = self.tracker.track(scan, odometry)
         self.lost += not accepted
         loops: list[Loop] = []
         corrected, fresh = False, not self.keyframes or self.tracker.moved_enough()
         if fresh:
-            self._add_keyframe(scan, found)
+            self._add_keyframe(scan, refined)
             loops = self.search.search(self.keyframes[-1], self.graph)
             corrected = self._close(loops)
         self.stamps.append(scan.stamp)
         self.bases.append(self.tracker.base)
         self.motions.append(self.tracker.from_keyframe())
-        return Result(self.pose, score, accepted, found.degeneracy, found.covariance, fresh, tuple(loops), corrected)
+        return Result(self.pose, score, accepted, refined.degeneracy, refined.covariance, fresh, tuple(loops), corrected)
 
     @property
     def pose(self) -> Pose2D:

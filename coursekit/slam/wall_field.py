@@ -19,16 +19,16 @@ class WallField:
     """
 
     def __init__(self, points: Any, cell: float = 0.02, reach: float = 0.5) -> None:
-        found = np.asarray(points, float).reshape(-1, 2)
-        if not len(found) or not np.isfinite(found).all():
+        walls = np.asarray(points, float).reshape(-1, 2)
+        if not len(walls) or not np.isfinite(walls).all():
             raise ValueError("a field needs points, and finite ones: leave out the beams that met nothing")
-        self.points, self.cell, self.reach = found, cell, reach
-        self._corner = found.min(axis=0) - reach - cell
-        columns, rows = np.ceil((found.max(axis=0) + reach + cell - self._corner) / cell).astype(int) + 1
+        self.points, self.cell, self.reach = walls, cell, reach
+        self._corner = walls.min(axis=0) - reach - cell
+        columns, rows = np.ceil((walls.max(axis=0) + reach + cell - self._corner) / cell).astype(int) + 1
         if rows * columns > MOST_CELLS:
             raise ValueError(f"{columns} by {rows} cells are too many: use larger cells, or leave out the points far away")
         open_ = np.ones((rows, columns), bool)
-        at = np.floor((found - self._corner) / cell).astype(int)
+        at = np.floor((walls - self._corner) / cell).astype(int)
         open_[at[:, 1], at[:, 0]] = False
         self._gaps = np.minimum(distance_transform_edt(open_) * cell, reach)
 

@@ -14,28 +14,28 @@ _TOKEN_QUERY, _TOKEN_USER = 0x8, 1
 
 def read(path: Path) -> str:
     """Return the list of a file or folder; OSError when it cannot be read."""
-    found, text = ctypes.c_void_p(), ctypes.c_wchar_p()
+    descriptor, text = ctypes.c_void_p(), ctypes.c_wchar_p()
     names = _advapi()
-    _check(names.GetNamedSecurityInfoW(str(path), _FILE, _DACL, None, None, None, None, ctypes.byref(found)), path)
+    _check(names.GetNamedSecurityInfoW(str(path), _FILE, _DACL, None, None, None, None, ctypes.byref(descriptor)), path)
     try:
         convert = names.ConvertSecurityDescriptorToStringSecurityDescriptorW
-        if not convert(found, 1, _DACL, ctypes.byref(text), None):
+        if not convert(descriptor, 1, _DACL, ctypes.byref(text), None):
             raise _last_error(path)
         return text.value or ""
     finally:
-        _free(found, text)
+        _free(descriptor, text)
 
 
 def write(path: Path, access: str) -> None:
     """Set the list of a file or folder, without inherited entries; OSError when that is refused."""
-    found = ctypes.c_void_p()
-    if not _advapi().ConvertStringSecurityDescriptorToSecurityDescriptorW(access, 1, ctypes.byref(found), None):
+    descriptor = ctypes.c_void_p()
+    if not _advapi().ConvertStringSecurityDescriptorToSecurityDescriptorW(access, 1, ctypes.byref(descriptor), None):
         raise _last_error(path)
     try:
-        if not _advapi().SetFileSecurityW(str(path), ctypes.c_ulong(_DACL | _PROTECTED), found):
+        if not _advapi().SetFileSecurityW(str(path), ctypes.c_ulong(_DACL | _PROTECTED), descriptor):
             raise _last_error(path)
     finally:
-        _free(found)
+        _free(descriptor)
 
 
 def user() -> str:

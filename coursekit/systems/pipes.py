@@ -101,5 +101,5 @@ def peek(pipe: int) -> bool:
 
     there = ctypes.c_ulong()
     handle = ctypes.c_void_p(msvcrt.get_osfhandle(pipe))  # type: ignore[attr-defined]
-    found = ctypes.windll.kernel32.PeekNamedPipe(handle, None, 0, None, ctypes.byref(there), None)  # type: ignore[attr-defined]
-    return not found or there.value > 0  # it fails if the other end is closed: a read reports that
+    succeeded = ctypes.windll.kernel32.PeekNamedPipe(handle, None, 0, None, ctypes.byref(there), None)  # type: ignore[attr-defined]
+    return not succeeded or there.value > 0  # it fails if the other end is closed: a read reports that

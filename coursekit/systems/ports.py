@@ -11,9 +11,9 @@ def free_port() -> int:
     >>> 0 < free_port() < 65536
     True
     """
-    with socket.socket() as one:
-        one.bind(("127.0.0.1", 0))
-        port: int = one.getsockname()[1]
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        port: int = probe.getsockname()[1]
     return port
 
 

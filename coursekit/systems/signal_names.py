@@ -34,8 +34,8 @@ def signal_called(which: str | int) -> signal.Signals:
     """
     for known in _KNOWN:
         if which in (known.__members__ if isinstance(which, str) else known.__members__.values()):
-            found: signal.Signals = known[which] if isinstance(which, str) else known(which)
-            return found
+            member: signal.Signals = known[which] if isinstance(which, str) else known(which)
+            return member
     return signal.Signals[which] if isinstance(which, str) else signal.Signals(which)
 
 

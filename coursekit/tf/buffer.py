@@ -70,11 +70,11 @@ class FrameBuffer(FrameStore):
             return self._explore(target, source, time)
         if path.version == self.version and path.asked == time:
             return path.found
-        found = path.solve(time)
-        if found is None:
+        stamped = path.solve(time)
+        if stamped is None:
             return self._explore(target, source, time)
-        path.version, path.asked, path.found = self.version, time, found
-        return found
+        path.version, path.asked, path.found = self.version, time, stamped
+        return stamped
 
     def _explore(self, target: str, source: str, time: int) -> tuple[Pose, int]:
         """Look up by walking the tree; the path found is cached."""
@@ -88,9 +88,9 @@ class FrameBuffer(FrameStore):
             if len(self._paths) > 4096:
                 self._paths.clear()
             path = self._paths[target, source] = Path(up, down)
-            found = path.solve(time)
-            assert found is not None
-            return found
+            stamped = path.solve(time)
+            assert stamped is not None
+            return stamped
         pose = IDENTITY
         for cache in up:
             pose = compose(cache.at(time) or IDENTITY, pose)
@@ -117,8 +117,8 @@ class FrameBuffer(FrameStore):
         fault = self._unusable("canTransform", target_frame=target, source_frame=source, fixed_frame=fixed)
         if fault:
             return False, fault
-        found = self._try(target, fixed, target_time)
-        return self._try(fixed, source, source_time) if found[0] else found
+        first = self._try(target, fixed, target_time)
+        return self._try(fixed, source, source_time) if first[0] else first
 
     def _try(self, target: str, source: str, time: int) -> tuple[bool, str]:
         try:

@@ -149,8 +149,8 @@ class FrameCache:
         pose = self.poses[here]
         if then == stamp or not (self.single_parent or self.parents[here] == self.parents[after]):
             return pose
-        if then == self._asked_after and (found := segment(pose, self.poses[after])) is not None:
-            self.since, self.until, self.segment = then, stamps[after], found
+        if then == self._asked_after and (piece := segment(pose, self.poses[after])) is not None:
+            self.since, self.until, self.segment = then, stamps[after], piece
         self._asked_after = then
         return interpolate(pose, self.poses[after], (stamp - then) / (stamps[after] - then))
 

@@ -68,10 +68,10 @@ class FrameStore:
         x, y, z, i, j, k, w = pose
         off = i * i + j * j + k * k + w * w - 1.0
         if not -1e-12 < off < 1e-12 or parent == child or not parent or not child or x + y + z != x + y + z:
-            found = list(faults(parent, child, pose, authority))
-            for fault in found:
+            reasons = list(faults(parent, child, pose, authority))
+            for fault in reasons:
                 self.report("Error", fault)
-            if found:
+            if reasons:
                 return False
             pose = normalized(pose)
         with self._lock:

@@ -129,14 +129,14 @@ def _rotations() -> np.ndarray:
     """Return (16, 16): maps the products of a quaternion's components (xx, xy, ..., ww) to the rotation in a 4x4 matrix."""
     import numpy as np
 
-    found = np.zeros((4, 4, 4, 4))
+    tensor = np.zeros((4, 4, 4, 4))
     x, y, z, w = range(4)
     for i, j, k in ((x, y, z), (y, z, x), (z, x, y)):
-        found[i, i, i, i] = found[w, w, i, i] = 1.0
-        found[j, j, i, i] = found[k, k, i, i] = -1.0
-        found[i, j, i, j] = found[i, j, j, i] = 2.0
-        found[k, w, j, i], found[k, w, i, j] = 2.0, -2.0
-    return found.reshape(16, 16)
+        tensor[i, i, i, i] = tensor[w, w, i, i] = 1.0
+        tensor[j, j, i, i] = tensor[k, k, i, i] = -1.0
+        tensor[i, j, i, j] = tensor[i, j, j, i] = 2.0
+        tensor[k, w, j, i], tensor[k, w, i, j] = 2.0, -2.0
+    return tensor.reshape(16, 16)
 
 
 # -- writing the function

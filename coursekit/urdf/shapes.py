@@ -77,12 +77,12 @@ def _primitive(geometry: Box | Cylinder | Sphere) -> Surface:
     import trimesh
 
     if isinstance(geometry, Box):
-        made = trimesh.creation.box(extents=geometry.size)
+        mesh = trimesh.creation.box(extents=geometry.size)
     elif isinstance(geometry, Cylinder):
-        made = trimesh.creation.cylinder(radius=geometry.radius, height=geometry.length, sections=ROUND)
+        mesh = trimesh.creation.cylinder(radius=geometry.radius, height=geometry.length, sections=ROUND)
     else:
-        made = trimesh.creation.icosphere(subdivisions=3, radius=geometry.radius)
-    return Surface(np.asarray(made.vertices, float), np.asarray(made.faces))
+        mesh = trimesh.creation.icosphere(subdivisions=3, radius=geometry.radius)
+    return Surface(np.asarray(mesh.vertices, float), np.asarray(mesh.faces))
 
 
 def _scaled(surface: Surface, scale: tuple[float, float, float]) -> Surface:
@@ -104,13 +104,13 @@ def link_surfaces(robot: Robot, link: Link | str, *, collision: bool = False) ->
     >>> sorted(set(post.vertices[:, 2].tolist()))
     [0.0, 1.0]
     """
-    one = robot.link(link) if isinstance(link, str) else link
+    resolved = robot.link(link) if isinstance(link, str) else link
     surfaces: list[Surface] = []
-    parts: Iterable[Visual | Collision] = one.collisions if collision else one.visuals
+    parts: Iterable[Visual | Collision] = resolved.collisions if collision else resolved.visuals
     for part in parts:
         matrix = matrix_of(part.origin)
         colour = part.material.colour if isinstance(part, Visual) and part.material is not None else None
-        for surface in _part_surfaces(robot, one, part):
+        for surface in _part_surfaces(robot, resolved, part):
             vertices = surface.vertices @ matrix[:3, :3].T + matrix[:3, 3]
             surfaces.append(Surface(vertices, surface.faces, colour or surface.colour))
     return surfaces

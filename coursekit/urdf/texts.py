@@ -69,11 +69,11 @@ def graphviz_text(robot: Robot) -> str:
     node [shape=ellipse, color=blue, fontcolor=blue];
     }
     """
-    found = [joint for _, _, joint in branches(robot)]
-    links = [robot.root, *(joint.child for joint in found)]
+    joints = [joint for _, _, joint in branches(robot)]
+    links = [robot.root, *(joint.child for joint in joints)]
     lines = ["digraph G {", "node [shape=box];", *(f"{_quoted(name)} [label={_quoted(name)}];" for name in links)]
     lines.append("node [shape=ellipse, color=blue, fontcolor=blue];")
-    for joint in found:
+    for joint in joints:
         xyz = " ".join(f"{value:g}" for value in joint.origin.xyz)
         rpy = " ".join(f"{value:g}" for value in joint.origin.rpy)
         lines.append(f'{_quoted(joint.parent)} -> {_quoted(joint.name)} [label="xyz: {xyz} \\nrpy: {rpy}"]')

@@ -127,8 +127,8 @@ def view_of(panel: Panel) -> View:
     """Return the visible area of a panel: its own view, or all of its content with a margin."""
     if panel.view is not None:
         return panel.view
-    found = [point for shape in panel.shapes for point in _extent(shape)]
-    xs, ys = ([point[axis] for point in found] or [0.0, 1.0] for axis in (0, 1))
+    points = [point for shape in panel.shapes for point in _extent(shape)]
+    xs, ys = ([point[axis] for point in points] or [0.0, 1.0] for axis in (0, 1))
     left, right, low, high = min(xs), max(xs), min(ys), max(ys)
     if panel.axes:
         return left, max(right, left + 1e-9), low - 0.06 * (high - low or 1.0), high + 0.06 * (high - low or 1.0)

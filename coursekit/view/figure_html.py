@@ -205,7 +205,7 @@ def _keys(shape: Shape) -> Iterator[tuple[str, str, str]]:
     if isinstance(shape, Cells):
         there = set(np.unique(shape.codes).tolist())
         named = enumerate(zip(shape.kinds, shape.labels, strict=False))
-        yield from (("cell", *one) for code, one in named if code in there)
+        yield from (("cell", *pair) for code, pair in named if code in there)
     elif isinstance(shape, Arrow) or (isinstance(shape, (Line, Dots)) and len(shape.points) > isinstance(shape, Line)):
         sign = ("dash" if shape.dashed else "stroke") if isinstance(shape, Line) else "dot"
         yield sign, shape.kind, shape.label

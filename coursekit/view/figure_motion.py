@@ -38,10 +38,14 @@ def _corners(places: Sequence[Point], ticks: int) -> list[tuple[float, Point]]:
     kept = [(at, places[at]) for at in range(0, len(places), step)]
     if kept[-1][0] != len(places) - 1:
         kept.append((len(places) - 1, places[-1]))
-    inner = [one for before, one, after in zip(kept, kept[1:], kept[2:], strict=False) if not _straight(before, one, after)]
+    inner = [
+        corner
+        for before, corner, after in zip(kept, kept[1:], kept[2:], strict=False)
+        if not _straight(before, corner, after)
+    ]
     corners = [kept[0], *inner, kept[-1]]
-    found = [(95.0 * at / max(1, ticks - 1), place) for at, place in corners]
-    return [*found, (100.0, places[-1])]
+    timed = [(95.0 * at / max(1, ticks - 1), place) for at, place in corners]
+    return [*timed, (100.0, places[-1])]
 
 
 def _straight(before: tuple[int, Point], one: tuple[int, Point], after: tuple[int, Point]) -> bool:

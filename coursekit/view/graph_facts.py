@@ -95,12 +95,12 @@ def take(graph: Any, *, hidden: bool = False, debug: bool = False) -> Facts:
     counts = Counter(node.full_name for node in nodes)
 
     def ends(kind: str, of_services: bool = False) -> tuple[End, ...]:
-        found = (end for node in nodes for end in list(getattr(node, kind)))
+        candidates = (end for node in nodes for end in list(getattr(node, kind)))
         skip = _is_parameter_service if of_services else _is_debug_topic
         return tuple(
             sorted(
                 End(end.name, end.node.full_name, end.type_name, end.qos)
-                for end in found
+                for end in candidates
                 if (hidden or not is_hidden(end.name)) and (debug or not skip(end))
             )
         )

@@ -36,7 +36,7 @@ class Fault:
 
 def find(facts: Facts) -> list[Fault]:
     """Return all faults of the graph, serious ones first, otherwise in a fixed order."""
-    found = [
+    faults = [
         *_duplicates(facts),
         *_types(facts),
         *_qos(facts),
@@ -44,7 +44,7 @@ def find(facts: Facts) -> list[Fault]:
         *_calls("service", facts.servers, facts.clients),
         *_calls("action", facts.action_servers, facts.action_clients),
     ]
-    return sorted(found, key=lambda fault: not fault.serious)
+    return sorted(faults, key=lambda fault: not fault.serious)
 
 
 def _duplicates(facts: Facts) -> Iterator[Fault]:
@@ -93,14 +93,14 @@ def _qos(facts: Facts) -> Iterator[Fault]:
 def mismatches(pub: End, sub: End) -> list[tuple[str, str, str, str]]:
     """Return (policy, offered value, requested value, remedy) for each policy that does not match."""
     offer, wish = pub.qos.resolved(), sub.qos.resolved()
-    found = []
+    differences = []
     if offer.reliability == BEST_EFFORT and wish.reliability == RELIABLE:
         cure = f"Let {sub.node} ask for BEST_EFFORT (qos_profile_sensor_data), or let {pub.node} offer RELIABLE."
-        found.append(("reliability", "BEST_EFFORT", "RELIABLE", cure))
+        differences.append(("reliability", "BEST_EFFORT", "RELIABLE", cure))
     if offer.durability == VOLATILE and wish.durability == TRANSIENT_LOCAL:
         cure = f"Let {pub.node} offer TRANSIENT_LOCAL, or let {sub.node} ask for VOLATILE and miss earlier messages."
-        found.append(("durability", "VOLATILE", "TRANSIENT_LOCAL", cure))
-    return [*found, *_timing(pub.node, sub.node, offer, wish)]
+        differences.append(("durability", "VOLATILE", "TRANSIENT_LOCAL", cure))
+    return [*differences, *_timing(pub.node, sub.node, offer, wish)]
 
 
 def _timing(pub: str, sub: str, offer: Qos, wish: Qos) -> Iterator[tuple[str, str, str, str]]:

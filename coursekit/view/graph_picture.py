@@ -133,18 +133,18 @@ def _links(facts: Facts, view: str, things: dict[str, Thing], faults: Sequence[F
 
 def _merged(links: Iterator[Link]) -> list[Link]:
     """Merge links so that each pair of boxes has one line; a link in both directions gets two heads."""
-    found: dict[tuple[str, str], Link] = {}
+    link_by_pair: dict[tuple[str, str], Link] = {}
     for link in links:
         pair, back = (link.start, link.end), (link.end, link.start)
-        if back in found and back != pair and found[back].labels == link.labels:
-            found[back].heads = "both"
-            found[back].broken |= link.broken
-        elif pair in found:
-            found[pair].labels += link.labels
-            found[pair].broken |= link.broken
+        if back in link_by_pair and back != pair and link_by_pair[back].labels == link.labels:
+            link_by_pair[back].heads = "both"
+            link_by_pair[back].broken |= link.broken
+        elif pair in link_by_pair:
+            link_by_pair[pair].labels += link.labels
+            link_by_pair[pair].broken |= link.broken
         else:
-            found[pair] = link
-    return list(found.values())
+            link_by_pair[pair] = link
+    return list(link_by_pair.values())
 
 
 # -- drawing

@@ -49,7 +49,7 @@ def _line(kind: str, name: str, sources: Sequence[End], targets: Sequence[End]) 
 
 def details(graph: Any, name: str) -> str:
     """Return the output of `ros2 node info` or `ros2 topic info -v` for the node, topic, service or action of that name."""
-    node = next((found for found in list(graph.nodes) if found.full_name == name), None)
+    node = next((node for node in list(graph.nodes) if node.full_name == name), None)
     if node is not None:
         return _of_node(node)
     publishers, subscriptions = graph.publishers.get(name, ()), graph.subscriptions.get(name, ())

@@ -38,15 +38,15 @@ def told(stage: Stage, picked: Picked) -> dict[str, Any] | None:
     """Return the display, topic and current values for the page; None if the thing is no longer shown."""
     with stage.lock:
         thing = stage.scene.things.get((picked.display, picked.thing))
-        one = next((display for display in stage.displays if display.key == picked.display), None)
-        if thing is None or one is None:
+        display = next((display for display in stage.displays if display.key == picked.display), None)
+        if thing is None or display is None:
             return None
-        head = [("Topic", one.config.topic)] if KINDS[one.kind].type else []
+        head = [("Topic", display.config.topic)] if KINDS[display.kind].type else []
         dot = nearest_dot(thing, local(thing, picked.at))
         here = picked.here if dot is None else dot[1]
-        facts = [*head, *one.facts(picked.thing, thing, here, stage)]
+        facts = [*head, *display.facts(picked.thing, thing, here, stage)]
         at = [round(float(value), 4) for value in world(thing, here)]
-        return {"name": one.config.name, "facts": facts, "at": at}
+        return {"name": display.config.name, "facts": facts, "at": at}
 
 
 __all__ = ["Picked", "pick", "told"]

@@ -95,7 +95,7 @@ class Scene:
         self._keys[number] = key
         if len(self._keys) > 2 * (len(self.things) + _REMEMBERED):
             kept = {thing.number for thing in self.things.values()} | set(list(self._keys)[-_REMEMBERED:])
-            self._keys = {one: of for one, of in self._keys.items() if one in kept}
+            self._keys = {old: of for old, of in self._keys.items() if old in kept}
 
     def key_of(self, number: int) -> Key | None:
         """Return the key of the thing that has the number, or had it until replaced; None if unknown.

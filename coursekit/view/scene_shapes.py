@@ -133,8 +133,8 @@ def box(x: float = 1.0, y: float = 1.0, z: float = 1.0) -> Body:
     """
     import trimesh
 
-    made = trimesh.creation.box(extents=(x, y, z))
-    return np.asarray(made.vertices), np.asarray(made.faces)
+    mesh = trimesh.creation.box(extents=(x, y, z))
+    return np.asarray(mesh.vertices), np.asarray(mesh.faces)
 
 
 @lru_cache(maxsize=8)
@@ -142,8 +142,8 @@ def ball(fine: int = 2) -> Body:
     """Return vertices and faces of a ball of diameter 1."""
     import trimesh
 
-    made = trimesh.creation.icosphere(subdivisions=fine, radius=0.5)
-    return np.asarray(made.vertices), np.asarray(made.faces)
+    mesh = trimesh.creation.icosphere(subdivisions=fine, radius=0.5)
+    return np.asarray(mesh.vertices), np.asarray(mesh.faces)
 
 
 @lru_cache(maxsize=64)
@@ -168,8 +168,8 @@ def arrow(length: float, radius: float, head: float, head_radius: float, colour:
 def join(parts: list[Body], colour: Colour) -> Triangles:
     """Join several bodies to one shape."""
     starts = np.cumsum([0, *(len(vertices) for vertices, _ in parts)])
-    faces = [one + start for (_, one), start in zip(parts, starts, strict=False)]
-    return Triangles(np.concatenate([one for one, _ in parts]), np.concatenate(faces), colour)
+    faces = [triangles + start for (_, triangles), start in zip(parts, starts, strict=False)]
+    return Triangles(np.concatenate([vertices for vertices, _ in parts]), np.concatenate(faces), colour)
 
 
 def scattered(body: Body, places: np.ndarray, turns: np.ndarray | None = None) -> Body:
@@ -203,11 +203,11 @@ def towards(direction: np.ndarray) -> np.ndarray:
 def simpler(body: Body, most: int) -> Body:
     """Simplify a body to about `most` faces at most, by merging corners that are near each other."""
     cells = 128.0
-    made = body
-    while len(made[1]) > most and cells >= 2:
-        made = _clustered(body, cells)
-        cells = min(cells * 0.8, cells * math.sqrt(most / max(1, len(made[1]))))
-    return made
+    simplified = body
+    while len(simplified[1]) > most and cells >= 2:
+        simplified = _clustered(body, cells)
+        cells = min(cells * 0.8, cells * math.sqrt(most / max(1, len(simplified[1]))))
+    return simplified
 
 
 def _clustered(body: Body, cells: float) -> Body:

@@ -19,8 +19,8 @@ def described(stage: Stage) -> str:
         lines.append(f"Global Status: {level}: {text}")
     heads = [_head(display) for display in stage.displays]
     width = max(map(len, heads), default=0)
-    for head, one in zip(heads, stage.displays, strict=True):
-        lines.append(f"{head:<{width}}  {one.level:<5}  {one.remark if one.config.enabled else ''}".rstrip())
+    for head, display in zip(heads, stage.displays, strict=True):
+        lines.append(f"{head:<{width}}  {display.level:<5}  {display.remark if display.config.enabled else ''}".rstrip())
     lines += [f"not known here: {name}" for name in stage.config.skipped]
     return "\n".join(lines)
 

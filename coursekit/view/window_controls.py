@@ -21,8 +21,8 @@ def existing(name: str) -> Window:
 
 
 def _bar(name: str, window: str) -> Trackbar | None:
-    found = desk().windows.get(window)
-    return None if found is None else found.trackbars.get(name)
+    shown = desk().windows.get(window)
+    return None if shown is None else shown.trackbars.get(name)
 
 
 def createTrackbar(

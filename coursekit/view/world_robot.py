@@ -83,17 +83,17 @@ def _link_shapes(assembly: Any) -> dict[str, list[Triangles]]:
     robot = assembly.description if assembly is not None else None
     if robot is None:
         return {}
-    found: dict[str, list[Triangles]] = {}
+    triangles_by_link: dict[str, list[Triangles]] = {}
     for link in robot.links:
         try:
             surfaces = link_surfaces(robot, link)
         except MeshError:
             return {}
         if surfaces:
-            found[link] = [
+            triangles_by_link[link] = [
                 Triangles(*simpler((surface.vertices, surface.faces), MOST_FACES), surface.colour) for surface in surfaces
             ]
-    return found
+    return triangles_by_link
 
 
 def upright(place: Pose2D) -> Pose:

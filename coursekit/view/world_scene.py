@@ -59,15 +59,15 @@ class WorldScene:
     def update(self) -> Scene:
         """Bring the scene up to date."""
         with self.lock:
-            found = self._find()
-            if found is not self._simulator:
+            simulator = self._find()
+            if simulator is not self._simulator:
                 for display in (FLOOR, THINGS, ROBOTS, LASER):
                     self.scene.clear(display)
-                self._simulator, self._changes, self._swept = found, -1, -LASER_NS
+                self._simulator, self._changes, self._swept = simulator, -1, -LASER_NS
                 self._robots, self._looks, self._all_there = {}, {}, []
-            if found is not None:
-                with found.simulation.busy:
-                    self._draw(found)
+            if simulator is not None:
+                with simulator.simulation.busy:
+                    self._draw(simulator)
             return self.scene
 
     def _draw(self, simulator: Simulator) -> None:
@@ -132,9 +132,9 @@ class WorldScene:
         return all(self.scene.has(LASER, name) for name in lidars(simulator))
 
     def _sweep(self, simulator: Simulator) -> None:
-        found = lidars(simulator)
-        self.scene.keep_only(LASER, set(found))
-        for name, (robot, lidar) in found.items():
+        lidar_by_name = lidars(simulator)
+        self.scene.keep_only(LASER, set(lidar_by_name))
+        for name, (robot, lidar) in lidar_by_name.items():
             ranges = np.minimum(simulator.simulation.scan(lidar, robot), lidar.range_max)
             turn = lidar.bearings()
             ends = np.column_stack((ranges * np.cos(turn), ranges * np.sin(turn)))
@@ -160,7 +160,9 @@ class WorldScene:
         """Return the models of the scene's things by number, without the floor and the beams."""
         with self.lock:
             things = self.scene.things.items()
-            return {one.number: name.partition("::")[0] for (display, name), one in things if display in (THINGS, ROBOTS)}
+            return {
+                thing.number: name.partition("::")[0] for (display, name), thing in things if display in (THINGS, ROBOTS)
+            }
 
     def png(self, width: int = 640, height: int = 400) -> bytes:
         """Return a still picture of the current scene."""
@@ -174,7 +176,7 @@ def lidars(simulator: Simulator) -> dict[str, tuple[Robot, Lidar]]:
     for name, robot in simulator.simulation.robots.items():
         devices = simulator.assemblies[name].devices if name in simulator.assemblies else []
         rays = [device for device in devices if isinstance(device, RayDevice) and device.lidar.beams > 1]
-        lidars |= {f"{name} {number}": (robot, one.lidar) for number, one in enumerate(rays)}
+        lidars |= {f"{name} {number}": (robot, ray.lidar) for number, ray in enumerate(rays)}
     return lidars
 
 

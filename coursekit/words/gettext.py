@@ -102,8 +102,8 @@ class Words:
         if len(text) > _LONGEST or depth > _DEEPEST:
             return text
         for pattern, other, letters in self._patterns:
-            if (letters >= _LEAST_INSIDE or not depth) and (found := pattern.fullmatch(text)):
-                return FIELD.sub(lambda field: self.translated(found[int(field[1]) + 1], depth + 1), other)
+            if (letters >= _LEAST_INSIDE or not depth) and (match := pattern.fullmatch(text)):
+                return FIELD.sub(lambda field: self.translated(match[int(field[1]) + 1], depth + 1), other)
         return text
 
 

@@ -33,7 +33,9 @@ def pose_facts(pose: Pose) -> list[Fact]:
     roll = math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y))
     pitch = math.asin(max(-1.0, min(1.0, 2 * (w * y - z * x))))
     yaw = math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))
-    turns = ", ".join(f"{name} {round(math.degrees(one))}" for name, one in (("roll", roll), ("pitch", pitch), ("yaw", yaw)))
+    turns = ", ".join(
+        f"{name} {round(math.degrees(angle))}" for name, angle in (("roll", roll), ("pitch", pitch), ("yaw", yaw))
+    )
     return [("Position", point_text(pose[:3])), ("Orientation", f"{turns} deg")]
 
 

@@ -32,13 +32,13 @@ class _Points(StampedDisplay):
     def points_of(self, points: Any, scene: Scene) -> np.ndarray | None:
         """Return the points, or None after reporting invalid ones."""
         try:
-            found = places(points)
+            checked = places(points)
         except ValueError as error:
             self.say("Message", "Error", str(error))
             scene.clear(self.key)
             return None
         self.unsay("Message")
-        return found
+        return checked
 
     @property
     def colour(self) -> tuple[float, float, float, float]:

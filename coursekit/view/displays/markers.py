@@ -72,8 +72,8 @@ class Marker(Display):
         for msg in self.taken():
             for marker in self.markers(msg):
                 self._apply(marker, now)
-        for name, one in list(self.living.items()):
-            if one.ends and now >= one.ends:
+        for name, living in list(self.living.items()):
+            if living.ends and now >= living.ends:
                 del self.living[name]
         self._place(stage, scene)
         scene.keep_only(self.key, set(self.living))

@@ -61,10 +61,10 @@ class _Dots(StampedDisplay):
 
     def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
         """Return the facts of the dot nearest to the click."""
-        found = nearest_dot(thing, here)
-        if found is None:
+        dot = nearest_dot(thing, here)
+        if dot is None:
             return super().facts(name, thing, here, stage)
-        return [*self.dot_facts(*found), ("Position", point_text(world(thing, found[1]))), *header_facts(self.shown)]
+        return [*self.dot_facts(*dot), ("Position", point_text(world(thing, dot[1]))), *header_facts(self.shown)]
 
     def dot_facts(self, number: int, dot: np.ndarray) -> list[Fact]:
         """Return the facts of a dot, given in the message's frame."""
@@ -181,7 +181,7 @@ def read_cloud(msg: Any) -> np.ndarray:
     kind = np.dtype(
         {
             "names": [field.name for field in msg.fields],
-            "formats": [one if f.count <= 1 else (one, (f.count,)) for one, f in zip(kinds, msg.fields, strict=True)],
+            "formats": [base if f.count <= 1 else (base, (f.count,)) for base, f in zip(kinds, msg.fields, strict=True)],
             "offsets": [field.offset for field in msg.fields],
             "itemsize": msg.point_step,
         }

@@ -122,8 +122,8 @@ class ParticleCloud(StampedDisplay):
 
     def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw flat arrows."""
-        found = [(numbers(particle.pose), particle.weight) for particle in msg.particles]
-        good = [(place, weight) for place, weight in found if finite(place) and math.isfinite(weight)]
+        weighted = [(numbers(particle.pose), particle.weight) for particle in msg.particles]
+        good = [(place, weight) for place, weight in weighted if finite(place) and math.isfinite(weight)]
         self.say("Particles", "Ok", f"{len(good)} particles")
         if not good:
             scene.put(self.key, "particles", pose=pose)

@@ -83,14 +83,14 @@ class TF(Display):
         return now - since > self.options["frame_timeout"] * 1e9
 
     def _frame(self, frame: str, pose: Pose, scene: Scene) -> set[str]:
-        made = {f"axes {frame}"}
+        names = {f"axes {frame}"}
         scale = float(self.options["marker_scale"])
         if not scene.has(self.key, f"axes {frame}"):
             bars = axes(LENGTH * scale, RADIUS * scale) if self.options["show_axes"] else ()
             label = (Label(frame),) if self.options["show_names"] else ()
             scene.put(self.key, f"axes {frame}", *bars, *label, pose=pose)
         scene.place(self.key, f"axes {frame}", pose)
-        return made
+        return names
 
     def _arrow(self, frame: str, pose: Pose, parent: Pose, scene: Scene) -> set[str]:
         """Place a unit arrow, stretched from the frame to its parent."""

@@ -33,5 +33,5 @@ def is_of_another_age(program: Path) -> bool:
     """Whether a program built here has a different runtime, or does not name one."""
     with open(program, "rb") as file, mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as data:
         at = data.find(MARK)
-        found = data[at + len(MARK) : at + len(MARK) + _LENGTH] if at >= 0 else b""
-    return found != runtime_key().encode()
+        key = data[at + len(MARK) : at + len(MARK) + _LENGTH] if at >= 0 else b""
+    return key != runtime_key().encode()

@@ -82,8 +82,8 @@ def version_of_package(name: str, share: Path) -> str:
     >>> version_of_package("OpenCV", Path("share"))
     '4.5.4'
     """
-    found = re.search(r"<version>([^<]+)<", _manifest(name, share))
-    return VERSIONS.get(name) or (found[1] if found else "")
+    match = re.search(r"<version>([^<]+)<", _manifest(name, share))
+    return VERSIONS.get(name) or (match[1] if match else "")
 
 
 def _manifest(name: str, share: Path) -> str:

@@ -80,7 +80,7 @@ def _checked(name: Any) -> str:
 
 
 def _struct(name: str, tree: dict[str, Any], above: list[str]) -> Struct:
-    made = Struct(name)
+    struct = Struct(name)
     if not isinstance(tree, dict):
         raise ParameterFileError(f"No type defined for parameter {'.'.join(above) or name}")
     for key, value in tree.items():
@@ -88,10 +88,10 @@ def _struct(name: str, tree: dict[str, Any], above: list[str]) -> Struct:
         if not isinstance(value, dict):
             raise ParameterFileError(f"No type defined for parameter {'.'.join(above)}")
         if any(isinstance(entry, dict) for word, entry in value.items() if word != "validation" or not _is_leaf(value)):
-            made.structs.append(_struct(key, value, [*above, key]))
+            struct.structs.append(_struct(key, value, [*above, key]))
         elif parameter := _parameter(key, value, [*above, key]):
-            made.parameters.append(parameter)
-    return made
+            struct.parameters.append(parameter)
+    return struct
 
 
 def _is_leaf(value: dict[str, Any]) -> bool:

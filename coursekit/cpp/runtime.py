@@ -123,13 +123,13 @@ def make_runtime(folder: Path, tools: Toolchain) -> None:
 
 def _make(folder: Path, tools: Toolchain) -> None:
     with tempfile.TemporaryDirectory(dir=folder.parent, prefix=MAKING) as name:
-        made = Path(name) / "runtime"
-        write_headers(made / "include", known_interfaces())
-        _write_configs(made)
-        write_forwarded(made / "include")
-        (made / "age.cpp").write_text(age_source(), encoding="utf-8")
-        _build_library(made, Path(name) / "build", tools)
-        made.rename(folder)
+        staging = Path(name) / "runtime"
+        write_headers(staging / "include", known_interfaces())
+        _write_configs(staging)
+        write_forwarded(staging / "include")
+        (staging / "age.cpp").write_text(age_source(), encoding="utf-8")
+        _build_library(staging, Path(name) / "build", tools)
+        staging.rename(folder)
 
 
 def _write_configs(folder: Path) -> None:

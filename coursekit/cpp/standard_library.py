@@ -42,8 +42,8 @@ def _linked_by(tools: Toolchain) -> list[Path]:
 
 def _file_in(told: str, name: str) -> Path:
     """Find a file by name in a command line that zig does not quote: folder names may contain spaces."""
-    for end in (found.end() for found in re.finditer(rf"/{re.escape(name)}(?=\s|$)", told)):
-        for start in reversed([found.start() for found in re.finditer(r"(?<!\S)/", told[:end])]):
+    for end in (match.end() for match in re.finditer(rf"/{re.escape(name)}(?=\s|$)", told)):
+        for start in reversed([match.start() for match in re.finditer(r"(?<!\S)/", told[:end])]):
             if (path := Path(told[start:end])).is_file():
                 return path
     raise FileNotFoundError(f"zig names no {name} among what it links")

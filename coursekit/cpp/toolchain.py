@@ -81,8 +81,8 @@ def find_toolchain() -> Toolchain:
     if ninja is None and (which.WINDOWS or shutil.which("make") is None):
         raise NoToolchain(MISSING.format(what="ninja" if which.WINDOWS else "ninja or make"))
     for cxx, cc in () if which.WINDOWS else _COMPILERS:  # a program named g++ there may be anything
-        if found := shutil.which(cxx):
-            return Toolchain((found,), (shutil.which(cc) or found,), None, cmake, ninja)
+        if compiler := shutil.which(cxx):
+            return Toolchain((compiler,), (shutil.which(cc) or compiler,), None, cmake, ninja)
     zig = _zig()
     if zig is None:
         raise NoToolchain(MISSING.format(what="C++ compiler"))
@@ -122,11 +122,11 @@ def _listed(command: tuple[str, ...]) -> str:
 
 def _program(name: str, folder: str) -> str | None:
     """Return a program of the system, else of the wheel with that name."""
-    found = shutil.which(name)
-    if found is None and importlib.util.find_spec(name) is not None:
+    program = shutil.which(name)
+    if program is None and importlib.util.find_spec(name) is not None:
         module = importlib.import_module(name)
-        found = shutil.which(name, path=str(getattr(module, folder, "")))
-    return found
+        program = shutil.which(name, path=str(getattr(module, folder, "")))
+    return program
 
 
 def _zig() -> str | None:

@@ -24,12 +24,12 @@ def full_definition(type_name: str) -> str:
     return "\n".join([texts[0], *parts])
 
 
-def _with_parts(name: str, found: list[str]) -> list[str]:
-    found.append(name)
+def _with_parts(name: str, names: list[str]) -> list[str]:
+    names.append(name)
     for part in interface_of(name).dependencies():  # type: ignore[union-attr]
-        if part not in found:
-            _with_parts(part, found)
-    return found
+        if part not in names:
+            _with_parts(part, names)
+    return names
 
 
 def _short(name: str) -> str:

@@ -39,10 +39,10 @@ def _under_each_other(lines: Iterable[str]) -> str:
     return f"\n{_INDENT}".join(lines)
 
 
-def _topic_line(one: TopicInformation) -> str:
-    topic = one.topic_metadata
+def _topic_line(information: TopicInformation) -> str:
+    topic = information.topic_metadata
     return (
-        f"Topic: {topic.name} | Type: {topic.type} | Count: {one.message_count} | "
+        f"Topic: {topic.name} | Type: {topic.type} | Count: {information.message_count} | "
         f"Serialization Format: {topic.serialization_format}"
     )
 

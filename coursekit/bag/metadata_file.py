@@ -155,18 +155,18 @@ def as_dict(facts: BagFacts) -> dict[str, Any]:
     }
 
 
-def _topic_dict(one: TopicInformation) -> dict[str, Any]:
-    topic = one.topic_metadata
+def _topic_dict(information: TopicInformation) -> dict[str, Any]:
+    topic = information.topic_metadata
     names = ("name", "type", "serialization_format", "offered_qos_profiles")
-    return {"topic_metadata": {name: getattr(topic, name) for name in names}, "message_count": one.message_count}
+    return {"topic_metadata": {name: getattr(topic, name) for name in names}, "message_count": information.message_count}
 
 
-def _file_dict(one: FileFacts) -> dict[str, Any]:
+def _file_dict(facts: FileFacts) -> dict[str, Any]:
     return {
-        "path": one.path,
-        "starting_time": {"nanoseconds_since_epoch": one.starting_time_ns},
-        "duration": {"nanoseconds": one.duration_ns},
-        "message_count": one.message_count,
+        "path": facts.path,
+        "starting_time": {"nanoseconds_since_epoch": facts.starting_time_ns},
+        "duration": {"nanoseconds": facts.duration_ns},
+        "message_count": facts.message_count,
     }
 
 

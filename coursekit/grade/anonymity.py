@@ -100,18 +100,18 @@ class _Hiding:
         return self._names.sub(self._code, text)
 
 
-def _piece(said: _Hiding, code: str, one: Piece) -> Piece:
-    own = {name: said(text) for name, text in one.known.code.items()}
-    return replace(one, where=said(one.where), entry=code, known=replace(one.known, code=own))
+def _piece(said: _Hiding, code: str, piece: Piece) -> Piece:
+    own = {name: said(text) for name, text in piece.known.code.items()}
+    return replace(piece, where=said(piece.where), entry=code, known=replace(piece.known, code=own))
 
 
-def _verdict(said: _Hiding, one: Verdict) -> Verdict:
-    values: dict[str, Any] = asdict(one)
+def _verdict(said: _Hiding, verdict: Verdict) -> Verdict:
+    values: dict[str, Any] = asdict(verdict)
     hidden: dict[str, Any] = {name: said(value) if isinstance(value, str) else value for name, value in values.items()}
     return Verdict(**hidden)
 
 
-def _marked(said: _Hiding, code: str, one: Marked) -> Marked:
-    verdicts = [_verdict(said, verdict) for verdict in one.verdicts]
-    notes, concerns = [said(note) for note in one.notes], [said(note) for note in one.concerns]
-    return replace(one, student=code, verdicts=verdicts, notes=notes, concerns=concerns)
+def _marked(said: _Hiding, code: str, marked: Marked) -> Marked:
+    verdicts = [_verdict(said, verdict) for verdict in marked.verdicts]
+    notes, concerns = [said(note) for note in marked.notes], [said(note) for note in marked.concerns]
+    return replace(marked, student=code, verdicts=verdicts, notes=notes, concerns=concerns)

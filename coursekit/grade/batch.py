@@ -181,21 +181,21 @@ class Class:
             raise
         pool.shutdown()
 
-    def _task(self, one: Record, chapter: str) -> tuple[Any, dict[str, Any], dict[str, Exercise]]:
+    def _task(self, record: Record, chapter: str) -> tuple[Any, dict[str, Any], dict[str, Exercise]]:
         sources = {chapter: self.sources[chapter]}
         if self.variants and self.personal:
-            sources = self.variants.copies(one.label, sources)
-        return one.handed.submission(chapter), sources, exercises_in(*sources.values())
+            sources = self.variants.copies(record.label, sources)
+        return record.handed.submission(chapter), sources, exercises_in(*sources.values())
 
-    def _take(self, future: Future[Marked], one: Record, chapter: str, depends: Mapping[str, Any]) -> None:
+    def _take(self, future: Future[Marked], record: Record, chapter: str, depends: Mapping[str, Any]) -> None:
         try:
             marked = future.result()
         except Exception as error:  # mark() promises not to raise; other students' marks do not depend on it
-            marked = Marked(one.label, "", status="error", notes=[f"it could not be marked: {error}"])
-            marked.verdicts = list(one.wanted[chapter])
-        one.marks[chapter] = marked
+            marked = Marked(record.label, "", status="error", notes=[f"it could not be marked: {error}"])
+            marked.verdicts = list(record.wanted[chapter])
+        record.marks[chapter] = marked
         if marked.status != "error" and not any(verdict.fault for verdict in marked.verdicts):
-            self.results.write(one.key, chapter, depends, marked)
+            self.results.write(record.key, chapter, depends, marked)
 
     def write(self, outcome: Outcome) -> None:
         """Write all results."""

@@ -44,8 +44,8 @@ def without_solution(source: str) -> str:
     stubs = ((_MARKUP, MARKUP_STUB), (_DATA, DATA_STUB), (_CPP, CPP_STUB))
     text = next((stub for kind, stub in stubs if kind.match(source)), STUB)
 
-    def stub(found: re.Match[str]) -> str:
-        return "\n".join(found[1] + line for line in text.splitlines())
+    def stub(match: re.Match[str]) -> str:
+        return "\n".join(match[1] + line for line in text.splitlines())
 
     return _HIDDEN.sub("", _SOLUTION.sub(stub, source))
 

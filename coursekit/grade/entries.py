@@ -27,8 +27,8 @@ def entries_of_folder(folder: Path, leave: Iterable[Path] = ()) -> Iterator[tupl
             yield place.name, place.is_file() and is_loose(place.name), files
 
 
-def _of_walked(found: Walked) -> Raw:
-    return Raw(found.parts, found.when, FILE, found.open, found.size, found.fault)
+def _of_walked(walked: Walked) -> Raw:
+    return Raw(walked.parts, walked.when, FILE, walked.open, walked.size, walked.fault)
 
 
 def is_loose(name: str) -> bool:

@@ -39,28 +39,28 @@ def write_gradebook(
     write_table(file, headings, rows, form)
 
 
-def _of_run(one: Record) -> dict[str, float]:
+def _of_run(record: Record) -> dict[str, float]:
     """Return the points of this run's chapters; a total written by hand is used if there is only one chapter."""
-    total = one.total()
+    total = record.total()
     if total is None:
         return {}
-    if one.total_by_hand() and len(one.wanted) == 1:
-        return dict.fromkeys(one.wanted, total)
-    by_hand = {name for name, asked in one.wanted.items() if any(verdict.name in one.by_hand for verdict in asked)}
-    return {name: one.chapter_total(name) for name in one.wanted if name in one.chapters() or name in by_hand}
+    if record.total_by_hand() and len(record.wanted) == 1:
+        return dict.fromkeys(record.wanted, total)
+    by_hand = {name for name, asked in record.wanted.items() if any(verdict.name in record.by_hand for verdict in asked)}
+    return {name: record.chapter_total(name) for name in record.wanted if name in record.chapters() or name in by_hand}
 
 
-def _earlier(one: Record, results: Results) -> dict[str, float]:
+def _earlier(record: Record, results: Results) -> dict[str, float]:
     """Return the points of the chapters outside this run."""
     earlier = {}
-    for name, kept in results.chapters(one.key).items():
-        if name not in one.wanted:
-            earlier[name] = _points(kept, one)
+    for name, kept in results.chapters(record.key).items():
+        if name not in record.wanted:
+            earlier[name] = _points(kept, record)
     return earlier
 
 
-def _points(kept: dict[str, Any], one: Record) -> float:
+def _points(kept: dict[str, Any], record: Record) -> float:
     verdicts = kept["marked"]["verdicts"]
-    points = sum(one.by_hand.get(verdict["name"], verdict["points"]) for verdict in verdicts)
+    points = sum(record.by_hand.get(verdict["name"], verdict["points"]) for verdict in verdicts)
     off = kept.get("facts", {}).get("percent_off", 0.0)
     return round(float(points) * (1 - float(off) / 100), 2)

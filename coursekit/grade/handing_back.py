@@ -45,21 +45,21 @@ def _title(records: Sequence[Record]) -> str:
     return "coursekit " + " ".join(PurePosixPath(name).stem.partition("_")[0] for name in chapters)
 
 
-def _mark(one: Record, form: Form) -> str:
+def _mark(record: Record, form: Form) -> str:
     """Return the mark; empty without a mark, so that the platform keeps its value."""
-    total = one.total()
+    total = record.total()
     return "" if total is None else form.number(total)
 
 
-def _said(one: Record) -> str:
+def _said(record: Record) -> str:
     """Return a sentence for the student, which begins with the reason if nothing could be marked."""
-    marked = one.marked()
+    marked = record.marked()
     late = marked.minutes_late
-    with speaking(one.language()):
-        words = list(map(gettext, marked.notes[-1:])) if one.handed.entries and not one.handed.chosen else []
+    with speaking(record.language()):
+        words = list(map(gettext, marked.notes[-1:])) if record.handed.entries and not record.handed.chosen else []
         words += [gettext(f"{number(v.points)} of {number(v.of)} for {v.name}") for v in marked.verdicts]
         words += [gettext(f"{late_by(late)} late")] if late else []
-    return "; ".join([*words, *one.comments().values()])
+    return "; ".join([*words, *record.comments().values()])
 
 
 def _in_list(platform: str, records: Sequence[Record], roster: Roster, title: str) -> tuple[list[str], list[list[str]]]:

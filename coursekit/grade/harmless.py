@@ -25,13 +25,13 @@ def shown(text: str, most: int = LONGEST) -> str:
     return kept if len(kept) <= most else kept[: most - 1] + "…"
 
 
-def _letter(one: str) -> str:
-    kind = unicodedata.category(one)
+def _letter(letter: str) -> str:
+    kind = unicodedata.category(letter)
     if kind in ("Cc", "Zl", "Zp"):
         return " "
     if kind == "Cs":
         return "\ufffd"
-    return "" if kind in ("Cf", "Co", "Cn") and one not in _JOINERS else one
+    return "" if kind in ("Cf", "Co", "Cn") and letter not in _JOINERS else letter
 
 
 def cell(text: str, most: int = 2000) -> str:

@@ -95,14 +95,14 @@ def mark(
     return marked
 
 
-def _add(made: Marked, name: str, examined: Examined) -> None:
+def _add(marked: Marked, name: str, examined: Examined) -> None:
     """Add the findings of one chapter."""
-    made.verdicts += examined.verdicts
-    made.notes += examined.notes
-    made.answers += examined.answers
+    marked.verdicts += examined.verdicts
+    marked.notes += examined.notes
+    marked.answers += examined.answers
     if examined.failed:
-        made.status = "unreadable" if examined.unreadable else "error"
-        made.notes.append(f"{name}: {examined.failed}")
+        marked.status = "unreadable" if examined.unreadable else "error"
+        marked.notes.append(f"{name}: {examined.failed}")
 
 
 def _faults(bundle: bytes, name: str) -> list[str]:
@@ -113,14 +113,14 @@ def _faults(bundle: bytes, name: str) -> list[str]:
     return faults
 
 
-def _compare(bundle: bytes, made: Marked) -> None:
+def _compare(bundle: bytes, marked: Marked) -> None:
     """Report differences between the recorded marks of a bundle and this run, and store its traces."""
     with contextlib.suppress(ValueError):
         manifest, _ = read_bundle(bundle)
         said = recorded(manifest)
-        earned = {verdict.name: verdict.points for verdict in made.verdicts if verdict.name in said}
-        made.concerns += other_results(manifest, earned)
-        made.traces |= traces(bundle)
+        earned = {verdict.name: verdict.points for verdict in marked.verdicts if verdict.name in said}
+        marked.concerns += other_results(manifest, earned)
+        marked.traces |= traces(bundle)
 
 
 def _chosen(files: list[Path], sources: Mapping[str, Any], notes: list[str]) -> dict[str, Path]:

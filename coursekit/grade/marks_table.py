@@ -150,29 +150,29 @@ class MarksTable:
         return ByHand(said.get("points", {}), said.get("extra", {}))
 
 
-def _row(one: Record, form: Form) -> dict[str, str]:
-    marked, total = one.marked(), one.total()
-    by_hand = [f"{name}: {number(points)} by hand" for name, points in one.by_hand.items()]
-    asked = [f"question: {text}" for text in one.handed.open]
-    known = one.handed.person.row >= 0
-    off = max((late.percent_off for late in one.late.values()), default=0.0)
-    open_ = one.status() in ("question", "not marked")
-    points = {v.name: form.number(v.points) if not open_ or v.name in one.by_hand else "" for v in marked.verdicts}
+def _row(record: Record, form: Form) -> dict[str, str]:
+    marked, total = record.marked(), record.total()
+    by_hand = [f"{name}: {number(points)} by hand" for name, points in record.by_hand.items()]
+    asked = [f"question: {text}" for text in record.handed.open]
+    known = record.handed.person.row >= 0
+    off = max((late.percent_off for late in record.late.values()), default=0.0)
+    open_ = record.status() in ("question", "not marked")
+    points = {v.name: form.number(v.points) if not open_ or v.name in record.by_hand else "" for v in marked.verdicts}
     return {
-        "key": one.key,
-        "student": cell(one.label),
-        "id": cell(one.handed.person.id) if known else "",
-        "email": cell(one.handed.person.email),
+        "key": record.key,
+        "student": cell(record.label),
+        "id": cell(record.handed.person.id) if known else "",
+        "email": cell(record.handed.person.email),
         **points,
         "points": "" if open_ else form.number(marked.total()),
         "percent_off": form.number(off),
         "total": "" if total is None else form.number(total),
-        "of": form.number(one.of()),
-        "status": one.status(),
+        "of": form.number(record.of()),
+        "status": record.status(),
         "tier": marked.tier,
         "minutes_late": form.number(marked.minutes_late),
-        "time_from": one.time_from(),
-        "attempts": cell(" | ".join(one.handed.attempts()[-20:])),
+        "time_from": record.time_from(),
+        "attempts": cell(" | ".join(record.handed.attempts()[-20:])),
         "notes": cell("; ".join([*asked, *by_hand, *marked.concerns, *marked.notes])),
     }
 

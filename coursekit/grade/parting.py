@@ -76,14 +76,14 @@ def _whose(piece: Piece, named: Identified, identifier: Identifier) -> Identifie
     return None
 
 
-def _settled(entry: Entry, pieces: Iterable[Piece], found: Identified, identifier: Identifier) -> Identified:
+def _settled(entry: Entry, pieces: Iterable[Piece], identified: Identified, identifier: Identifier) -> Identified:
     """Identify the student by a copy's mark and the entry's name together."""
     marks = unique(piece.known.copy for piece in pieces if identifier.owner(piece.known.copy) is not None)
-    return identifier.identify(entry.name, marks) if marks else found
+    return identifier.identify(entry.name, marks) if marks else identified
 
 
-def _part(entry: Entry, pieces: Sequence[Piece], found: Identified) -> Part:
+def _part(entry: Entry, pieces: Sequence[Piece], identified: Identified) -> Part:
     bundles = [file for file in entry.bundles if any(piece.bundle == file for piece in pieces)]
     names = [piece.where for piece in pieces]
     where = shown(f"{entry.name}: {', '.join(names[:3])}{', ...' if len(names) > 3 else ''}", 300)
-    return Part(Entry(entry.name, list(pieces), bundles=bundles), found, where, (entry.name, *sorted(names)))
+    return Part(Entry(entry.name, list(pieces), bundles=bundles), identified, where, (entry.name, *sorted(names)))

@@ -120,20 +120,20 @@ class Gatherer:
             entry.pieces = [_of_platform(piece, told.when, told.late) for piece in entry.pieces]
         return entry
 
-    def _file(self, made: Entry, raw: Raw, where: str, nested: int, bundle: _Bundle | None = None) -> None:
+    def _file(self, entry: Entry, raw: Raw, where: str, nested: int, bundle: _Bundle | None = None) -> None:
         name, begin = raw.parts[-1].casefold(), _beginning(raw)
         packed = begin.startswith(b"PK\x03\x04") if begin[:1] in b"P{" else name.endswith(".zip")
         if packed and name.endswith((".zip", ".ipynb")):
-            self._zip(made, raw, where, nested)
+            self._zip(entry, raw, where, nested)
         elif name.endswith((".zip", ".ipynb")) or ".ipynb." in name:
-            piece = self._notebook(raw, where, made.name, bundle)
+            piece = self._notebook(raw, where, entry.name, bundle)
             if name.endswith((".zip", ".ipynb")) or piece.chapter:
-                made.pieces.append(piece)
+                entry.pieces.append(piece)
         elif bundle is None:
-            made.others.append(where)
+            entry.others.append(where)
             if begin[:1] == b"{" and (name.endswith(_MAYBE) or "." not in name):
-                piece = self._notebook(raw, where, made.name, bundle)
-                made.pieces += [piece] if piece.known.chapter else []
+                piece = self._notebook(raw, where, entry.name, bundle)
+                entry.pieces += [piece] if piece.known.chapter else []
 
     def _notebook(self, raw: Raw, where: str, entry: str, bundle: _Bundle | None) -> Piece:
         chapter = self._recogniser.by_name(raw.parts[-1])
@@ -153,28 +153,28 @@ class Gatherer:
         also = self._recogniser.others(notebook, known.chapter) if known.chapter else ()
         return replace(kept, chapter=known.chapter or chapter, known=known, also=also)
 
-    def _zip(self, made: Entry, raw: Raw, where: str, nested: int) -> None:
+    def _zip(self, entry: Entry, raw: Raw, where: str, nested: int) -> None:
         if nested > 1:
-            made.faults.append(f"{where}: a zip in a zip in a zip is not opened")
+            entry.faults.append(f"{where}: a zip in a zip in a zip is not opened")
             return
         if raw.size > LARGEST_BUNDLE or raw.open is None:
-            made.faults.append(f"{where} is larger than {LARGEST_BUNDLE >> 20} MB")
+            entry.faults.append(f"{where} is larger than {LARGEST_BUNDLE >> 20} MB")
             return
         with Archive(raw.open()) as opened:
             members = list(opened.members())
             manifest = next((info for info in members if info.parts == (MANIFEST,)), None)
-            bundle = self._bundle(made, raw, opened.read(manifest, 4 << 20)) if manifest else None
+            bundle = self._bundle(entry, raw, opened.read(manifest, 4 << 20)) if manifest else None
             for member in members:
                 inner = _of_member(opened, member, raw)
                 if _is_left_out(member.parts):
                     continue
                 inside = shown(f"{where}/{'/'.join(member.parts)}", 300)
                 try:
-                    self._file(made, inner, inside, nested + 1, bundle)
+                    self._file(entry, inner, inside, nested + 1, bundle)
                 except (OSError, ValueError, MemoryError) as error:
-                    made.faults.append(f"{inside}: {shown(str(error)) or 'cannot be read'}")
+                    entry.faults.append(f"{inside}: {shown(str(error)) or 'cannot be read'}")
 
-    def _bundle(self, made: Entry, raw: Raw, manifest: bytes) -> _Bundle | None:
+    def _bundle(self, entry: Entry, raw: Raw, manifest: bytes) -> _Bundle | None:
         """Read a file made by `hand_in()`, with its author and time."""
         try:
             said = json.loads(manifest)
@@ -183,9 +183,9 @@ class Gatherer:
         if not isinstance(said, dict) or not {"files", "student"} & set(said):
             return None
         kept = self._keep(_read(raw, LARGEST_BUNDLE), ".zip")
-        made.bundles.append(kept)
+        entry.bundles.append(kept)
         student = shown(said["student"], 80) if isinstance(said.get("student"), str) else ""
-        made.students += [student] if student else []
+        entry.students += [student] if student else []
         return _Bundle(kept, sealed_time(said), student)
 
     def _keep(self, data: bytes, ending: str) -> Path:

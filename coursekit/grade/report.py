@@ -132,9 +132,9 @@ def _paragraphs(text: str) -> str:
     return html.escape(lines(text), quote=True).replace("\n", "<br>")
 
 
-def _plain(one: Verdict) -> Verdict:
+def _plain(verdict: Verdict) -> Verdict:
     """Return a verdict with the student's text made safe: nothing in it can change or hide the page."""
-    values: dict[str, Any] = asdict(one)
+    values: dict[str, Any] = asdict(verdict)
     texts = {name: lines(value) for name, value in values.items() if isinstance(value, str)}
     return Verdict(**{**values, **texts})
 

@@ -84,16 +84,16 @@ def write_statistics(folder: Path, records: Sequence[Record], statuses: Mapping[
     figure.savefig(folder / "histogram.png", dpi=120)
 
 
-def _draw_totals(axes: Any, marks: Sequence[float], found: Mapping[str, Any]) -> None:
+def _draw_totals(axes: Any, marks: Sequence[float], facts: Mapping[str, Any]) -> None:
     """Draw the number of students by points: a bar is centred on its points."""
     from matplotlib.ticker import MaxNLocator
 
-    most = max([found["of"] or 1.0, *marks])
+    most = max([facts["of"] or 1.0, *marks])
     width = max(1.0, most / 30)
     edges = [width * (place - 0.5) for place in range(int(most / width) + 3)]
     axes.hist(marks, bins=edges, color="#2f7d8c", edgecolor="white")
-    axes.axvline(found["mean"], color="#b3392f", linewidth=1)
-    said = f"{counted(found['averaged'], 'student')}, mean {found['mean']:.2f} of {number(found['of'])}"
+    axes.axvline(facts["mean"], color="#b3392f", linewidth=1)
+    said = f"{counted(facts['averaged'], 'student')}, mean {facts['mean']:.2f} of {number(facts['of'])}"
     axes.set(xlim=(-0.6 * width, most + 0.6 * width), xlabel="points after lateness", ylabel="students", title=said)
     for axis in (axes.xaxis, axes.yaxis):
         axis.set_major_locator(MaxNLocator(integer=True))

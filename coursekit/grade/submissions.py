@@ -108,35 +108,35 @@ def _copy(data: bytes, file: Path) -> Path:
     return file
 
 
-def _zip(one: Walked) -> bytes | None:
-    if one.open is None or not one.parts[-1].endswith(".zip"):
+def _zip(walked: Walked) -> bytes | None:
+    if walked.open is None or not walked.parts[-1].endswith(".zip"):
         return None
-    with one.open() as data:
-        return _whole(data.read(LARGEST_BUNDLE + 1), one.parts[-1], LARGEST_BUNDLE)
+    with walked.open() as data:
+        return _whole(data.read(LARGEST_BUNDLE + 1), walked.parts[-1], LARGEST_BUNDLE)
 
 
-def _says_bundle(one: Walked) -> bool:
+def _says_bundle(walked: Walked) -> bool:
     """Whether a zip has a manifest at the place used by `hand_in()`."""
-    assert one.open is not None
+    assert walked.open is not None
     try:
-        with Archive(one.open()) as opened:
+        with Archive(walked.open()) as opened:
             return any(member.parts == (MANIFEST,) for member in opened.members())
     except BadArchive:
         return False
 
 
-def _unpacked(one: Walked, scratch: Path) -> list[Path]:
-    assert one.open is not None
+def _unpacked(walked: Walked, scratch: Path) -> list[Path]:
+    assert walked.open is not None
     paths = []
     try:
-        with Archive(one.open()) as opened:
+        with Archive(walked.open()) as opened:
             for number, member in enumerate(opened.members()):
                 name = member.parts[-1]
                 left = name.startswith("._") or ".ipynb_checkpoints" in member.parts
                 if name.endswith(".ipynb") and not left:
                     paths.append(_copy(opened.read(member, LARGEST), scratch / str(number) / name[-120:]))
     except BadArchive as error:
-        raise ValueError(f"{one.parts[-1]} is no zip that can be opened: {error}") from None
+        raise ValueError(f"{walked.parts[-1]} is no zip that can be opened: {error}") from None
     return paths
 
 

@@ -119,7 +119,7 @@ def _exchanged(text: str, own: Mapping[str, str]) -> str:
     '7 boxes of 10.5 kg: 7.'
     """
     words = "|".join(re.escape(name) for name in sorted(own, key=len, reverse=True))
-    return re.sub(rf"(?<![\w.])(?:{words})(?!\w|\.\d)", lambda found: own[found[0]], text)
+    return re.sub(rf"(?<![\w.])(?:{words})(?!\w|\.\d)", lambda match: own[match[0]], text)
 
 
 class Variants:

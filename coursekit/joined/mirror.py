@@ -92,22 +92,22 @@ class Mirror:
         self._stale = True
         self._on_news()
 
-    def _number_of(self, one: Any) -> int:
+    def _number_of(self, thing: Any) -> int:
         """Return the number of a local node or endpoint; one that is new to the other side is announced first."""
         with self._lock:
-            number = self._numbers.get(one)
+            number = self._numbers.get(thing)
             if number is None:
                 self._stale = True  # it may have left the graph since: checked at the next exchange
-                number = self._numbers[one] = next(self._count)
-                self._ours[number] = one
-                self.post(self._told(one, number))
+                number = self._numbers[thing] = next(self._count)
+                self._ours[number] = thing
+                self.post(self._told(thing, number))
         return number
 
-    def _told(self, one: Any, number: int) -> list[Any]:
-        if isinstance(one, GraphNode):
-            return ["node", number, one.name, one.namespace]
-        node = self._number_of(one.node)
-        return ["endpoint", number, _kind_of(one), node, one.name, one.type_name, list(astuple(one.qos))]
+    def _told(self, thing: Any, number: int) -> list[Any]:
+        if isinstance(thing, GraphNode):
+            return ["node", number, thing.name, thing.namespace]
+        node = self._number_of(thing.node)
+        return ["endpoint", number, _kind_of(thing), node, thing.name, thing.type_name, list(astuple(thing.qos))]
 
     def _tell_changes(self) -> None:
         there = dict.fromkeys(self._local())

@@ -113,34 +113,34 @@ def give_to(cell: str, process: Any) -> None:
         cells.made.setdefault(cell, []).append(process)
 
 
-def _describe(one: Any) -> str:
+def _describe(thing: Any) -> str:
     """Describe a node by its name, a process by its command line, or by its own name if that has an absolute path."""
-    if hasattr(one, "full_name"):
-        return gettext(f"node {one.full_name}")
-    if hasattr(one, "try_shutdown"):
+    if hasattr(thing, "full_name"):
+        return gettext(f"node {thing.full_name}")
+    if hasattr(thing, "try_shutdown"):
         return "rclpy.init()"
-    return gettext(f"process {one.name if Path(one.argv[0]).is_absolute() else ' '.join(one.argv)}")
+    return gettext(f"process {thing.name if Path(thing.argv[0]).is_absolute() else ' '.join(thing.argv)}")
 
 
-def _end_one(one: Any) -> bool:
+def _end_one(thing: Any) -> bool:
     """End a process, node, context or panel of an earlier run. Returns whether the user should be notified."""
-    if isinstance(one, Panel):
-        one.close()
+    if isinstance(thing, Panel):
+        thing.close()
         return False
-    if hasattr(one, "full_name"):
-        there = one in one.graph.nodes
-        one.close()
+    if hasattr(thing, "full_name"):
+        there = thing in thing.graph.nodes
+        thing.close()
         return there
-    if hasattr(one, "try_shutdown"):
-        there = bool(one.ok())
-        one.try_shutdown()
+    if hasattr(thing, "try_shutdown"):
+        there = bool(thing.ok())
+        thing.try_shutdown()
         return there
-    if one.exit_code is not None:
+    if thing.exit_code is not None:
         return False
-    one.interrupt()
-    if one.wait(1.0) is None:
-        one.kill()
-        one.wait(2.0)
+    thing.interrupt()
+    if thing.wait(1.0) is None:
+        thing.kill()
+        thing.wait(2.0)
     return True
 
 

@@ -45,7 +45,7 @@ class Values(DollarFormatter):
 
     def restored(self, word: str) -> str:
         """Return a word with its placeholders replaced by paths."""
-        return _PLACE.sub(lambda found: self._paths[int(found[1])], word)
+        return _PLACE.sub(lambda match: self._paths[int(match[1])], word)
 
     def expanded(self, shell: Any, line: str) -> str:
         """Return the line of a magic with values of the calling cell or function inserted."""

@@ -132,7 +132,7 @@ def hand_in(notebook: str | Path = "", *, by: str = "") -> HandedIn | None:
     return HandedIn(bundle, marked, _put_into_exchange(file, bundle))
 
 
-def _put_into_exchange(notebook: Path, made: Path) -> str:
+def _put_into_exchange(notebook: Path, bundle: Path) -> str:
     """Hand in a file if the server has an exchange folder. Returns the time, or ''."""
     folder = os.environ.get(exchange.VARIABLE)
     if not folder:
@@ -141,9 +141,11 @@ def _put_into_exchange(notebook: Path, made: Path) -> str:
     name = facts.get(HANDED_OUT) or notebook.stem
     user = os.environ.get("JUPYTERHUB_USER") or getpass.getuser()
     try:
-        exchange.hand_in(Path(folder), user, name, [made])
+        exchange.hand_in(Path(folder), user, name, [bundle])
     except OSError as error:
-        raise NotNow(f"{made.name} was made, but not handed in: '{folder}' cannot be written ({error.strerror}).") from None
+        raise NotNow(
+            f"{bundle.name} was made, but not handed in: '{folder}' cannot be written ({error.strerror})."
+        ) from None
     return time.strftime("%Y-%m-%d %H:%M")
 
 

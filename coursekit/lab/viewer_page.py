@@ -189,11 +189,11 @@ def _known(kind: str) -> dict[str, Any]:
     return {"about": gettext(ABOUT[kind]), "properties": [asdict(row) for row in properties(kind)]}
 
 
-def _row(one: Display) -> dict[str, Any]:
-    lines = [{"what": what, "level": level, "text": gettext(text)} for what, (level, text) in one.statuses.items()]
-    config, kind = one.config, KINDS[one.kind]
-    shown = {"row": one.key, "name": config.name, "kind": config.kind, "topic": config.topic if kind.type else None}
-    state = {"on": config.enabled, "level": one.level, "lines": lines if config.enabled else []}
+def _row(display: Display) -> dict[str, Any]:
+    lines = [{"what": what, "level": level, "text": gettext(text)} for what, (level, text) in display.statuses.items()]
+    config, kind = display.config, KINDS[display.kind]
+    shown = {"row": display.key, "name": config.name, "kind": config.kind, "topic": config.topic if kind.type else None}
+    state = {"on": config.enabled, "level": display.level, "lines": lines if config.enabled else []}
     return {**shown, **state, "options": dict(config.options)}
 
 

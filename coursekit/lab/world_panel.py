@@ -145,9 +145,9 @@ class WorldView(ScenePanel):
             "lasers": self.stage.lasers, "names": self.stage.names(),
         }  # fmt: skip
 
-    def _real_time_factor(self, found: Simulator) -> float:
+    def _real_time_factor(self, simulator: Simulator) -> float:
         """Return the simulated seconds per second, over about the last second."""
-        here = found.simulation.now_ns, self.session.clock.steady()
+        here = simulator.simulation.now_ns, self.session.clock.steady()
         before = self._measured
         if before is None or here[0] < before[0] or here[1] - before[1] > 3_000_000_000:
             self._measured = here

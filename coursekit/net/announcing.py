@@ -84,35 +84,35 @@ class Announcer:
                 ends += [*node.publishers, *node.servers, *node.clients]
             yield from (end for end in ends if end.name not in INSIDE)
 
-    def _announce(self, one: Any) -> Announced:
-        token = self._token(one)
+    def _announce(self, thing: Any) -> Announced:
+        token = self._token(thing)
         text = token.text()
         sender = answers = None
         if token.kind == PUBLISHER:
-            sender = Sender(self._place.session, one, gid_of(text), self._keys_of(one))
+            sender = Sender(self._place.session, thing, gid_of(text), self._keys_of(thing))
         if token.kind == SERVER:
-            key = self._place.key(one.name, one.type_name)
-            answers = Answers(self._place.session, one, key, self._place.tell)
+            key = self._place.key(thing.name, thing.type_name)
+            answers = Answers(self._place.session, thing, key, self._place.tell)
         # The token comes last: peers may send requests as soon as they see it.
         return Announced(self._place.session.liveliness().declare_token(text), sender, answers)
 
-    def _keys_of(self, one: Endpoint) -> Any:
-        return lambda type_hash: self._place.key(one.name, one.type_name, type_hash)
+    def _keys_of(self, endpoint: Endpoint) -> Any:
+        return lambda type_hash: self._place.key(endpoint.name, endpoint.type_name, type_hash)
 
-    def _token(self, one: Any) -> Token:
-        node = one if isinstance(one, GraphNode) else one.node
+    def _token(self, thing: Any) -> Token:
+        node = thing if isinstance(thing, GraphNode) else thing.node
         number = self._node_numbers.setdefault(node, next(self._numbers))
         head = Token(self._place.domain_id, self._place.id, str(number), str(number), NODE, node.namespace, node.name)
-        if one is node:
+        if thing is node:
             return head
-        kind = next(kind for cls, kind in KINDS.items() if isinstance(one, cls))
+        kind = next(kind for cls, kind in KINDS.items() if isinstance(thing, cls))
         return head._replace(
             entity=str(next(self._numbers)),
             kind=kind,
-            name=one.name,
-            type_name=one.type_name,
+            name=thing.name,
+            type_name=thing.type_name,
             type_hash=NO_HASH,
-            quality=wire_quality(one.qos),
+            quality=wire_quality(thing.qos),
         )
 
 

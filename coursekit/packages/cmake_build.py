@@ -50,7 +50,7 @@ def package_config(package: str, dependencies: list[str]) -> str:
     """Return the config file for find_package() of a package without C++ of its own."""
     text = read_text(ROOM / "cmake" / "package_config.cmake.in")
     known = {"PROJECT_NAME": package, "DEPENDENCIES": ";".join(dependencies)}
-    return re.sub(r"@(\w+)@", lambda found: known.get(found[1], ""), text)
+    return re.sub(r"@(\w+)@", lambda match: known.get(match[1], ""), text)
 
 
 async def build_with_cmake(context: Any, tools: Toolchain) -> tuple[int, list[bytes]]:

@@ -28,16 +28,16 @@ _BEFORE, _BEHIND = r"(?:[^'’(\n]* )?", r"(?=[<('’\s]|$)"
 Mending = Callable[[re.Match[str]], str]
 
 
-def _unknown_command(found: re.Match[str]) -> str:
-    name = found["name"].lower()
+def _unknown_command(match: re.Match[str]) -> str:
+    name = match["name"].lower()
     provider = _PROVIDERS.get(name) or ("ament_cmake" if name.startswith("ament_") else "")
     if not provider:
         return f"CMake knows no command {name}(): look at its spelling, or for a find_package() that is missing."
     return f"{name}() comes with {provider}: write find_package({provider} REQUIRED) above it, behind project()."
 
 
-def _missing_header(found: re.Match[str]) -> str:
-    header = found["name"]
+def _missing_header(match: re.Match[str]) -> str:
+    header = match["name"]
     package, _, rest = header.partition("/")
     if re.match(r"(msg|srv|action)/", rest):
         snake = re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", rest.rpartition("/")[2].partition(".")[0]).lower()
@@ -60,45 +60,45 @@ def _undeclared(names: str) -> str:
     return rf"{_Q}(?P<name>{names}){_Q} was not declared|undeclared identifier '(?P<other>{names})'"
 
 
-def _name(found: re.Match[str]) -> str:
+def _name(match: re.Match[str]) -> str:
     """Return the name in either compiler's message."""
-    groups = found.groupdict()
+    groups = match.groupdict()
     return next(filter(None, map(groups.get, ("name", "other", "member"))))
 
 
 _RULES: tuple[tuple[str, str | Mending], ...] = (
     (r"Unknown CMake command \"(?P<name>\w+)\"", _unknown_command),
     (r"passed package name '(?P<name>\w+)' was\s+not\s+found\s+before",
-     lambda found: f"write find_package({found['name']} REQUIRED) above ament_target_dependencies()."),
+     lambda match: f"write find_package({match['name']} REQUIRED) above ament_target_dependencies()."),
     (r"(configuration file provided by|not providing) \"(Find)?(?P<name>\w+?)(\.cmake)?\"",
-     lambda found: f"there is no package {found['name']}: is it spelled as in `ros2 pkg list`, built, and in package.xml?"),
+     lambda match: f"there is no package {match['name']}: is it spelled as in `ros2 pkg list`, built, and in package.xml?"),
     (r"passed dependency\s+'(?P<name>\w+)'\s+has\s+not\s+been\s+found",
-     lambda found: f"write find_package({found['name']} REQUIRED) above rosidl_generate_interfaces()."),
+     lambda match: f"write find_package({match['name']} REQUIRED) above rosidl_generate_interfaces()."),
     (r"must\s+be\s+represented\s+as\s+an\s+absolute\s+base\s+path",
      "write the file's path in the package, such as msg/Length.msg; file(GLOB ...) gives such paths with RELATIVE."),
     (r"(?P<name>\w+)\(\)\s+must\s+be\s+called\s+before\s+ament_package",
-     lambda found: f"ament_package() is a package's last line: move {found['name']}() above it."),
+     lambda match: f"ament_package() is a package's last line: move {match['name']}() above it."),
     (r"Cannot find source file:\s+(?P<name>\S+)",
-     lambda found: f"there is no file {found['name']}: is it spelled as it lies in the package's folder?"),
+     lambda match: f"there is no file {match['name']}: is it spelled as it lies in the package's folder?"),
     (r"Parse error\.\s+Function missing ending \"\)\"", "a ) is missing at the end of a command of the CMakeLists.txt."),
     (r"install TARGETS given target \"(?P<name>\w+)\" which does not exist",
-     lambda found: f"install(TARGETS ...) names {found['name']}, but no add_executable() or add_library() makes it."),
+     lambda match: f"install(TARGETS ...) names {match['name']}, but no add_executable() or add_library() makes it."),
     (r"fatal error: '?(?P<name>[\w./+-]+?)'?(: No such file| file not found)", _missing_header),
     (rf"error: expected ({_Q},{_Q} or )?{_Q};{_Q}", "a statement ends with ; and the one above this place has none."),
-    (_undeclared(_NAMES), lambda found: f"write std::{_name(found)}, with #include <{_STANDARD[_name(found)]}> at the top."),
+    (_undeclared(_NAMES), lambda match: f"write std::{_name(match)}, with #include <{_STANDARD[_name(match)]}> at the top."),
     (rf"{_Q}(?P<name>{_NAMES}){_Q} is not a member of {_Q}std|no member named '(?P<other>{_NAMES})' in namespace 'std'",
-     lambda found: f"add #include <{_STANDARD[_name(found)]}> at the top."),
+     lambda match: f"add #include <{_STANDARD[_name(match)]}> at the top."),
     (_undeclared("_[1-9]"), "write std::placeholders::_1 in std::bind(), or `using std::placeholders::_1;` at the top."),
     (_undeclared("Node|init|spin|shutdown|ok"), "rclcpp's names are written with rclcpp:: before them."),
     (rf"{_Q}(?P<name>\w+_msgs|example_interfaces){_Q} (has not been|was not) declared",
-     lambda found: f"include the message's header, such as \"{found['name']}/msg/...hpp\", small and with _ between words."),
+     lambda match: f"include the message's header, such as \"{match['name']}/msg/...hpp\", small and with _ between words."),
     (r"unable to find numeric literal operator .{0,3}operator\"\"(ms|s|us|ns)|no matching literal operator",
      "write `using namespace std::chrono_literals;` at the top, for times such as 500ms."),
     (rf"shared_ptr<.*has no member named {_Q}(?P<name>\w+){_Q}|no member named '(?P<other>\w+)' in 'std::shared_ptr"
      rf"|request for member {_Q}(?P<member>\w+){_Q} in .* which is of pointer type",
-     lambda found: f"the object before it is a pointer: write ->{_name(found)} in place of .{_name(found)}"),
+     lambda match: f"the object before it is a pointer: write ->{_name(match)} in place of .{_name(match)}"),
     (rf"{_Q}(class|struct) \S+{_Q} has no member named {_Q}(?P<name>\w+){_Q}|no member named '(?P<other>\w+)' in ",
-     lambda found: f"there is no {_name(found)} in it: `ros2 interface show TYPE` lists a message's fields."),
+     lambda match: f"there is no {_name(match)} in it: `ros2 interface show TYPE` lists a message's fields."),
     (r"no matching function for call to .{0,3}(\w+::)*create_subscription|static assertion failed.{0,80}[Cc]allback",
      "a subscription's callback takes the message, as SharedPtr or const &, and std::bind() one placeholder for it."),
     (r"no match for call to .{0,3}\(std::_Bind|no type named .{0,3}type.{0,3} in .{0,3}(struct|class) std::_?(result|Bind)",
@@ -107,7 +107,7 @@ _RULES: tuple[tuple[str, str | Mending], ...] = (
     (r"undefined reference to [`‘']?main|undefined symbol: main", "a program needs int main(int argc, char ** argv)."),
     (rf"undefined reference to [`‘']{_BEFORE}(?P<name>[\w:~]+){_BEHIND}"
      rf"|undefined symbol: {_BEFORE}(?P<other>[\w:~]+){_BEHIND}",
-     lambda found: f"{_name(found)} is declared and not defined: is its .cpp in add_executable(), its library linked?"),
+     lambda match: f"{_name(match)} is declared and not defined: is its .cpp in add_executable(), its library linked?"),
     (rf"error: expected {_Q}[{{}}()]|expected unqualified-id|expected declaration",
      "count the braces above this place: one is missing, or one too many."),
     (r"passing .const \S+ as .this. argument discards qualifiers", "the function called is not const, but its object is."),
@@ -128,7 +128,7 @@ def hints(text: str) -> list[str]:
     >>> hints("all went well")
     []
     """
-    mistakes = sorted(_found(text), key=lambda one: one[0])
+    mistakes = sorted(_found(text), key=lambda mistake: mistake[0])
     said = dict.fromkeys(f"{_place(text, at)}{sentence}" for at, sentence in mistakes)
     return list(said)[:3]
 

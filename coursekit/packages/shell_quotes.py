@@ -114,7 +114,7 @@ def quoted(script: str) -> str:
     _colcon_prefix='/home/José Luis/ws'
     "$_colcon_python_executable" "$x"
     """
-    script = _PATH_ALONE.sub(lambda found: found[1] + shlex.quote(found[2] or found[3]), script)
+    script = _PATH_ALONE.sub(lambda match: match[1] + shlex.quote(match[2] or match[3]), script)
     return _COMMAND.sub(r'\1"\2" ', script).replace(_EXPORT, _SAFE_EXPORT)
 
 

@@ -46,8 +46,8 @@ def quoted_for_powershell(script: str) -> str:
     >>> print(quoted_for_powershell('. "C:\\$(calc)\\package.ps1"'))
     . 'C:\$(calc)\package.ps1'
     """
-    script = _ALONE.sub(lambda found: found[1] + powershell_quote(found[2]), script)
-    script = _HOOK.sub(lambda found: found[1] + powershell_quote(found[2]), script)
+    script = _ALONE.sub(lambda match: match[1] + powershell_quote(match[2]), script)
+    script = _HOOK.sub(lambda match: match[1] + powershell_quote(match[2]), script)
     return _WILD.sub(r"\1 -LiteralPath ", script)
 
 
@@ -61,8 +61,8 @@ def quoted_for_cmd(script: str) -> str:
     call:colcon_prepend_unique_value PYTHONPATH "%%_colcon_path%%"
     """
     for line in (_CMD_HOOK, _CMD_CHAIN):
-        script = line.sub(lambda found: f'set "_colcon_path={_percent(found[2])}"\n{found[1]}"%%_colcon_path%%"', script)
-    return _CMD_PYTHON.sub(lambda found: f'{found[1]}{_percent(found[2])}"', script)
+        script = line.sub(lambda match: f'set "_colcon_path={_percent(match[2])}"\n{match[1]}"%%_colcon_path%%"', script)
+    return _CMD_PYTHON.sub(lambda match: f'{match[1]}{_percent(match[2])}"', script)
 
 
 def as_bytes(script: str, ending: str) -> bytes:

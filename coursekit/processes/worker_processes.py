@@ -150,8 +150,8 @@ def install() -> None:
 _OWN, _OTHERS = "a worker is sent a program's own functions", "the others run while a program waits for a worker"
 _TEST, _PICKLER = "tests/processes/test_worker_processes.py", "multiprocessing.reduction.ForkingPickler"
 _PATCHES = [
-    Patch(f"{_PICKLER}.dumps", lambda found: classmethod(with_own_modules(found.__func__)), _OWN, _TEST, PRIVATE),
-    Patch(f"{_PICKLER}.loads", lambda found: staticmethod(with_own_modules(found)), _OWN, _TEST, PRIVATE),
+    Patch(f"{_PICKLER}.dumps", lambda method: classmethod(with_own_modules(method.__func__)), _OWN, _TEST, PRIVATE),
+    Patch(f"{_PICKLER}.loads", lambda method: staticmethod(with_own_modules(method)), _OWN, _TEST, PRIVATE),
     Patch("multiprocessing.connection.Connection._recv", _waits_first, _OTHERS, _TEST, VIRTUAL),
     Patch("multiprocessing.pool.wait", _looks_first, "a copy of `connection.wait` that the pool keeps", _TEST, VIRTUAL),
     Patch("multiprocessing.connection.wait", _looks_first, _OTHERS, _TEST, VIRTUAL),

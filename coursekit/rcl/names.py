@@ -193,15 +193,15 @@ def expand(name: str, node_name: str, namespace: str) -> str:
     prefix = namespace if namespace.endswith("/") else namespace + "/"
     text = prefix + node_name + name[1:] if name[0] == "~" else name
     values = {"node": node_name, "ns": namespace, "namespace": namespace}
-    expanded = _SUBSTITUTION.sub(lambda found: _substitute(found, name, values), text)
+    expanded = _SUBSTITUTION.sub(lambda match: _substitute(match, name, values), text)
     return expanded if expanded.startswith("/") else prefix + expanded
 
 
-def _substitute(found: re.Match[str], name: str, values: dict[str, str]) -> str:
+def _substitute(match: re.Match[str], name: str, values: dict[str, str]) -> str:
     try:
-        return values[found[1]]
+        return values[match[1]]
     except KeyError:
-        raise UnknownSubstitution(name, f"unknown substitution: {found[0]}", found.start()) from None
+        raise UnknownSubstitution(name, f"unknown substitution: {match[0]}", match.start()) from None
 
 
 def _check(error, validate, text: str) -> None:

@@ -130,18 +130,18 @@ class LoopSearch:
         self._fields.move_to_end(key)
         return self._fields[key][0]
 
-    def _settle(self, found: list[Loop], graph: PoseGraph) -> list[Loop]:
+    def _settle(self, loops: list[Loop], graph: PoseGraph) -> list[Loop]:
         """Return the loops that agree with another one; the others wait, and are dropped after a while."""
         settled: list[Loop] = []
-        for loop in found:
+        for loop in loops:
             friends = [other for other in self._pending if _agree(loop, other, graph)]
             if friends:
                 settled += [loop, *friends]
                 self._pending = [other for other in self._pending if other not in friends]
             else:
                 self._pending.append(loop)
-        if found:
-            newest = found[-1].second
+        if loops:
+            newest = loops[-1].second
             old = [loop for loop in self._pending if loop.second < newest - self.params.loop_patience]
             self.rejected += len(old)
             self._pending = [loop for loop in self._pending if loop not in old]

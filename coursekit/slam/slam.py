@@ -118,13 +118,13 @@ class Slam:
         """
         self._start = pose
 
-    def _add_keyframe(self, scan: Scan, found: Refined) -> None:
+    def _add_keyframe(self, scan: Scan, refined: Refined) -> None:
         """Store a scan as a keyframe, and connect it to the one before."""
         tracker = self.tracker
         number = self.graph.add_node(self.pose)
         if self.keyframes:
             motion = tracker.from_keyframe()
-            self.graph.add_edge(tracker.base, number, motion, tracker.edge_precision(found))
+            self.graph.add_edge(tracker.base, number, motion, tracker.edge_precision(refined))
         self.keyframes.append(Keyframe(number, scan))
         tracker.insert(number, scan)
         while tracker.finished:

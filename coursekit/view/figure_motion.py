@@ -48,11 +48,11 @@ def _corners(places: Sequence[Point], ticks: int) -> list[tuple[float, Point]]:
     return [*timed, (100.0, places[-1])]
 
 
-def _straight(before: tuple[int, Point], one: tuple[int, Point], after: tuple[int, Point]) -> bool:
+def _straight(before: tuple[int, Point], corner: tuple[int, Point], after: tuple[int, Point]) -> bool:
     """Whether the middle position is the one that interpolation gives anyway."""
-    part = (one[0] - before[0]) / (after[0] - before[0])
+    part = (corner[0] - before[0]) / (after[0] - before[0])
     wish = (x + part * (to - x) for x, to in zip(before[1], after[1], strict=True))
-    return all(abs(there - here) < 0.05 for there, here in zip(wish, one[1], strict=True))
+    return all(abs(there - here) < 0.05 for there, here in zip(wish, corner[1], strict=True))
 
 
 __all__ = ["box", "moving"]

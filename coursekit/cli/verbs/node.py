@@ -68,9 +68,9 @@ def show_info(args: Namespace) -> int:
     return 0
 
 
-def _section(title: str, found: list[tuple[str, list[str]]]) -> None:
+def _section(title: str, pairs: list[tuple[str, list[str]]]) -> None:
     print(f"  {title}:")
-    print("\n".join(f"    {name}: {', '.join(types)}" for name, types in found))
+    print("\n".join(f"    {name}: {', '.join(types)}" for name, types in pairs))
 
 
 def _actions(node: Any, hidden: bool) -> None:

@@ -61,14 +61,14 @@ def list_topics(args: Namespace) -> int:
     return 0
 
 
-def _list_verbose(found: list[tuple[str, list[str]]]) -> None:
+def _list_verbose(topics: list[tuple[str, list[str]]]) -> None:
     graph = ask.graph()
     for title, word, ends in (
         ("Published topics:", "publisher", graph.publishers),
         ("\nSubscribed topics:", "subscriber", graph.subscriptions),
     ):
         print(title)
-        for name, types in found:
+        for name, types in topics:
             count = len(ends.get(name, ()))  # type: ignore[attr-defined]
             if count:
                 print(f" * {name} [{', '.join(types)}] {count} {word}{'s' if count > 1 else ''}")

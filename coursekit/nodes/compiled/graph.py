@@ -62,8 +62,8 @@ def do_ends_of(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     return _names_and_types(getattr(node, f"get_{which}_names_and_types_by_node")(name, namespace))
 
 
-def _names_and_types(found: list[tuple[str, list[str]]]) -> bytes:
-    return packed(len(found), *(word for name, types in found for word in (name, len(types), *types)))
+def _names_and_types(pairs: list[tuple[str, list[str]]]) -> bytes:
+    return packed(len(pairs), *(word for name, types in pairs for word in (name, len(types), *types)))
 
 
 def do_count_publishers(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
@@ -86,9 +86,9 @@ def do_subscriptions_info(host: Host, _channel: Channel, frame: Unpacker) -> byt
     return _endpoints(host.things[frame.integer()].get_subscriptions_info_by_topic(frame.text(), bool(frame.integer())))
 
 
-def _endpoints(found: list[Any]) -> bytes:
-    parts = [packed(len(found))]
-    for info in found:
+def _endpoints(infos: list[Any]) -> bytes:
+    parts = [packed(len(infos))]
+    for info in infos:
         who = (info.node_name, info.node_namespace, info.topic_type, int(info.endpoint_type), bytes(info.endpoint_gid))
         parts.append(packed(*who) + qos.packed_profile(info.qos_profile))
     return b"".join(parts)

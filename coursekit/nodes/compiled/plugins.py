@@ -65,11 +65,11 @@ def _read(owner: str, prefix: Path, line: str, base: str) -> Iterator[Plugin]:
                 yield _plugin(owner, prefix, path, library, element)
 
 
-def _plugin(owner: str, prefix: Path, path: Path, library: Element, one: Element) -> Plugin:
-    kind = one.get("type", "")
-    text = (one.findtext("description") or "No 'description' tag for this plugin in plugin description file.").strip()
+def _plugin(owner: str, prefix: Path, path: Path, library: Element, element: Element) -> Plugin:
+    kind = element.get("type", "")
+    text = (element.findtext("description") or "No 'description' tag for this plugin in plugin description file.").strip()
     where = _library(prefix, library.get("path", ""))
-    return Plugin(one.get("name") or kind, kind, where, text, owner, str(path))
+    return Plugin(element.get("name") or kind, kind, where, text, owner, str(path))
 
 
 def _library(prefix: Path, name: str) -> str:

@@ -182,24 +182,24 @@ class Manager:
         """Return the hardware that must agree to a switch: none if no commands are concerned."""
         return [component for component in self.hardware if component.is_available] if claimed or released else []
 
-    def _activate(self, one: Loaded) -> bool:
-        one.controller.now_ns = self.now_ns
+    def _activate(self, loaded: Loaded) -> bool:
+        loaded.controller.now_ns = self.now_ns
         try:
-            one.controller.activate()
+            loaded.controller.activate()
         except ControlError as error:
-            _say(one, error)
-            self.log.error(f"After activating, controller '{one.name}' is in state 'inactive' (2), expected active (3).")
+            _say(loaded, error)
+            self.log.error(f"After activating, controller '{loaded.name}' is in state 'inactive' (2), expected active (3).")
             return False
-        one.state, one.claimed = "active", one.controller.command_names()
+        loaded.state, loaded.claimed = "active", loaded.controller.command_names()
         return True
 
-    def _deactivate(self, one: Loaded) -> None:
-        one.controller.deactivate()
-        held = {name for other in self.loaded.values() if other is not one for name in other.claimed}
+    def _deactivate(self, loaded: Loaded) -> None:
+        loaded.controller.deactivate()
+        held = {name for other in self.loaded.values() if other is not loaded for name in other.claimed}
         for hardware in self.hardware:
             if hardware.is_available:
-                hardware.released([name for name in one.claimed if name in hardware.commands and name not in held])
-        one.state, one.claimed = "inactive", []
+                hardware.released([name for name in loaded.claimed if name in hardware.commands and name not in held])
+        loaded.state, loaded.claimed = "inactive", []
 
     def unload(self, name: str) -> bool:
         """Unload a controller; it must not be active."""
@@ -263,10 +263,10 @@ def _listed(what: str, names: list[str]) -> str:
     return "\n".join([f"{what} interfaces: ", "[", *(f"  {name}" for name in names), "]", ""])
 
 
-def _say(one: Loaded, error: ControlError) -> None:
+def _say(loaded: Loaded, error: ControlError) -> None:
     """Write the reason of an error, unless the controller has written it."""
     if str(error):
-        one.controller.log.error(str(error))
+        loaded.controller.log.error(str(error))
 
 
 def _type_in(file: str, name: str) -> str:

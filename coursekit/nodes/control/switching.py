@@ -70,19 +70,21 @@ class Switching:
                 return None
         return free
 
-    def _missing(self, one: Loaded, wanted: list[str], held: set[str]) -> str:
+    def _missing(self, loaded: Loaded, wanted: list[str], held: set[str]) -> str:
         for kind, names, there in (
             ("command", wanted, self._interfaces.commands()),
-            ("state", one.controller.state_names(), self._interfaces.states()),
+            ("state", loaded.controller.state_names(), self._interfaces.states()),
         ):
             for name in names:
                 if kind == "command" and name in held:
-                    return f"Resource conflict for controller '{one.name}'. Command interface '{name}' is already claimed."
+                    return (
+                        f"Resource conflict for controller '{loaded.name}'. Command interface '{name}' is already claimed."
+                    )
                 if name not in there:
                     hint = close(name, there)
-                    return f"Can't activate controller '{one.name}': {kind} interface '{name}' does not exist. {hint}"
+                    return f"Can't activate controller '{loaded.name}': {kind} interface '{name}' does not exist. {hint}"
                 if name in self._closed:
-                    return f"Can't activate controller '{one.name}': {kind} interface '{name}' is not available."
+                    return f"Can't activate controller '{loaded.name}': {kind} interface '{name}' is not available."
         return ""
 
 

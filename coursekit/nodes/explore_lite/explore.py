@@ -90,9 +90,9 @@ class Explore(Node):
             return
         self._pursue(candidates)
 
-    def _pursue(self, found: list[Frontier]) -> None:
+    def _pursue(self, candidates: list[Frontier]) -> None:
         """Continue to the best frontier that was not abandoned."""
-        best = next((frontier for frontier in found if not self._lost(frontier.centroid)), None)
+        best = next((frontier for frontier in candidates if not self._lost(frontier.centroid)), None)
         if best is None:
             self._stop("All frontiers traversed/tried out, stopping.")
             return
@@ -101,7 +101,7 @@ class Explore(Node):
             self._progress_ns, self._distance = now, best.distance
         elif now - self._progress_ns > self._given["progress_timeout"] * 1e9:
             self._give_up(best.centroid)
-            self._pursue(found)
+            self._pursue(candidates)
             return
         if not same:
             self._goal = best.centroid
@@ -116,12 +116,12 @@ class Explore(Node):
         self._given_up.append(goal)
         self.get_logger().debug("Adding current goal to black list")
 
-    def _show(self, found: list[Frontier]) -> None:
+    def _show(self, candidates: list[Frontier]) -> None:
         if not self._given["visualize"]:
             return
-        stamp, lost = self.get_clock().now().to_msg(), [self._lost(frontier.centroid) for frontier in found]
-        self._markers.publish(markers(found, lost, self._costmap.frame, stamp, self._shown))
-        self._shown = 2 * len(found)
+        stamp, lost = self.get_clock().now().to_msg(), [self._lost(frontier.centroid) for frontier in candidates]
+        self._markers.publish(markers(candidates, lost, self._costmap.frame, stamp, self._shown))
+        self._shown = 2 * len(candidates)
 
     # -- driving
 

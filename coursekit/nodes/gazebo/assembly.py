@@ -85,52 +85,52 @@ def assemble(made: Blueprint, namespace: str = "") -> Assembly:
     return done
 
 
-def _raise(made: Blueprint, level: Array) -> None:
+def _raise(blueprint: Blueprint, level: Array) -> None:
     """Move links and parts to their height above the floor, so that position and heading complete the model's pose."""
-    for link in made.links.values():
+    for link in blueprint.links.values():
         link.pose, link.parts = level @ link.pose, [moved(part, level) for part in link.parts]
-    made.pose = made.pose @ np.linalg.inv(level)
+    blueprint.pose = blueprint.pose @ np.linalg.inv(level)
 
 
-def _read_plugins(made: Blueprint, namespace: str) -> tuple[Drive | None, list[Device]]:
+def _read_plugins(blueprint: Blueprint, namespace: str) -> tuple[Drive | None, list[Device]]:
     drive, devices = None, []
-    for plugin in made.plugins:
-        plugin_drive, more = read_plugin(plugin, made, namespace)
+    for plugin in blueprint.plugins:
+        plugin_drive, more = read_plugin(plugin, blueprint, namespace)
         if plugin_drive is not None and drive is not None:
-            made.note(plugin, "is a second drive; the first one drives")
+            blueprint.note(plugin, "is a second drive; the first one drives")
             continue
         drive = plugin_drive or drive
         devices += more
     return drive, devices
 
 
-def _robot(made: Blueprint, drive: Drive | None, devices: list[Device], parts: list[Part]) -> RobotModel:
+def _robot(blueprint: Blueprint, drive: Drive | None, devices: list[Device], parts: list[Part]) -> RobotModel:
     if not parts:
-        made.notes.append(f"{made.name} has no <collision> that can be met: it is simulated as a disc of 0.1 m")
+        blueprint.notes.append(f"{blueprint.name} has no <collision> that can be met: it is simulated as a disc of 0.1 m")
         parts = [Disc(0.0, 0.0, 0.1, 0.0, 0.2)]
     drives = ("drive", "ros2_control")
     source = next(
-        (plugin for plugin in made.plugins if any(word in (plugin.get("filename") or "") for word in drives)), None
+        (plugin for plugin in blueprint.plugins if any(word in (plugin.get("filename") or "") for word in drives)), None
     )
     told = [*devices, *(device for each in devices if isinstance(each, ControlDevice) for _, device in each.odometry)]
     odometer = next((device for device in told if isinstance(device, OdometryDevice) and device.command_topic), None)
     encoder = odometer is not None and not odometer.exact
     drift = drift_of(source, encoder) if source is not None else EXACT
-    return RobotModel(made.name, tuple(parts), max(made.mass(), LIGHTEST), drive, drift, reach=made.reach)
+    return RobotModel(blueprint.name, tuple(parts), max(blueprint.mass(), LIGHTEST), drive, drift, reach=blueprint.reach)
 
 
-def _things(made: Blueprint, place: Pose2D) -> list[Thing]:
+def _things(blueprint: Blueprint, place: Pose2D) -> list[Thing]:
     """Make one thing, with its parts in the model's frame seen from above, at the height in its file."""
-    parts = made.parts()
+    parts = blueprint.parts()
     if not parts:
         return []
-    level = _lean(made.pose, place)
+    level = _lean(blueprint.pose, place)
     turned = [moved(part, level) for part in parts]
     for part in turned:
-        _check(part, made.name)
-    mass = None if made.static else max(made.mass(), 1e-3)
-    texture, colour = made.look
-    return [Thing(made.name, tuple(turned), place, mass, texture=texture, colour=colour, model=made.name)]
+        _check(part, blueprint.name)
+    mass = None if blueprint.static else max(blueprint.mass(), 1e-3)
+    texture, colour = blueprint.look
+    return [Thing(blueprint.name, tuple(turned), place, mass, texture=texture, colour=colour, model=blueprint.name)]
 
 
 def _lean(pose: Array, place: Pose2D) -> Array:

@@ -59,9 +59,9 @@ def as_urdf(root: Element) -> str:
     return tostring(robot, encoding="unicode")
 
 
-def _link(made: Xml, link: Element, place: Callable[[str], Array], frames: Callable[[str], Array]) -> None:
+def _link(robot: Xml, link: Element, place: Callable[[str], Array], frames: Callable[[str], Array]) -> None:
     name = link.get("name") or ""
-    urdf_link = SubElement(made, "link", name=name)
+    urdf_link = SubElement(robot, "link", name=name)
     inverse = np.linalg.inv(place(name))
 
     def beside(part: Element) -> Array:
@@ -99,14 +99,14 @@ def _shapes(part: Element) -> Iterator[tuple[str, dict[str, str]]]:
             yield kind.tag, {key: kind.tell(key) for key in ("size", "radius", "length") if kind.tell(key)}
 
 
-def _joint(made: Xml, joint: Element, place: Callable[[str], Array]) -> None:
+def _joint(robot: Xml, joint: Element, place: Callable[[str], Array]) -> None:
     name, parent, child = joint.get("name") or "", joint.tell("parent"), joint.tell("child")
     kind = TYPES.get(joint.get("type") or "")
     if kind is None:
         raise joint.error(f"has type '{joint.get('type')}'", f"Types are: {', '.join(TYPES)}.")
     lower, upper = (_bound(joint, end, sign) for end, sign in (("lower", -1), ("upper", 1)))
     kind = "continuous" if kind == "revolute" and math.isinf(lower) and math.isinf(upper) else kind
-    urdf_joint = SubElement(made, "joint", name=name, type=kind)
+    urdf_joint = SubElement(robot, "joint", name=name, type=kind)
     SubElement(urdf_joint, "parent", link=parent)
     SubElement(urdf_joint, "child", link=child)
     _origin(urdf_joint, np.linalg.inv(place(parent)) @ place(child))
@@ -131,12 +131,12 @@ def _bound(joint: Element, end: str, sign: int) -> float:
     return sign * math.inf if abs(value) >= ENDLESS else value
 
 
-def _origin(made: Xml, pose: Array) -> None:
+def _origin(parent: Xml, pose: Array) -> None:
     roll = math.atan2(pose[2, 1], pose[2, 2])
     pitch = math.atan2(-pose[2, 0], math.hypot(pose[0, 0], pose[1, 0]))
     yaw = math.atan2(pose[1, 0], pose[0, 0])
     xyz = " ".join(repr(float(number)) for number in pose[:3, 3])
-    SubElement(made, "origin", xyz=xyz, rpy=f"{roll!r} {pitch!r} {yaw!r}")
+    SubElement(parent, "origin", xyz=xyz, rpy=f"{roll!r} {pitch!r} {yaw!r}")
 
 
 __all__ = ["as_urdf", "described"]

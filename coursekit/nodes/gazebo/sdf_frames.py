@@ -48,11 +48,11 @@ def frames_of(model: Element, file: Path | None = None, depth: int = 0) -> Calla
         raise model.error(f"holds more than {DEEPEST} models inside each other", "Does it include itself?")
     named = {child.get("name") or child.tell("name"): child for child in model.children if child.tag in TAGS}
 
-    def within(one: Element) -> Callable[[str], Array]:
+    def within(element: Element) -> Callable[[str], Array]:
         """Return the frames of a nested or included model."""
-        if one.tag == "model":
-            return frames_of(one, file, depth + 1)
-        inner, path = included(one, file)
+        if element.tag == "model":
+            return frames_of(element, file, depth + 1)
+        inner, path = included(element, file)
         return frames_of(inner, path, depth + 1)
 
     def merged(name: str, above: tuple[str, ...]) -> Array | None:
@@ -63,11 +63,15 @@ def frames_of(model: Element, file: Path | None = None, depth: int = 0) -> Calla
                     return placed(child, above) @ frames_of(inner, path, depth + 1)(name)
         return None
 
-    def placed(one: Element, above: tuple[str, ...]) -> Array:
-        place = one.first("pose")
+    def placed(element: Element, above: tuple[str, ...]) -> Array:
+        place = element.first("pose")
         told = place.get("relative_to") if place is not None else None
-        usual = one.tell("child") if one.tag == "joint" else (one.get("attached_to") or "" if one.tag == "frame" else "")
-        return of(told or usual, above) @ pose(one)
+        usual = (
+            element.tell("child")
+            if element.tag == "joint"
+            else (element.get("attached_to") or "" if element.tag == "frame" else "")
+        )
+        return of(told or usual, above) @ pose(element)
 
     def of(name: str, above: tuple[str, ...] = ()) -> Array:
         if name in ("", "__model__", "world"):
@@ -87,9 +91,9 @@ def frames_of(model: Element, file: Path | None = None, depth: int = 0) -> Calla
     return of
 
 
-def _try(one: Element, file: Path | None) -> tuple[Element | None, Path | None]:
+def _try(element: Element, file: Path | None) -> tuple[Element | None, Path | None]:
     try:
-        return included(one, file)
+        return included(element, file)
     except MissingModel:
         return None, None
 

@@ -76,69 +76,69 @@ def entity(element: Element, file: Path | None, depth: int, frames: Callable[[st
     return inner
 
 
-def _nest(element: Element, made: Blueprint, file: Path | None, depth: int, frames: Callable[[str], Array]) -> None:
+def _nest(element: Element, blueprint: Blueprint, file: Path | None, depth: int, frames: Callable[[str], Array]) -> None:
     try:
         inner = entity(element, file, depth + 1, frames)
     except MissingModel as error:
-        made.note(element, f"is left out: {error.what}")
+        blueprint.note(element, f"is left out: {error.what}")
         return
     if is_merged(element):
-        _merge(inner, made)
+        _merge(inner, blueprint)
         return
     name, number = inner.name, 0
-    while any(key.startswith(f"{name}::") for key in made.links):
+    while any(key.startswith(f"{name}::") for key in blueprint.links):
         name, number = f"{inner.name}_{number}", number + 1
     for key, link in inner.links.items():
         parts = [moved(part, inner.pose) for part in link.parts]
-        made.links[f"{name}::{key}"] = BlueLink(link.name, inner.pose @ link.pose, parts, link.mass, link.sensors)
-    made.joints |= {f"{name}::{key}": kind for key, kind in inner.joints.items()}
-    made.static |= inner.static
-    made.look = made.look if made.look != PLAIN else inner.look
-    made.plugins += inner.plugins
-    made.notes += inner.notes
+        blueprint.links[f"{name}::{key}"] = BlueLink(link.name, inner.pose @ link.pose, parts, link.mass, link.sensors)
+    blueprint.joints |= {f"{name}::{key}": kind for key, kind in inner.joints.items()}
+    blueprint.static |= inner.static
+    blueprint.look = blueprint.look if blueprint.look != PLAIN else inner.look
+    blueprint.plugins += inner.plugins
+    blueprint.notes += inner.notes
 
 
-def _merge(inner: Blueprint, made: Blueprint) -> None:
+def _merge(inner: Blueprint, blueprint: Blueprint) -> None:
     """Merge an `<include merge="true">`: its links and joints become the model's own."""
     for key, link in inner.links.items():
         parts = [moved(part, inner.pose) for part in link.parts]
-        made.links[key] = BlueLink(link.name, inner.pose @ link.pose, parts, link.mass, link.sensors)
-    made.joints |= inner.joints
-    made.held |= inner.held
-    made.axles |= {key: inner.pose @ pose for key, pose in inner.axles.items()}
-    made.plugins += inner.plugins
-    made.notes += inner.notes
-    made.look = made.look if made.look != PLAIN else inner.look
+        blueprint.links[key] = BlueLink(link.name, inner.pose @ link.pose, parts, link.mass, link.sensors)
+    blueprint.joints |= inner.joints
+    blueprint.held |= inner.held
+    blueprint.axles |= {key: inner.pose @ pose for key, pose in inner.axles.items()}
+    blueprint.plugins += inner.plugins
+    blueprint.notes += inner.notes
+    blueprint.look = blueprint.look if blueprint.look != PLAIN else inner.look
 
 
-def _read_link(link: Element, frames: Callable[[str], Array], made: Blueprint) -> None:
-    name = link.get("name") or f"link_{len(made.links)}"
+def _read_link(link: Element, frames: Callable[[str], Array], blueprint: Blueprint) -> None:
+    name = link.get("name") or f"link_{len(blueprint.links)}"
     blue = BlueLink(name, frames(name), mass=number(link, "inertial/mass", 1.0))
-    made.links[name] = blue
+    blueprint.links[name] = blue
     for child in link.children:
         if child.tag == "collision":
             place = child.first("pose")
             own = pose_of(place) if place is not None and place.text.strip() else np.eye(4)
             told = place.get("relative_to") if place is not None else None
-            _collide(child, (frames(told) if told else blue.pose) @ own, blue, made)
+            _collide(child, (frames(told) if told else blue.pose) @ own, blue, blueprint)
         elif child.tag == "sensor":
             blue.sensors.append(child)
 
 
-def _collide(element: Element, where: Array, blue: BlueLink, made: Blueprint) -> None:
+def _collide(element: Element, where: Array, blue: BlueLink, blueprint: Blueprint) -> None:
     geometry = element.first("geometry")
     if geometry is None or not geometry.children:
         raise element.error("has no <geometry>", "Give it <geometry><box>, <cylinder>, <sphere>, <polyline> or <mesh>.")
     kind = geometry.children[0]
     try:
-        shapes = _shapes(kind, made)
-        blue.parts += [part_of(shape, where, made.file) for shape in shapes]
-        made.notes += [note for shape in shapes if isinstance(shape, Mesh) for note in notes_of(shape, made.file)]
+        shapes = _shapes(kind, blueprint)
+        blue.parts += [part_of(shape, where, blueprint.file) for shape in shapes]
+        blueprint.notes += [note for shape in shapes if isinstance(shape, Mesh) for note in notes_of(shape, blueprint.file)]
     except MeshError as error:
-        made.note(element, f"is left out: {error.what}")
+        blueprint.note(element, f"is left out: {error.what}")
 
 
-def _shapes(kind: Element, made: Blueprint) -> list[Shape]:
+def _shapes(kind: Element, blueprint: Blueprint) -> list[Shape]:
     if kind.tag == "box":
         x, y, z = _sizes(kind, "size", 3)
         return [Box((x, y, z))]
@@ -150,12 +150,12 @@ def _shapes(kind: Element, made: Blueprint) -> list[Shape]:
         return _polyline(kind)
     if kind.tag == "mesh":
         if kind.first("submesh") is not None:
-            made.note(kind, "names a submesh: all of the mesh is simulated")
+            blueprint.note(kind, "names a submesh: all of the mesh is simulated")
         scale = kind.first("scale")
         x, y, z = numbers(scale, 3) if scale is not None else (1.0, 1.0, 1.0)
-        return [Mesh(str(find_mesh(kind.tell("uri"), made.file)), (x, y, z))]
+        return [Mesh(str(find_mesh(kind.tell("uri"), blueprint.file)), (x, y, z))]
     if kind.tag not in ("plane", "empty"):
-        made.note(kind, "is no shape that is simulated; simulated are box, cylinder, sphere, polyline, mesh and plane")
+        blueprint.note(kind, "is no shape that is simulated; simulated are box, cylinder, sphere, polyline, mesh and plane")
     return []
 
 

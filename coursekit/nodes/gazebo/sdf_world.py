@@ -123,8 +123,10 @@ def _globe(world: Element, newer: bool) -> Globe | None:
     return Globe(latitude, number(told, "longitude_deg", 0.0), number(told, "elevation", 0.0), turned)
 
 
-def _placed(made: Blueprint) -> Thing:
-    return Thing(made.name, (), Pose2D(float(made.pose[0, 3]), float(made.pose[1, 3]), yaw_of(made.pose)))
+def _placed(blueprint: Blueprint) -> Thing:
+    return Thing(
+        blueprint.name, (), Pose2D(float(blueprint.pose[0, 3]), float(blueprint.pose[1, 3]), yaw_of(blueprint.pose))
+    )
 
 
 def _models(element: Element, file: Path, notes: list[str]) -> Iterator[Blueprint]:
@@ -170,9 +172,9 @@ def read_entity(
     Raises UrdfError and WorldError.
     """
 
-    def done(made: Blueprint) -> Assembly:
-        made.newer, made.name = newer, (name or made.name) if newer is not None else made.name
-        return assemble(made, namespace)
+    def done(draft: Blueprint) -> Assembly:
+        draft.newer, draft.name = newer, (name or draft.name) if newer is not None else draft.name
+        return assemble(draft, namespace)
 
     root = read(text, str(file) if file else "")
     if root.tag == "robot":

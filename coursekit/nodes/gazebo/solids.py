@@ -48,8 +48,8 @@ def part_of(shape: Shape, made: Array, near: Path | None = None) -> Part:
     return Skin(vertices, np.asarray(mesh.faces))
 
 
-def _prism(points: Array, made: Array, low: float, high: float) -> Prism:
-    corners = points @ made[:2, :2].T + made[:2, 3]
+def _prism(points: Array, matrix: Array, low: float, high: float) -> Prism:
+    corners = points @ matrix[:2, :2].T + matrix[:2, 3]
     return Prism(tuple((float(a), float(b)) for a, b in corners), low, high)
 
 

@@ -54,23 +54,25 @@ def _kept(robot: Robot) -> Iterator[str]:
             yield block.get("reference") or ""
 
 
-def _read_block(block: Element, robot: Robot, made: Blueprint) -> None:
+def _read_block(block: Element, robot: Robot, blueprint: Blueprint) -> None:
     reference = block.get("reference")
     for child in block.children:
         if child.tag == "plugin":
-            made.plugins.append(child)
-        elif child.tag == "sensor" and reference in made.links:
-            made.links[reference].sensors.append(child)
+            blueprint.plugins.append(child)
+        elif child.tag == "sensor" and reference in blueprint.links:
+            blueprint.links[reference].sensors.append(child)
         elif child.tag == "sensor":
-            raise child.error(f"sits on link '{reference}', which does not exist", f"Links are: {', '.join(made.links)}.")
+            raise child.error(
+                f"sits on link '{reference}', which does not exist", f"Links are: {', '.join(blueprint.links)}."
+            )
         elif child.tag == "static":
-            made.static = child.text.strip() in ("true", "1")
-        elif child.tag == "material" and made.look == PLAIN:
-            made.look = look_named(child.text.strip())
+            blueprint.static = child.text.strip() in ("true", "1")
+        elif child.tag == "material" and blueprint.look == PLAIN:
+            blueprint.look = look_named(child.text.strip())
         elif child.tag not in QUIET:
-            made.note(child, "is not simulated")
+            blueprint.note(child, "is not simulated")
     if reference and reference not in robot.links and reference not in robot.joints:
-        made.note(block, f"refers to '{reference}', which does not exist")
+        blueprint.note(block, f"refers to '{reference}', which does not exist")
 
 
 __all__ = ["blueprint_of"]

@@ -142,19 +142,19 @@ class RosGzBridge(Node):
         if lazy:
             self._lazy_ways.append(way)
 
-    def _add_service(self, one: Bridged) -> None:
-        name = one.ros_type.rpartition("/")[2]
+    def _add_service(self, bridged: Bridged) -> None:
+        name = bridged.ros_type.rpartition("/")[2]
         if name not in SERVICES:
             known = ", ".join(f"ros_gz_interfaces/srv/{each}" for each in SERVICES)
-            raise LookupError(f"{one.ros_type} is no service of Gazebo's; there are {known}")
-        kind = get_service(one.ros_type)
-        client = self.gz.create_client(kind, one.gz_topic)
+            raise LookupError(f"{bridged.ros_type} is no service of Gazebo's; there are {known}")
+        kind = get_service(bridged.ros_type)
+        client = self.gz.create_client(kind, bridged.gz_topic)
 
         async def pass_on(request: Any, answer: Any) -> Any:
             return await client.call_async(request) if client.service_is_ready() else answer
 
-        self.create_service(kind, one.ros_topic, pass_on)
-        self.get_logger().info(f"Creating service bridge: [{one.ros_topic} ({one.ros_type})]")
+        self.create_service(kind, bridged.ros_topic, pass_on)
+        self.get_logger().info(f"Creating service bridge: [{bridged.ros_topic} ({bridged.ros_type})]")
 
 
 def spin(node: RosGzBridge) -> None:

@@ -192,21 +192,23 @@ class Layers:
         for layer, _ in self.obstacles:
             layer.map = layer.map.moved_to(x - half_x, y - half_y, UNKNOWN)
 
-    def _lay_static(self, made: Costmap) -> None:
+    def _lay_static(self, costmap: Costmap) -> None:
         static = self._static
         assert static is not None
-        if static.cells.shape == made.cells.shape and not self.given["rolling_window"]:
-            made.cells[:] = static.cells
+        if static.cells.shape == costmap.cells.shape and not self.given["rolling_window"]:
+            costmap.cells[:] = static.cells
             return
-        rows = np.floor((made.y + (np.arange(made.cells.shape[0]) + 0.5) * made.resolution - static.y) / static.resolution)
+        rows = np.floor(
+            (costmap.y + (np.arange(costmap.cells.shape[0]) + 0.5) * costmap.resolution - static.y) / static.resolution
+        )
         columns = np.floor(
-            (made.x + (np.arange(made.cells.shape[1]) + 0.5) * made.resolution - static.x) / static.resolution
+            (costmap.x + (np.arange(costmap.cells.shape[1]) + 0.5) * costmap.resolution - static.x) / static.resolution
         )
         good_rows = (rows >= 0) & (rows < static.cells.shape[0])
         good_columns = (columns >= 0) & (columns < static.cells.shape[1])
         part = static.cells[np.ix_(rows[good_rows].astype(int), columns[good_columns].astype(int))]
-        made.cells[np.ix_(good_rows, good_columns)] = part
+        costmap.cells[np.ix_(good_rows, good_columns)] = part
 
 
-def _shape(one: Costmap) -> tuple[tuple[int, ...], float, float, float]:
-    return one.cells.shape, one.resolution, one.x, one.y
+def _shape(costmap: Costmap) -> tuple[tuple[int, ...], float, float, float]:
+    return costmap.cells.shape, costmap.resolution, costmap.x, costmap.y

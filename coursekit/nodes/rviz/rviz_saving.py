@@ -40,19 +40,19 @@ def to_rviz(config: Config) -> dict[str, Any]:
 _TOOLS = ("Interact", "MoveCamera", "Select", "FocusCamera", "Measure", "SetInitialPose", "SetGoal", "PublishPoint")
 
 
-def _display(one: DisplayConfig) -> dict[str, Any]:
-    kind = KINDS[one.kind]
+def _display(display: DisplayConfig) -> dict[str, Any]:
+    kind = KINDS[display.kind]
     entry: dict[str, Any] = {
-        "Class": f"{_PLUGINS.get(one.kind, 'rviz_default_plugins')}/{one.kind}",
-        "Name": one.name,
-        "Enabled": one.enabled,
-        "Value": one.enabled,
+        "Class": f"{_PLUGINS.get(display.kind, 'rviz_default_plugins')}/{display.kind}",
+        "Name": display.name,
+        "Enabled": display.enabled,
+        "Value": display.enabled,
     }
     if kind.type:
-        where = "Description Topic" if one.kind == "RobotModel" else "Topic"
-        entry |= {where: _topic(one)} | ({"Description Source": "Topic"} if one.kind == "RobotModel" else {})
-    options = {key: value for key, value in one.options.items() if key not in QOS}
-    if one.kind == "Odometry":
+        where = "Description Topic" if display.kind == "RobotModel" else "Topic"
+        entry |= {where: _topic(display)} | ({"Description Source": "Topic"} if display.kind == "RobotModel" else {})
+    options = {key: value for key, value in display.options.items() if key not in QOS}
+    if display.kind == "Odometry":
         entry["Shape"] = {"Value": options.pop("shape")} | {rviz_name(key): _value(options.pop(key)) for key in _SHAPED}
     if "covariance" in options:
         entry["Covariance"] = {"Value": options.pop("covariance")}
@@ -63,15 +63,15 @@ def _display(one: DisplayConfig) -> dict[str, Any]:
     return entry | {rviz_name(key): _value(value) for key, value in options.items()}
 
 
-def _topic(one: DisplayConfig) -> dict[str, Any]:
+def _topic(display: DisplayConfig) -> dict[str, Any]:
     """A topic with its QoS; where none was given, the QoS that is requested by default."""
-    lasting = KINDS[one.kind].lasting
+    lasting = KINDS[display.kind].lasting
     return {
-        "Value": one.topic,
-        "Depth": int(one.options["depth"]),
-        "Durability Policy": one.options["durability"] or ("Transient Local" if lasting else "Volatile"),
+        "Value": display.topic,
+        "Depth": int(display.options["depth"]),
+        "Durability Policy": display.options["durability"] or ("Transient Local" if lasting else "Volatile"),
         "History Policy": "Keep Last",
-        "Reliability Policy": one.options["reliability"] or ("Reliable" if lasting else "Best Effort"),
+        "Reliability Policy": display.options["reliability"] or ("Reliable" if lasting else "Best Effort"),
     }
 
 

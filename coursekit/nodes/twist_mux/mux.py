@@ -107,9 +107,9 @@ class TwistMux(Node):
         return status
 
     @staticmethod
-    def _tell_input(status: DiagnosticStatusWrapper, kind: str, one: Input, word: str) -> None:
-        about = f"(listening to {one.topic} @ {one.timeout:f}s with priority #{one.priority})"
-        status.add(f"{kind} {one.name}", f" {word} {about}")
+    def _tell_input(status: DiagnosticStatusWrapper, kind: str, source: Input, word: str) -> None:
+        about = f"(listening to {source.topic} @ {source.timeout:f}s with priority #{source.priority})"
+        status.add(f"{kind} {source.name}", f" {word} {about}")
 
 
 def main(args: list[str] | None = None) -> int:

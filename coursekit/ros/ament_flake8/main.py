@@ -88,14 +88,14 @@ def _python_files(path: str) -> Iterator[str]:
             yield from (os.path.join(place, file) for file in files if file.endswith(".py"))
 
 
-def _summarize(found: Sequence[tuple[str, str, str]], files: list[str]) -> None:
+def _summarize(findings: Sequence[tuple[str, str, str]], files: list[str]) -> None:
     """Print the number of findings of each code, with the text of the first, and the files that were read."""
     print()
-    counts, texts = Counter(code for _, code, _ in found), {code: text for _, code, text in reversed(found)}
-    if found:
+    counts, texts = Counter(code for _, code, _ in findings), {code: text for _, code, text in reversed(findings)}
+    if findings:
         print("\n".join(f"{counts[code]:<5} {code}{texts[code]}" for code in sorted(counts)) + "\n")
-    print(f"{len(files)} files checked\n{f'{len(found)} errors' if found else 'No problems found'}\n")
-    for letter, count in sorted(Counter(code[0] for _, code, _ in found).items()):
+    print(f"{len(files)} files checked\n{f'{len(findings)} errors' if findings else 'No problems found'}\n")
+    for letter, count in sorted(Counter(code[0] for _, code, _ in findings).items()):
         print(f"'{letter}'-type errors: {count}")
-    print("\n" * bool(found), end="")
+    print("\n" * bool(findings), end="")
     print("Checked files:\n" + "".join(f"\n* {file}" for file in files))

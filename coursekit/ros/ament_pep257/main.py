@@ -84,10 +84,10 @@ def _sources(path: str) -> Iterator[str]:
         yield from (os.path.join(place, file) for file in files if file.endswith(".py"))
 
 
-def _cases(files: list[str], found: list[_Finding]) -> list[tuple[str, str]]:
+def _cases(files: list[str], findings: list[_Finding]) -> list[tuple[str, str]]:
     """Each finding as a case, and each file without findings."""
     by_file: dict[str, list[tuple[str, str]]] = {file: [] for file in files}
-    for finding in found:
+    for finding in findings:
         by_file.setdefault(finding.file, []).append((finding.name, finding.what))
     return [case for file, own in by_file.items() for case in own or [(file, "")]]
 

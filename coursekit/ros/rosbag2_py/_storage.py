@@ -165,7 +165,7 @@ class BagMetadata(_Timed, BagFacts):
         return info_text(self)
 
 
-def _file_information(one: FileFacts) -> Any:
+def _file_information(facts: FileFacts) -> Any:
     return FileInformation(
-        one.path, Time(nanoseconds=one.starting_time_ns), Duration(nanoseconds=one.duration_ns), one.message_count
+        facts.path, Time(nanoseconds=facts.starting_time_ns), Duration(nanoseconds=facts.duration_ns), facts.message_count
     )

@@ -35,8 +35,8 @@ def relative(me: Sequence[float], other: Sequence[float]) -> Spot:
     """
     from coursekit.tf import compose, inverse
 
-    def pose(one: Sequence[float]) -> Any:
-        return (one[0], one[1], 0.0, 0.0, 0.0, math.sin(one[2] / 2), math.cos(one[2] / 2))
+    def pose(place: Sequence[float]) -> Any:
+        return (place[0], place[1], 0.0, 0.0, 0.0, math.sin(place[2] / 2), math.cos(place[2] / 2))
 
     x, y, _, _, _, turn, cosine = compose(inverse(pose(me)), pose(other))
     return x, y, math.remainder(2 * math.atan2(turn, cosine), math.tau)

@@ -108,7 +108,7 @@ def _run(pieces: Sequence[str], environment: dict[str, str], merge: bool) -> sub
     words = split_words(text)
     if not words:
         raise SubstitutionFailure("command substitution got an empty command")
-    words = [_PLACE.sub(lambda found: paths[int(found[1])], word) for word in words]
+    words = [_PLACE.sub(lambda match: paths[int(match[1])], word) for word in words]
     inside = command(executable_name(Path(words[0])))
     if inside is not None:
         return _run_inside(inside, words, environment, merge)

@@ -124,7 +124,7 @@ def _formatted(
     values |= {"severity": _NAMES[level], "name": name, "message": text, "time": _seconds(stamp)}
     values["time_as_nanoseconds"] = str(stamp)
     values["date_time_with_ms"] = datetime.fromtimestamp(stamp / 1e9).strftime("%Y-%m-%d %H:%M:%S.%f")[:-3]
-    return _TOKEN.sub(lambda found: values.get(found[1], found[0]), pattern)
+    return _TOKEN.sub(lambda match: values.get(match[1], match[0]), pattern)
 
 
 _KEY = "rclpy.logging"

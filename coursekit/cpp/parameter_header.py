@@ -101,18 +101,22 @@ def _fields(struct: Struct, indent: str, stack: bool) -> Iterator[str]:
             yield f"{indent}std::map<std::string, {name}> {_map(inner)};"
 
 
-def _is_small(one: Parameter) -> bool:
-    return bool(one.size) or not (one.kind == "string" or one.kind.endswith("_array"))
+def _is_small(parameter: Parameter) -> bool:
+    return bool(parameter.size) or not (parameter.kind == "string" or parameter.kind.endswith("_array"))
 
 
-def _type(one: Parameter) -> str:
-    if one.size:
-        return f"StaticString<{one.size}>" if one.kind == "string" else f"StaticVector<{one.base}, {one.size}>"
-    return str(TYPES[one.kind])
+def _type(parameter: Parameter) -> str:
+    if parameter.size:
+        return (
+            f"StaticString<{parameter.size}>"
+            if parameter.kind == "string"
+            else f"StaticVector<{parameter.base}, {parameter.size}>"
+        )
+    return str(TYPES[parameter.kind])
 
 
-def _default(one: Parameter) -> str:
-    return "{}" if one.default is None else f" = {value_text(one.default)}"
+def _default(parameter: Parameter) -> str:
+    return "{}" if parameter.default is None else f" = {value_text(parameter.default)}"
 
 
 def _pascal(name: str) -> str:
@@ -159,18 +163,18 @@ def _each(struct: Struct, place: str, name: str, mapped: bool, keys: int = 0) ->
             yield "    }"
 
 
-def _call(one: Parameter, field: str, name: str) -> str:
-    checks = "".join(_CHECK.format(call=_check(one, check, given)) for check, given in one.checks)
+def _call(parameter: Parameter, field: str, name: str) -> str:
+    checks = "".join(_CHECK.format(call=_check(parameter, check, given)) for check, given in parameter.checks)
     words = value_text(name).replace("{", '" + ').replace("}", ' + "')
-    has_default = value_text(one.default is not None)
+    has_default = value_text(parameter.default is not None)
     param = "param" if checks else ""
     return _EACH.format(
-        name=words, field=field, has_default=has_default, descriptor=_descriptor(one), param=param, checks=checks
+        name=words, field=field, has_default=has_default, descriptor=_descriptor(parameter), param=param, checks=checks
     )
 
 
-def _check(one: Parameter, name: str, given: list[Any]) -> str:
-    called = name.replace("<>", f"<{one.base}>")
+def _check(parameter: Parameter, name: str, given: list[Any]) -> str:
+    called = name.replace("<>", f"<{parameter.base}>")
     return f"{called}({', '.join(['param', *map(value_text, given)])})"
 
 
@@ -181,16 +185,16 @@ _LIMITS = {
 """The checks that descriptors tell as ranges: which of their arguments is the lower limit, and which the upper."""
 
 
-def _descriptor(one: Parameter) -> str:
-    told = f"coursekit::described({value_text(one.description)}, {value_text(one.read_only)})"
+def _descriptor(parameter: Parameter) -> str:
+    told = f"coursekit::described({value_text(parameter.description)}, {value_text(parameter.read_only)})"
     limits: dict[int, str] = {}
-    for name, given in one.checks:
+    for name, given in parameter.checks:
         for end, at in enumerate(_LIMITS.get(name.removesuffix("<>"), ())):
-            if at is not None and at < len(given) and one.kind in ("int", "double"):
+            if at is not None and at < len(given) and parameter.kind in ("int", "double"):
                 limits[end] = value_text(given[at])
     if not limits:
         return told
-    number, widest = ("double", "double") if one.kind == "double" else ("int64_t", "int")
+    number, widest = ("double", "double") if parameter.kind == "double" else ("int64_t", "int")
     lower = limits.get(0, f"std::numeric_limits<{widest}>::lowest()")
     upper = limits.get(1, f"std::numeric_limits<{widest}>::max()")
     return f"coursekit::in_range({told}, {number}({lower}), {number}({upper}))"

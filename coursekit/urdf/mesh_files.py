@@ -84,7 +84,7 @@ def _read(path: Path, kind: str) -> MeshFile:
     from .textures import Beside
 
     data, beside = read_bytes(path), Beside(path)
-    promised = max((int(one or two) for one, two in _COUNTS.findall(data, 0, 1 << 22)), default=0)
+    promised = max((int(gltf or ply) for gltf, ply in _COUNTS.findall(data, 0, 1 << 22)), default=0)
     if kind in (".glb", ".gltf", ".ply") and promised > 3 * MOST_FACES:
         raise ValueError(f"it promises {promised} numbers; {3 * MOST_FACES} are the most")
     surfaces = _parts(data, kind, beside)

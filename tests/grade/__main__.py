@@ -33,14 +33,26 @@ def grade_class(percent: float, tier: str) -> int:
 
     with tempfile.TemporaryDirectory() as scratch, mock.patch.object(sandbox, "tier", lambda: tier):
         folder, out = Path(scratch, "class"), Path(scratch, "grades.csv")
-        made = make_class(folder, share)
+        kind_by_student = make_class(folder, share)
         jobs, began = str(min(2, os.cpu_count() or 1)), time.monotonic()
-        main(["grade", "--allow-root", str(folder), "--jobs", jobs, "--out", str(out), *TIERS[tier], *only(made.values())])
+        main(
+            [
+                "grade",
+                "--allow-root",
+                str(folder),
+                "--jobs",
+                jobs,
+                "--out",
+                str(out),
+                *TIERS[tier],
+                *only(kind_by_student.values()),
+            ]
+        )
         took = time.monotonic() - began
-        wrong = faults(out.with_suffix(""), out, made)
-        (least, most, _), (total, statuses) = deserved(made), earned(out)
+        wrong = faults(out.with_suffix(""), out, kind_by_student)
+        (least, most, _), (total, statuses) = deserved(kind_by_student), earned(out)
         folders.remove(folder)  # too deep for whoever clears up after a temporary folder
-    told = f"{len(made)} submissions in {took / 60:.1f} minutes; {len(wrong)} marks that are not deserved"
+    told = f"{len(kind_by_student)} submissions in {took / 60:.1f} minutes; {len(wrong)} marks that are not deserved"
     summed = f"{total:g} points together, {least:g} to {most:g} deserved; " + ", ".join(
         f"{number} {status}" for status, number in statuses.most_common()
     )

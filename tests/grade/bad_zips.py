@@ -9,10 +9,10 @@ from .handed import TOPICS, text, zipped
 
 
 def zipped_as(kind):
-    made = io.BytesIO()
-    with zipfile.ZipFile(made, "w", kind) as packed:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", kind) as packed:
         packed.writestr(TOPICS, text("q1"))
-    return made.getvalue()
+    return buffer.getvalue()
 
 
 def corrupt_stream():
@@ -31,31 +31,33 @@ def encrypted():
 
 def says_small(real=60 << 20):
     """A member that unpacks to more than its header says."""
-    made = io.BytesIO()
-    with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as packed:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as packed:
         packed.writestr(TOPICS, b" " * real)
-    return made.getvalue().replace(struct.pack("<I", real), struct.pack("<I", 1000))
+    return buffer.getvalue().replace(struct.pack("<I", real), struct.pack("<I", 1000))
 
 
 def many(count=70_000):
-    one = b"PK\1\2" + b"\0" * 24 + struct.pack("<H", 1) + b"\0" * 16 + b"a"
-    return one * count + b"PK\5\6\0\0\0\0" + struct.pack("<HHIIH", count & 0xFFFF, count & 0xFFFF, len(one) * count, 0, 0)
+    entry = b"PK\1\2" + b"\0" * 24 + struct.pack("<H", 1) + b"\0" * 16 + b"a"
+    return (
+        entry * count + b"PK\5\6\0\0\0\0" + struct.pack("<HHIIH", count & 0xFFFF, count & 0xFFFF, len(entry) * count, 0, 0)
+    )
 
 
 def bad_name():
-    made = io.BytesIO()
-    with zipfile.ZipFile(made, "w") as packed:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as packed:
         packed.writestr("ñ02_topics.ipynb", text("q1"))
-    return made.getvalue().replace("ñ".encode(), b"\xff\xff")
+    return buffer.getvalue().replace("ñ".encode(), b"\xff\xff")
 
 
 def link():
-    made = io.BytesIO()
-    with zipfile.ZipFile(made, "w") as packed:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as packed:
         info = zipfile.ZipInfo(TOPICS)
         info.external_attr = 0o120777 << 16
         packed.writestr(info, "/etc/passwd")
-    return made.getvalue()
+    return buffer.getvalue()
 
 
 ZIPS = {

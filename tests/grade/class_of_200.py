@@ -39,10 +39,10 @@ def bundle(make: Callable[[str, str, str], bytes]) -> Callable[[Notebook], Packe
 
 def zipped(notebook: Notebook) -> Packed:
     """In a folder of a zip."""
-    made = io.BytesIO()
-    with zipfile.ZipFile(made, "w") as packed:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as packed:
         packed.writestr(f"class/{TOPICS}", json.dumps(notebook))
-    return Packed(lambda _: made.getvalue())
+    return Packed(lambda _: buffer.getvalue())
 
 
 def _doubled(notebook: Notebook) -> Notebook:
@@ -65,8 +65,8 @@ def _only_answers(notebook: Notebook) -> Notebook:
 
 
 def _retyped(notebook: Notebook) -> Notebook:
-    for one in solution_cells(notebook).values():
-        one["cell_type"] = "raw"
+    for solution_cell in solution_cells(notebook).values():
+        solution_cell["cell_type"] = "raw"
     return notebook
 
 
@@ -140,25 +140,25 @@ KINDS = (
 
 def make_class(folder: Path, share: Callable[[Kind], int]) -> dict[str, Kind]:
     """Write the submissions of a class, `share(kind)` of each kind; who handed in what, by the name in the table."""
-    made: dict[str, Kind] = {}
+    kind_by_student: dict[str, Kind] = {}
     for kind in KINDS:
         for number in range(share(kind)):
             student = kind.called or f"{kind.name}-{number:02}"
-            made[cell(shown(student))] = kind
+            kind_by_student[cell(shown(student))] = kind
             _write(folder, student, kind)
-    return made
+    return kind_by_student
 
 
 def _write(folder: Path, student: str, kind: Kind) -> None:
-    place, made = folder / student, kind.make(kind.right())
-    if isinstance(made, Packed):
+    place, work = folder / student, kind.make(kind.right())
+    if isinstance(work, Packed):
         folder.mkdir(exist_ok=True)
-        place.with_suffix(".zip").write_bytes(made.make(student))
+        place.with_suffix(".zip").write_bytes(work.make(student))
         return
     place.mkdir(parents=True)
-    if isinstance(made, Placed):
-        made.write(place)
+    if isinstance(work, Placed):
+        work.write(place)
         return
-    files = {kind.chapter: made} if isinstance(made, str) or (made and "cells" in made) else made or {}
+    files = {kind.chapter: work} if isinstance(work, str) or (work and "cells" in work) else work or {}
     for name, notebook in files.items():
         (place / name).write_text(notebook if isinstance(notebook, str) else json.dumps(notebook), encoding="utf-8")

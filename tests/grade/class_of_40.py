@@ -32,9 +32,9 @@ def sealed(name: str, *done: str, chapter: str = TOPICS) -> bytes:
 
 def marked(mark: str, *done: str) -> str:
     """Work in the copy that was released to somebody."""
-    made = notebook(*done)
-    made["metadata"]["coursekit"]["copy"] = mark
-    return json.dumps(made)
+    nb = notebook(*done)
+    nb["metadata"]["coursekit"]["copy"] = mark
+    return json.dumps(nb)
 
 
 def beside(folder: Path, name: str, number: int) -> None:

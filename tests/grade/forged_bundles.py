@@ -79,7 +79,7 @@ def picture_resealed(student: str, half: str, _right: str) -> bytes:
 
 
 def _raised(manifest: dict[str, Any]) -> dict[str, Any]:
-    verdicts = [{**one, "points": one["of"]} for one in manifest["verdicts"]]
+    verdicts = [{**verdict, "points": verdict["of"]} for verdict in manifest["verdicts"]]
     return {**manifest, "verdicts": verdicts, "points": manifest["of"]}
 
 
@@ -117,13 +117,13 @@ def resealed(bundle: bytes, student: str) -> bytes:
     manifest, files = read_bundle(bundle)
     word = "".join(student.split())
     files = {name.replace("VeraCourse", word): data for name, data in files.items()}
-    before, made = events.BEGINNING, []
+    before, lines = events.BEGINNING, []
     for text in files[EVENTS].decode().splitlines():
         line = {**json.loads(text.replace("VeraCourse", word)), "before": before}
         line.pop("digest")
         before = events.digest(line)
-        made.append(json.dumps({**line, "digest": before}, sort_keys=True) + "\n")
-    return _sealed({**manifest, "student": student}, {**files, EVENTS: "".join(made).encode()})
+        lines.append(json.dumps({**line, "digest": before}, sort_keys=True) + "\n")
+    return _sealed({**manifest, "student": student}, {**files, EVENTS: "".join(lines).encode()})
 
 
 def sealed_as_own(student: str, half: str, _right: str) -> bytes:

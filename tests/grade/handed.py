@@ -32,12 +32,12 @@ NOON = time.mktime((2026, 11, 23, 12, 0, 0, 0, 0, -1))
 
 def notebook(*done, chapter=TOPICS, own=""):
     """The student's copy of a chapter with something in the cells of these questions (`"q1"`)."""
-    made = student_notebook(SOURCES[chapter])
-    for cell in made["cells"]:
+    nb = student_notebook(SOURCES[chapter])
+    for cell in nb["cells"]:
         name = cell["metadata"].get("nbgrader", {}).get("grade_id", "")
         if name.partition("-")[2] in done:
             cell["source"] = f"# {name} was done{own}\ndone = True\n"
-    return made
+    return nb
 
 
 def text(*done, **more):
@@ -55,12 +55,12 @@ def write(file, content, when=NOON):
 
 def zipped(files, when=NOON):
     """A zip of files by name; of (content, time) where a file has a time of its own."""
-    made = io.BytesIO()
-    with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as packed:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as packed:
         for name, content in files.items():
             content, at = content if isinstance(content, tuple) else (content, when)
             packed.writestr(zipfile.ZipInfo(name, time.localtime(at)[:6]), content)
-    return made.getvalue()
+    return buffer.getvalue()
 
 
 def collected(place, scratch, **more):
@@ -71,20 +71,21 @@ def collected(place, scratch, **more):
 
 def by_name(collection):
     """What each handed in, by name."""
-    return {one.label: one for one in collection.handed}
+    return {submission.label: submission for submission in collection.handed}
 
 
 def cheap_mark(submission, sources, exercises, limits, secret=b""):
     """All points for what was begun: stands for the sandbox where a test is not about that."""
-    made = Marked(submission.student, submission.digest(), tier="bubblewrap")
+    marked = Marked(submission.student, submission.digest(), tier="bubblewrap")
     ((chapter, file),) = submission.chosen.items()
     known = Recogniser(sources).recognise(parse_notebook(file.read_bytes(), chapter))
-    for name, one in exercises.items():
+    for name, exercise in exercises.items():
         right = name in known.begun
-        made.verdicts.append(Verdict(name, one.title, one.points if right else 0, one.points, "" if right else "more",
-                                     "" if right else "the stub"))  # fmt: skip
-    made.answers = [code for name, code in known.code.items() if name in known.begun]
-    return made
+        points = exercise.points if right else 0
+        expected, got = ("", "") if right else ("more", "the stub")
+        marked.verdicts.append(Verdict(name, exercise.title, points, exercise.points, expected, got))
+    marked.answers = [code for name, code in known.code.items() if name in known.begun]
+    return marked
 
 
 def grade(folder, *words, out=None):
@@ -98,29 +99,29 @@ def grade(folder, *words, out=None):
 
 def rows(table):
     """The rows of a table by student."""
-    head, *found = lines(table)
-    return {row["student"]: row for row in (dict(zip(head, one, strict=True)) for one in found)}
+    head, *records = lines(table)
+    return {row["student"]: row for row in (dict(zip(head, record, strict=True)) for record in records)}
 
 
 def answer(table, **answers):
     """Answer the questions of a table: what is asked about begins so."""
-    head, *found = lines(table)
-    asked = [dict(zip(head, one, strict=True)) for one in found]
+    head, *records = lines(table)
+    asked = [dict(zip(head, record, strict=True)) for record in records]
     for row in asked:
         for begin, said in answers.items():
             if begin in row["about"] or begin in row["question"]:
                 row["answer"] = said
     with open(table, "w", newline="", encoding="utf-8") as file:
-        made = csv.DictWriter(file, asked[0].keys())
-        made.writeheader()
-        made.writerows(asked)
+        writer = csv.DictWriter(file, asked[0].keys())
+        writer.writeheader()
+        writer.writerows(asked)
     return asked
 
 
 def points_of(*done, chapter=TOPICS):
     """What these questions are worth."""
     known = exercises_in(SOURCES[chapter])
-    return sum(one.points for name, one in known.items() if name.partition(".")[2] in done)
+    return sum(exercise.points for name, exercise in known.items() if name.partition(".")[2] in done)
 
 
 def lines(file):
@@ -133,12 +134,12 @@ def lines(file):
 
 def edited(table, **cells):
     """The table with other texts in a row of one student, saved as a German Excel does."""
-    found = lines(table)
-    row = next(one for one in found if one[1] == cells["student"])
+    records = lines(table)
+    row = next(record for record in records if record[1] == cells["student"])
     for name, said in cells.items():
-        if name not in found[0]:
-            found = [[*one, name if number == 0 else ""] for number, one in enumerate(found)]
-            row = next(one for one in found if one[1] == cells["student"])
-        row[found[0].index(name)] = said
+        if name not in records[0]:
+            records = [[*record, name if number == 0 else ""] for number, record in enumerate(records)]
+            row = next(record for record in records if record[1] == cells["student"])
+        row[records[0].index(name)] = said
     with open(table, "w", newline="", encoding="utf-8-sig") as out:
-        csv.writer(out, delimiter=";").writerows(found)
+        csv.writer(out, delimiter=";").writerows(records)

@@ -138,19 +138,19 @@ def _as_zip(
     """The right notebook in a zip, and the zip spoilt."""
 
     def make(notebook: Notebook) -> Packed:
-        made = io.BytesIO()
-        with zipfile.ZipFile(made, "w", kind) as packed:
+        buffer = io.BytesIO()
+        with zipfile.ZipFile(buffer, "w", kind) as packed:
             packed.writestr(name, json.dumps(notebook))
-        return Packed(lambda _: spoil(made.getvalue()))
+        return Packed(lambda _: spoil(buffer.getvalue()))
 
     return make
 
 
 def _bomb(_: Notebook) -> Packed:
-    real, made = 90 << 20, io.BytesIO()
-    with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as packed:
+    real, buffer = 90 << 20, io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as packed:
         packed.writestr(TOPICS, b" " * real)
-    return Packed(lambda _: made.getvalue().replace(struct.pack("<I", real), struct.pack("<I", 1000)))
+    return Packed(lambda _: buffer.getvalue().replace(struct.pack("<I", real), struct.pack("<I", 1000)))
 
 
 def _surrogates(notebook: Notebook) -> Notebook:

@@ -92,5 +92,9 @@ def containers() -> list[Any]:
 
 def values() -> list[Any]:
     """All of them, and each scalar in pairs, triples, and lists of these."""
-    many = [shape for one in SCALARS for shape in ([one] * 2, (one, one), (one, one, one), [(one, one)], [(one,) * 3] * 3)]
+    many = [
+        shape
+        for scalar in SCALARS
+        for shape in ([scalar] * 2, (scalar, scalar), (scalar, scalar, scalar), [(scalar, scalar)], [(scalar,) * 3] * 3)
+    ]
     return [*SCALARS, *containers(), *many]

@@ -57,7 +57,7 @@ class Kind:
 def solution_cells(notebook: Notebook) -> dict[str, Notebook]:
     """The cells that students fill in, by name."""
     grading = ((cell, cell["metadata"].get("nbgrader", {})) for cell in notebook["cells"])
-    return {one["grade_id"]: cell for cell, one in grading if one.get("solution")}
+    return {metadata["grade_id"]: cell for cell, metadata in grading if metadata.get("solution")}
 
 
 def question(notebook: Notebook, name: str) -> Notebook:

@@ -46,11 +46,11 @@ def reviewing(folder: Path, *words: str):
                              preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler))  # fmt: skip
     try:
         said = ""
-        while not (found := re.search(r"Mark by hand at (\S+)", said)):
+        while not (match := re.search(r"Mark by hand at (\S+)", said)):
             line = child.stdout.readline()
             assert line, f"it ended: {said}"
             said += line
-        yield found[1]
+        yield match[1]
     finally:
         child.send_signal(signal.SIGINT)
         child.communicate(timeout=60)

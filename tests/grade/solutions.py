@@ -22,21 +22,21 @@ def squeezed(text: str) -> str:
 @functools.cache
 def solutions() -> list[str]:
     """The text of every solution."""
-    found = []
+    sources = []
     for file in sorted(NOTEBOOKS.glob("*.ipynb")):
         for cell in json.loads(file.read_text(encoding="utf-8"))["cells"]:
-            found += [textwrap.dedent(one) for one in _BETWEEN.findall("".join(cell["source"]))]
-    return found
+            sources += [textwrap.dedent(source) for source in _BETWEEN.findall("".join(cell["source"]))]
+    return sources
 
 
 @functools.cache
 def _texts() -> list[str]:
-    return [text for one in solutions() if len(text := squeezed(one)) >= SHORT]
+    return [text for solution in solutions() if len(text := squeezed(solution)) >= SHORT]
 
 
 @functools.cache
 def _trees() -> frozenset[str]:
-    return frozenset(tree for one in solutions() for tree in trees(one))
+    return frozenset(tree for solution in solutions() for tree in trees(solution))
 
 
 def trees(text: str) -> list[str]:
@@ -61,6 +61,6 @@ def found_in(text: str) -> list[str]:
         cells = ["".join(cell["source"]) for cell in json.loads(text)["cells"]]
     flat = squeezed("\n".join(cells))
     said = ["a marker"] if MARKER in text else []
-    said += [f"the text {one[:60]}" for one in _texts() if one in flat]
+    said += [f"the text {solution_text[:60]}" for solution_text in _texts() if solution_text in flat]
     own = {tree for cell in cells for tree in trees(cell)}
-    return said + [f"the syntax tree {one[:60]}" for one in sorted(own & _trees())]
+    return said + [f"the syntax tree {tree[:60]}" for tree in sorted(own & _trees())]

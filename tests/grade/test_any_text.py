@@ -15,11 +15,13 @@ from .handed import SOURCES, TOPICS, collected, notebook, text, write
 @settings(max_examples=150)
 @given(some.text(max_size=60))
 def test_no_text_of_a_student_s_is_a_formula_or_moves_a_terminal(said):
-    for made in (shown(said), cell(said), lines(said)):
+    for shown_text in (shown(said), cell(said), lines(said)):
         assert not [
-            one for one in made if (ord(one) < 32 and one != "\n") or one in "\x7f\u202a\u202b\u202e\u2066\u2069\u200f"
+            character
+            for character in shown_text
+            if (ord(character) < 32 and character != "\n") or character in "\x7f\u202a\u202b\u202e\u2066\u2069\u200f"
         ]
-        made.encode("utf-8")
+        shown_text.encode("utf-8")
     for separator in ';,"|\t':
         for part in cell(said).split(separator):
             assert not part.lstrip(" '\u00a0").startswith(("=", "+", "-", "@")) or part.lstrip(" \u00a0").startswith("'"), (
@@ -30,9 +32,9 @@ def test_no_text_of_a_student_s_is_a_formula_or_moves_a_terminal(said):
 @settings(max_examples=150)
 @given(some.text(max_size=40), some.text(max_size=40))
 def test_names_of_files_are_plain_and_differ(one, other):
-    made = name_of_files(one)
-    assert made.isascii() and len(made) < 60 and made == made.casefold() and not set('/\\:*?"<>|. ') & set(made)
-    assert (made == name_of_files(other)) == (one == other)
+    name = name_of_files(one)
+    assert name.isascii() and len(name) < 60 and name == name.casefold() and not set('/\\:*?"<>|. ') & set(name)
+    assert (name == name_of_files(other)) == (one == other)
 
 
 words = some.sampled_from(["cell_type", "source", "metadata", "nbgrader", "grade_id", "coursekit", "given", "copy"])
@@ -51,8 +53,8 @@ def test_any_json_with_cells_can_be_recognised(cells, metadata):
     known = notebook("q1")
     known["cells"] += cells
     known["metadata"] = metadata
-    found = Recogniser(SOURCES).recognise(parse_notebook(json.dumps(known).encode(), "x.ipynb"))
-    assert found.chapter == TOPICS and "ch02.q1" in found.begun
+    recognised = Recogniser(SOURCES).recognise(parse_notebook(json.dumps(known).encode(), "x.ipynb"))
+    assert recognised.chapter == TOPICS and "ch02.q1" in recognised.begun
 
 
 @posix("most of these are no names there")
@@ -69,6 +71,6 @@ def test_whatever_students_call_their_files_each_gets_a_row(tmp_path_factory, na
         except (OSError, ValueError):  # a name that this file system does not take
             continue
     if written:
-        found = collected(base / "class", base / "s")
-        assert 1 <= len(found.handed) + len(found.whose) <= written
-        assert len({one.key for one in found.handed}) == len(found.handed)
+        collection = collected(base / "class", base / "s")
+        assert 1 <= len(collection.handed) + len(collection.whose) <= written
+        assert len({handed.key for handed in collection.handed}) == len(collection.handed)

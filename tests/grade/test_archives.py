@@ -48,7 +48,7 @@ def test_an_archive_holds_the_chapters_without_their_solutions(archives, kind):
     assert {Path(name).name for name in files if "/notebooks/images/" in name} == pictures
     for name, content in files.items():
         text = content.decode("utf-8", "replace")
-        said = [one for one in found_in(text) if not (one == "a marker" and name in KNOW_THE_MARKER)]
+        said = [finding for finding in found_in(text) if not (finding == "a marker" and name in KNOW_THE_MARKER)]
         assert not said, f"{name} holds {said}"
 
 
@@ -70,6 +70,6 @@ def test_the_search_finds_what_it_looks_for():
     assert found_in(json.dumps(notebook, indent=1)) == []
     notebook["cells"][0]["source"] = long
     assert found_in(json.dumps(notebook, indent=1))
-    function = next(one for one in solutions() if one.startswith("def ") and len(one) > 200)
+    function = next(solution for solution in solutions() if solution.startswith("def ") and len(solution) > 200)
     renamed = function.replace("def ", "def my_", 1).replace("    ", "  ")
-    assert any("syntax tree" in one for one in found_in(renamed + "\n# not the same text"))
+    assert any("syntax tree" in finding for finding in found_in(renamed + "\n# not the same text"))

@@ -99,8 +99,8 @@ def test_doubled_retyped_and_nameless_cells_are_mended(tmp_path):
     nameless = {**answer, "metadata": {}}
     retyped = {**answer, "cell_type": "markdown"}
     shapes = {"doubled": [answer, stub, check], "nameless": [nameless, check], "retyped": [retyped, check]}
-    for name, found in shapes.items():
-        marked = grade(tmp_path / name, "", cells=found)
+    for name, shape_cells in shapes.items():
+        marked = grade(tmp_path / name, "", cells=shape_cells)
         assert marked.total() == 1, (name, marked)
         assert marked.notes, name
     assert grade(tmp_path / "missing", "", cells=[check]).total() == 0

@@ -51,16 +51,16 @@ def test_what_was_marked_without_names_holds_when_names_are_shown(folder):
     grade(folder, "--chapters", "02", "--anonymous")
     table = folder.parent / "grades.csv"
     with open(table, newline="", encoding="utf-8-sig") as file:
-        found = list(csv.DictReader(file))
-    found[0] |= {"ch02.q1": "0.75", "comment": "Nearly."}
+        records = list(csv.DictReader(file))
+    records[0] |= {"ch02.q1": "0.75", "comment": "Nearly."}
     with open(table, "w", newline="", encoding="utf-8") as file:
-        made = csv.DictWriter(file, found[0].keys())
-        made.writeheader()
-        made.writerows(found)
-    assert found[0]["student"].startswith("P-")
+        writer = csv.DictWriter(file, records[0].keys())
+        writer.writeheader()
+        writer.writerows(records)
+    assert records[0]["student"].startswith("P-")
     for words in (("--anonymous",), (), ("--again",), ("--anonymous",), ()):
         _, after = grade(folder, "--chapters", "02", *words)
-        (row,) = [one for one in after.values() if one["key"] and one["total"] != "0"]
+        (row,) = [record for record in after.values() if record["key"] and record["total"] != "0"]
         assert (row["ch02.q1"], row["comment"]) == ("0.75", "Nearly.")
         assert row["student"].startswith("P-") == ("--anonymous" in words)
 
@@ -81,7 +81,9 @@ def test_a_table_saved_with_decimal_commas_is_not_changed(folder, capsys):
     words = ("--due", "2026-11-22T10:26", "--roster", folder.parent / "moodle.csv")
     before = grade(folder, *words)[1]["Ana García López"]
     table = lines(folder.parent / "grades.csv")
-    with_commas = [[one.replace(".", ",") if one.replace(".", "").isdigit() else one for one in row] for row in table]
+    with_commas = [
+        [field.replace(".", ",") if field.replace(".", "").isdigit() else field for field in row] for row in table
+    ]
     with_commas[1][table[0].index("minutes_late")] += ",0"
     with open(folder.parent / "grades.csv", "w", newline="", encoding="utf-8-sig") as out:
         csv.writer(out, delimiter=";").writerows(with_commas)

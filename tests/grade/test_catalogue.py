@@ -13,7 +13,9 @@ from coursekit.grade.editions import catalogue_of, chapters, languages, notebook
 
 NOTEBOOKS = notebooks_folder()
 TRANSLATED = [(chapter, language) for language in languages(NOTEBOOKS)[1:] for chapter in chapters(NOTEBOOKS)]
-EACH = pytest.mark.parametrize(("chapter", "language"), TRANSLATED, ids=[f"{two}-{one.stem}" for one, two in TRANSLATED])
+EACH = pytest.mark.parametrize(
+    ("chapter", "language"), TRANSLATED, ids=[f"{language}-{chapter.stem}" for chapter, language in TRANSLATED]
+)
 
 
 def entries(chapter, language):
@@ -22,16 +24,16 @@ def entries(chapter, language):
 
 @EACH
 def test_a_catalogue_has_the_cells_of_its_chapter(chapter, language):
-    made = brought_up_to_date(read(chapter), catalogue_of(chapter, language))
+    catalogue = brought_up_to_date(read(chapter), catalogue_of(chapter, language))
     cure = f"run: python -m coursekit.building.catalogues {language}"
-    assert [one.msgid for one in made] == [one.msgid for one in entries(chapter, language)], cure
+    assert [entry.msgid for entry in catalogue] == [entry.msgid for entry in entries(chapter, language)], cure
 
 
 @EACH
 def test_a_translation_keeps_code_headings_tables_and_formulas(chapter, language):
-    for one in entries(chapter, language):
-        if one.msgstr and not one.fuzzy:
-            assert kept_in(one.msgstr) == kept_in(one.msgid), one.comment
+    for entry in entries(chapter, language):
+        if entry.msgstr and not entry.fuzzy:
+            assert kept_in(entry.msgstr) == kept_in(entry.msgid), entry.comment
 
 
 def kept_in(text):
@@ -39,7 +41,7 @@ def kept_in(text):
     code = re.findall(r"```.*?```", text, re.S)
     rest = re.sub(r"```.*?```", "", text, flags=re.S)
     flowing = re.sub(r"\s+", " ", rest)
-    words = sorted(re.sub(r"\s+", " ", one) for one in re.findall(r"`[^`]+`", rest))
+    words = sorted(re.sub(r"\s+", " ", code_span) for code_span in re.findall(r"`[^`]+`", rest))
     return (
         code, words, re.findall(r"(?m)^#+(?= )", rest), re.findall(r"\$\$.*?\$\$", flowing),
         len(re.findall(r"(?m)^\|", rest)), len(re.findall(r"(?m)^\* ", rest)),
@@ -47,8 +49,8 @@ def kept_in(text):
 
 
 def test_spanish_is_whole():
-    left = [(chapter.stem, one.comment) for chapter in chapters(NOTEBOOKS) for one in entries(chapter, "es")
-            if not one.translated()]  # fmt: skip
+    left = [(chapter.stem, entry.comment) for chapter in chapters(NOTEBOOKS) for entry in entries(chapter, "es")
+            if not entry.translated()]  # fmt: skip
     assert left == []
 
 
@@ -56,10 +58,10 @@ def test_a_course_in_spanish_has_the_same_code_and_exercises(tmp_path):
     Course(tmp_path / "en").update(NOTEBOOKS)
     Course(tmp_path / "es").update(NOTEBOOKS, "es")
     for file in sorted((tmp_path / "en").glob("*.ipynb")):
-        english, spanish = (json.loads((tmp_path / one / file.name).read_text())["cells"] for one in ("en", "es"))
+        english, spanish = (json.loads((tmp_path / language / file.name).read_text())["cells"] for language in ("en", "es"))
         assert [cell["metadata"] for cell in english] == [cell["metadata"] for cell in spanish]
         both = list(zip(english, spanish, strict=True))
-        assert [one["source"] for one in english if one["cell_type"] == "code"] == [
+        assert [cell["source"] for cell in english if cell["cell_type"] == "code"] == [
             other["source"] for other in spanish if other["cell_type"] == "code"
         ], file.name
         assert sum(one["source"] == other["source"] for one, other in both if one["cell_type"] == "markdown") <= 1, file.name

@@ -27,11 +27,11 @@ def test_a_class_gets_the_marks_that_it_deserves(tmp_path, monkeypatch):
     if sandbox.tier() != "bubblewrap":
         pytest.skip("NOT TESTED: hostile submissions need bubblewrap, which does not work here")
     monkeypatch.setattr("coursekit.grade.batch.Limits", lambda: Limits(seconds=60, cell=3.0))
-    made = make_class(tmp_path / "class", lambda kind: kind.name in SAMPLE)
+    kind_by_student = make_class(tmp_path / "class", lambda kind: kind.name in SAMPLE)
     out = tmp_path / "grades.csv"
-    words = ["--allow-root", str(tmp_path / "class"), "--jobs", "2", "--out", str(out), *only(made.values())]
+    words = ["--allow-root", str(tmp_path / "class"), "--jobs", "2", "--out", str(out), *only(kind_by_student.values())]
     assert main(["grade", *words]) == 0
-    wrong = faults(tmp_path / "grades", out, made)
+    wrong = faults(tmp_path / "grades", out, kind_by_student)
     folders.remove(tmp_path / "class")  # too deep for whoever clears up after the tests
     assert not wrong, "\n".join(wrong)
 
@@ -43,27 +43,29 @@ def only(kinds):
 
 def faults(kept, table, made):
     """What is wrong with the marks; prints every outcome."""
-    found = []
+    messages = []
     with open(table, newline="", encoding="utf-8-sig") as file:
         rows = {row["student"]: row for row in csv.DictReader(file)}
     if set(rows) != set(made):
-        found.append(f"students: {set(rows) ^ set(made)}")
+        messages.append(f"students: {set(rows) ^ set(made)}")
     least, most, statuses = deserved(made)
     total, counted = earned(table)
     if not least <= total <= most or counted != statuses:
-        found.append(f"the class: {total:g} points, {dict(counted)} instead of {least:g} to {most:g}, {dict(statuses)}")
+        messages.append(f"the class: {total:g} points, {dict(counted)} instead of {least:g} to {most:g}, {dict(statuses)}")
     if HOST.exists():
-        found.append(f"something reached the host: {HOST}")
+        messages.append(f"something reached the host: {HOST}")
     for student, kind in made.items():
         row = rows.get(student, {"key": "", "total": "", "status": "is missing", "tier": "", "notes": ""})
         report = kept / f"{row['key']}.results.json"
         tests = json.loads(report.read_text())["tests"] if report.is_file() else []
-        said = " ".join([row["notes"], *(one["output"] for one in tests)])
+        said = " ".join([row["notes"], *(test["output"] for test in tests)])
         print(f"{student}: {row['total']} points, {row['status']}, {row['tier']}; {row['notes'][:160]}")
         good = float(row["total"] or -1) in kind.deserves and row["status"] == kind.status
         if not good or not re.search(kind.told, said, re.S):
-            found.append(f"{student}: {row['total']} ({row['status']}) instead of {kind.deserves} ({kind.status}): {said}")
-    return found
+            messages.append(
+                f"{student}: {row['total']} ({row['status']}) instead of {kind.deserves} ({kind.status}): {said}"
+            )
+    return messages
 
 
 def deserved(made):
@@ -91,10 +93,10 @@ def test_what_a_class_deserves_together_follows_from_what_each_kind_deserves():
 
 
 def test_the_whole_class_is_written_as_200_submissions_of_every_kind(tmp_path):
-    made = make_class(tmp_path / "class", lambda kind: kind.number)
+    kind_by_student = make_class(tmp_path / "class", lambda kind: kind.number)
     written = os.listdir(os.fsencode(tmp_path / "class"))
     folders.remove(tmp_path / "class")  # too deep for whoever clears up after the tests
-    assert len(made) == len(written) == 200
-    assert set(made.values()) == set(KINDS) and set(HOSTILE) <= set(KINDS)
+    assert len(kind_by_student) == len(written) == 200
+    assert set(kind_by_student.values()) == set(KINDS) and set(HOSTILE) <= set(KINDS)
     assert set(SAMPLE) <= {kind.name for kind in KINDS}
     assert len({kind.name for kind in KINDS}) == len(KINDS)

@@ -50,9 +50,9 @@ def test_the_order_in_which_the_disk_tells_its_files_changes_nothing(group, monk
     usual = Path.iterdir
 
     def shuffled(self):
-        found = list(usual(self))
-        random.Random(7).shuffle(found)
-        return iter(found)
+        paths = list(usual(self))
+        random.Random(7).shuffle(paths)
+        return iter(paths)
 
     monkeypatch.setattr(Path, "iterdir", shuffled)
     assert marks(grade(folder, *words)[1]) == deserved

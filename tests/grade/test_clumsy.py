@@ -34,26 +34,26 @@ def folder(tmp_path, monkeypatch):
 
 
 def with_windows_lines(*done):
-    made = notebook(*done)
-    for cell in made["cells"]:
+    nb = notebook(*done)
+    for cell in nb["cells"]:
         cell["source"] = "".join(cell["source"]).replace("\n", "\r\n")
-    return json.dumps(made, indent=1).replace("\n", "\r\n")
+    return json.dumps(nb, indent=1).replace("\n", "\r\n")
 
 
 def without_names(*done):
     """As copied cell by cell into a new notebook."""
-    made = notebook(*done)
-    for cell in made["cells"]:
+    nb = notebook(*done)
+    for cell in nb["cells"]:
         cell["metadata"] = {}
-    return json.dumps(made)
+    return json.dumps(nb)
 
 
 def of_another_kernel():
-    made = notebook("q1")
-    made["metadata"] |= {"kernelspec": {"name": "julia-1.9", "language": "julia"}, "language_info": {"name": "julia"}}
-    for cell in made["cells"]:
+    nb = notebook("q1")
+    nb["metadata"] |= {"kernelspec": {"name": "julia-1.9", "language": "julia"}, "language_info": {"name": "julia"}}
+    for cell in nb["cells"]:
         cell["id"] = "the-same"
-    return json.dumps(made)
+    return json.dumps(nb)
 
 
 def twice_said(text):
@@ -128,12 +128,12 @@ def test_newer_work_in_nameless_cells_counts_before_older_work_in_named_ones(fol
 
 
 def doubled(*contents):
-    made = BytesIO()
-    with warnings.catch_warnings(), zipfile.ZipFile(made, "w") as packed:
+    buffer = BytesIO()
+    with warnings.catch_warnings(), zipfile.ZipFile(buffer, "w") as packed:
         warnings.simplefilter("ignore")
         for content in contents:
             packed.writestr(zipfile.ZipInfo(TOPICS, (2026, 11, 23, 12, 0, 0)), content)
-    return made.getvalue()
+    return buffer.getvalue()
 
 
 @pytest.mark.parametrize("place", ["1", "2"])
@@ -146,25 +146,29 @@ def test_two_files_of_one_name_in_a_zip_are_told_apart_by_their_place(folder, pl
 
 
 def of_two_chapters():
-    made = notebook("q1", "q2")
-    made["cells"] += notebook("q1", chapter=SERVICES)["cells"]
-    return json.dumps(made)
+    nb = notebook("q1", "q2")
+    nb["cells"] += notebook("q1", chapter=SERVICES)["cells"]
+    return json.dumps(nb)
 
 
 def test_a_notebook_of_two_chapters_counts_for_both_unless_one_has_its_own(folder):
     write(folder / "Ben Ito" / "all.ipynb", of_two_chapters())
     write(folder / "Cem Ada" / "all.ipynb", of_two_chapters())
     write(folder / "Cem Ada" / SERVICES, text("q2", chapter=SERVICES), NOON - 60)
-    found = grade(folder, "--chapters", "02", "03")[1]
-    assert [found["Ben Ito"][name] for name in ("ch02.q1", "ch02.q2", "ch03.q1", "ch03.q2")] == ["1", "2", "1", "0"]
-    assert [found["Cem Ada"][name] for name in ("ch02.q2", "ch03.q1")] == ["2", "0"] != found["Cem Ada"]["ch03.q2"]
-    assert "exercises of 03_services are in it, too: they count as that chapter" in found["Ben Ito"]["notes"]
-    assert "they do not count beside a notebook of that chapter" in found["Cem Ada"]["notes"]
+    rows_by_name = grade(folder, "--chapters", "02", "03")[1]
+    assert [rows_by_name["Ben Ito"][name] for name in ("ch02.q1", "ch02.q2", "ch03.q1", "ch03.q2")] == ["1", "2", "1", "0"]
+    assert (
+        [rows_by_name["Cem Ada"][name] for name in ("ch02.q2", "ch03.q1")]
+        == ["2", "0"]
+        != rows_by_name["Cem Ada"]["ch03.q2"]
+    )
+    assert "exercises of 03_services are in it, too: they count as that chapter" in rows_by_name["Ben Ito"]["notes"]
+    assert "they do not count beside a notebook of that chapter" in rows_by_name["Cem Ada"]["notes"]
 
 
 def test_a_cell_of_an_earlier_chapter_in_ones_notes_does_not_go_before_that_chapter_s_notebook(folder):
     pasted = notebook("q1", chapter=SERVICES)
-    pasted["cells"] += [one for one in notebook("q1")["cells"] if "# ch02-q1 was done" in one["source"]]
+    pasted["cells"] += [cell for cell in notebook("q1")["cells"] if "# ch02-q1 was done" in cell["source"]]
     write(folder / "Ben Ito" / SERVICES, json.dumps(pasted), NOON + 60)
     write(folder / "Ben Ito" / TOPICS, text("q1", "q2"))
     assert grade(folder, "--chapters", "02")[1]["Ben Ito"]["total"] == "3"
@@ -207,8 +211,8 @@ def test_marking_where_the_work_lies_never_takes_its_own_results_for_work(folder
     words = ("--roster", people, "--for", "moodle")
     for _ in range(2):
         capsys.readouterr()
-        status, found = grade(folder, *words, out=folder / "grades.csv")
-        assert status == 0 and set(found) == {"Ann Lee", "Ben Ito"}
+        status, rows_by_name = grade(folder, *words, out=folder / "grades.csv")
+        assert status == 0 and set(rows_by_name) == {"Ann Lee", "Ben Ito"}
     assert "left out" not in capsys.readouterr().out and (folder / "grades.feedback.zip").is_file()
 
 

@@ -37,8 +37,8 @@ def folder(tmp_path, monkeypatch):
 
 def only(folder):
     """The one person of a class, and the file that counts."""
-    (one,) = collected(folder, folder.parent / "scratch").handed
-    return one, one.chosen[TOPICS].where if TOPICS in one.chosen else None
+    (handed,) = collected(folder, folder.parent / "scratch").handed
+    return handed, handed.chosen[TOPICS].where if TOPICS in handed.chosen else None
 
 
 BESIDE = {
@@ -62,10 +62,10 @@ def test_work_counts_before_whatever_lies_beside_it_and_is_newer(folder, what, p
     else:
         write(folder / "Ann Lee" / TOPICS, text("q1", "q2"))
         write(folder / "Ann Lee" / name, content, NOON + HOUR)
-    one, where = only(folder)
-    assert where.endswith(TOPICS) and one.chosen[TOPICS].known.begun == ("ch02.q1", "ch02.q2") and not one.open
+    handed, where = only(folder)
+    assert where.endswith(TOPICS) and handed.chosen[TOPICS].known.begun == ("ch02.q1", "ch02.q2") and not handed.open
     if "twin" not in what:
-        assert any("counts; not" in note for note in one.notes), one.notes
+        assert any("counts; not" in note for note in handed.notes), handed.notes
 
 
 @pytest.mark.parametrize("packed", [False, True], ids=["folder", "zip"])
@@ -77,27 +77,27 @@ def test_the_newest_counts_whatever_the_order_of_the_names(folder, packed, names
         write(folder / "Ann Lee.zip", zipped(files))
     for name, (content, when) in {} if packed else files.items():
         write(folder / "Ann Lee" / name, content, when)
-    one, where = only(folder)
-    assert where.endswith(f"{right}/{TOPICS}") and f"{wrong}/{TOPICS}" in one.notes[0]
+    handed, where = only(folder)
+    assert where.endswith(f"{right}/{TOPICS}") and f"{wrong}/{TOPICS}" in handed.notes[0]
 
 
 def test_a_later_file_of_one_hand_in_with_less_work_is_asked_about(folder):
     write(folder / "Ann Lee" / TOPICS, text("q1", "q2", "q3"))
     write(folder / "Ann Lee" / "02_topics (1).ipynb", text("q1"), NOON + HOUR)
-    one, where = only(folder)
-    assert where is None and "which file is" in one.open[0]
+    handed, where = only(folder)
+    assert where is None and "which file is" in handed.open[0]
 
 
 def test_files_that_nothing_tells_apart_are_asked_about_and_the_answer_counts(folder):
     for name, done in (("final", "q1"), ("old", "q2")):
         write(folder / "Ann Lee" / name / TOPICS, text(done))
-    status, found = grade(folder)
-    assert status == 1 and found["Ann Lee"]["status"] == "question" and found["Ann Lee"]["total"] == ""
+    status, rows_by_name = grade(folder)
+    assert status == 1 and rows_by_name["Ann Lee"]["status"] == "question" and rows_by_name["Ann Lee"]["total"] == ""
     asked = answer(folder.parent / "questions.csv", Lee=f"old/{TOPICS}")
     assert asked[0]["choices"] == f"final/{TOPICS} | old/{TOPICS}" and asked[0]["answer"] == f"old/{TOPICS}"
     for _ in range(2):
-        status, found = grade(folder)
-        assert status == 0 and found["Ann Lee"]["ch02.q2"] == "2" and found["Ann Lee"]["ch02.q1"] == "0"
+        status, rows_by_name = grade(folder)
+        assert status == 0 and rows_by_name["Ann Lee"]["ch02.q2"] == "2" and rows_by_name["Ann Lee"]["ch02.q1"] == "0"
     write(folder / "Ann Lee" / "final" / TOPICS, text("q3"))
     assert grade(folder)[0] == 1, "an answer is about the files that it was given for"
 
@@ -119,8 +119,12 @@ def test_files_of_one_name_in_two_hand_ins_are_told_apart(folder, said, begun):
     grade(folder)
     (asked,) = answer(folder.parent / "questions.csv", Lee=said)
     assert asked["choices"] == f"Ann Lee/{TOPICS} | ann_lee/{TOPICS}"
-    status, found = grade(folder)
-    assert status == 0 and found["Ann Lee"][begun] != "0" and float(found["Ann Lee"]["total"]) == points_of(begun[5:])
+    status, rows_by_name = grade(folder)
+    assert (
+        status == 0
+        and rows_by_name["Ann Lee"][begun] != "0"
+        and float(rows_by_name["Ann Lee"]["total"]) == points_of(begun[5:])
+    )
 
 
 def test_the_same_work_twice_is_no_question(folder):
@@ -131,8 +135,8 @@ def test_the_same_work_twice_is_no_question(folder):
 
 def test_only_a_checkpoint_counts_and_is_told(folder):
     write(folder / "Ann Lee" / ".ipynb_checkpoints" / "02_topics-checkpoint.ipynb", text("q1"))
-    one, where = only(folder)
-    assert where and "only this checkpoint" in one.notes[0]
+    handed, where = only(folder)
+    assert where and "only this checkpoint" in handed.notes[0]
 
 
 def test_folder_and_files_of_one_student_are_one_person(folder):
@@ -140,22 +144,22 @@ def test_folder_and_files_of_one_student_are_one_person(folder):
     write(folder / "Ann Lee.ipynb", text("q1", "q2"))
     write(folder / "ann_lee.zip", zipped({SERVICES: text("q1", chapter=SERVICES)}))
     for _ in range(2):
-        one, where = only(folder)
-        assert where == "Ann Lee.ipynb" and set(one.chosen) == {TOPICS, SERVICES} and len(one.attempts()) == 3
+        handed, where = only(folder)
+        assert where == "Ann Lee.ipynb" and set(handed.chosen) == {TOPICS, SERVICES} and len(handed.attempts()) == 3
 
 
 def test_names_that_differ_in_accents_are_two_people_and_that_is_told(folder):
     for name in ("José Roa", "Jose Roa"):
         write(folder / name / TOPICS, text("q1"))
-    found = collected(folder, folder.parent / "scratch")
-    assert len(found.handed) == 2 and "look like one name" in found.told[0]
+    collection = collected(folder, folder.parent / "scratch")
+    assert len(collection.handed) == 2 and "look like one name" in collection.told[0]
 
 
 def test_a_notebook_is_known_by_what_it_holds(folder):
     write(folder / "Ann Lee" / "homework.ipynb", text("q1"))
     write(folder / "Ann Lee" / "02_topics.ipynb", text("q1", chapter=SERVICES))
-    one = by_name(collected(folder, folder.parent / "scratch"))["Ann Lee"]
-    assert one.chosen[TOPICS].where == "homework.ipynb" and one.chosen[SERVICES].where == TOPICS
+    handed = by_name(collected(folder, folder.parent / "scratch"))["Ann Lee"]
+    assert handed.chosen[TOPICS].where == "homework.ipynb" and handed.chosen[SERVICES].where == TOPICS
 
 
 def test_a_notebook_that_nothing_names_is_asked_about(folder):
@@ -163,11 +167,11 @@ def test_a_notebook_that_nothing_names_is_asked_about(folder):
     bare["cells"] = [{"cell_type": "code", "metadata": {}, "source": "x = 1", "outputs": []}]
     write(folder / "Ann Lee" / "homework.ipynb", str(bare).replace("'", '"'))
     write(folder / "Ben Ito" / TOPICS, text("q1"))
-    status, found = grade(folder)
-    assert status == 1 and found["Ann Lee"]["status"] == "question" and found["Ann Lee"]["total"] == ""
+    status, rows_by_name = grade(folder)
+    assert status == 1 and rows_by_name["Ann Lee"]["status"] == "question" and rows_by_name["Ann Lee"]["total"] == ""
     answer(folder.parent / "questions.csv", homework=TOPICS)
-    status, found = grade(folder)
-    assert status == 0 and found["Ann Lee"]["total"] == "0"
+    status, rows_by_name = grade(folder)
+    assert status == 0 and rows_by_name["Ann Lee"]["total"] == "0"
 
 
 def test_one_student_s_extra_notebook_changes_nobody_else(folder, capsys):
@@ -187,11 +191,11 @@ def test_a_student_called_class_and_those_with_names_of_results(folder):
     for name in names:
         if name != "..":
             write(folder / name / TOPICS, text("q1"))
-    found = grade(folder)[1]
-    assert len(found) == 7 and len({row["key"].casefold() for row in found.values()}) == 7
+    rows_by_name = grade(folder)[1]
+    assert len(rows_by_name) == 7 and len({row["key"].casefold() for row in rows_by_name.values()}) == 7
     kept = folder.parent / "grades"
     assert "<h1>The class: 02_topics</h1>" in (kept / "class.html").read_text()
-    assert all((kept / f"{row['key']}.html").is_file() for row in found.values())
+    assert all((kept / f"{row['key']}.html").is_file() for row in rows_by_name.values())
 
 
 def test_who_hands_in_something_else_is_told(folder):
@@ -199,18 +203,18 @@ def test_who_hands_in_something_else_is_told(folder):
     (folder / "Ben Ito").mkdir()
     write(folder / "Cem" / TOPICS, text("q1"))
     write(folder / "roster copy.txt", "x")
-    found = grade(folder)[1]
-    assert found["Ann Lee"]["status"] == "empty" and "essay.pdf" in found["Ann Lee"]["notes"]
-    assert found["Ben Ito"]["status"] == "empty" and set(found) == {"Ann Lee", "Ben Ito", "Cem"}
+    rows_by_name = grade(folder)[1]
+    assert rows_by_name["Ann Lee"]["status"] == "empty" and "essay.pdf" in rows_by_name["Ann Lee"]["notes"]
+    assert rows_by_name["Ben Ito"]["status"] == "empty" and set(rows_by_name) == {"Ann Lee", "Ben Ito", "Cem"}
 
 
 def test_a_file_with_the_name_of_a_chapter_alone_is_nobody_s_until_it_is_said(folder):
     write(folder / TOPICS, text("q1"))
-    status, found = grade(folder)
-    assert status == 1 and not found
+    status, rows_by_name = grade(folder)
+    assert status == 1 and not rows_by_name
     answer(folder.parent / "questions.csv", **{"02_topics": "Ann Lee"})
-    status, found = grade(folder)
-    assert status == 0 and found["Ann Lee"]["total"] == "1"
+    status, rows_by_name = grade(folder)
+    assert status == 0 and rows_by_name["Ann Lee"]["total"] == "1"
 
 
 def test_the_download_can_be_given_as_it_comes(folder):
@@ -221,9 +225,9 @@ def test_the_download_can_be_given_as_it_comes(folder):
         f"__MACOSX/Ito Ben_102_assignsubmission_file_/._{TOPICS}": "x",
     }
     place = write(folder / "moodle.zip", zipped(files))
-    found = by_name(collected(place, folder.parent / "scratch"))
-    assert set(found) == {"García López Ana", "Ito Ben"}
-    assert found["García López Ana"].chosen[TOPICS].known.begun == ("ch02.q1", "ch02.q2")
+    handed_by_name = by_name(collected(place, folder.parent / "scratch"))
+    assert set(handed_by_name) == {"García López Ana", "Ito Ben"}
+    assert handed_by_name["García López Ana"].chosen[TOPICS].known.begun == ("ch02.q1", "ch02.q2")
     wrapped = write(folder / "week2.zip", zipped({f"week2/Ann Lee/{TOPICS}": text("q1"), "week2/Ben.zip": inner}))
     assert set(by_name(collected(wrapped, folder.parent / "scratch"))) == {"Ann Lee", "Ben"}
 
@@ -232,12 +236,16 @@ def test_collecting_is_the_same_each_time(folder, tmp_path):
     for number, name in enumerate(("Ann Lee", "Ben Ito")):
         write(folder / name / TOPICS, text("q1"), NOON + number)
         write(folder / name / "02_topics (1).ipynb", text("q1", "q2"), NOON + HOUR)
-    found = [[(one.label, one.chosen[TOPICS].where, one.notes) for one in collected(folder, tmp_path / "s").handed]
-             for _ in range(2)]  # fmt: skip
+    listings = [
+        [(handed.label, handed.chosen[TOPICS].where, handed.notes) for handed in collected(folder, tmp_path / "s").handed]
+        for _ in range(2)
+    ]
     moved = tmp_path / "moved"
     shutil.copytree(folder, moved)
     assert (
-        found[0] == found[1] == [(o.label, o.chosen[TOPICS].where, o.notes) for o in collected(moved, tmp_path / "s").handed]
+        listings[0]
+        == listings[1]
+        == [(o.label, o.chosen[TOPICS].where, o.notes) for o in collected(moved, tmp_path / "s").handed]
     )
 
 
@@ -247,8 +255,8 @@ def test_collecting_is_the_same_each_time(folder, tmp_path):
 ])  # fmt: skip
 def test_why_a_file_is_no_notebook_is_said_without_a_parser_s_words(folder, content, why):
     write(folder / "Ann Lee" / TOPICS, content)
-    one, where = only(folder)
-    assert where is None and f"is no notebook: {why}" in one.notes[0]
+    handed, where = only(folder)
+    assert where is None and f"is no notebook: {why}" in handed.notes[0]
 
 
 def test_an_answer_about_a_file_does_not_hold_for_another_week_s_of_the_same_name(tmp_path, monkeypatch):

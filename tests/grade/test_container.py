@@ -157,7 +157,7 @@ def test_where_the_image_cannot_be_made_nothing_runs(computer):
     (computer.folder / "out").mkdir()
     with pytest.raises(SystemExit, match="image could not be made"):
         graded(computer)
-    assert [one[0] for one in computer.asked()] == ["info", "image", "build"]
+    assert [command[0] for command in computer.asked()] == ["info", "image", "build"]
 
 
 @pytest.mark.parametrize("name", ["a,readonly=false", *([] if ON_WINDOWS else ['a"b'])])
@@ -166,7 +166,7 @@ def test_a_folder_whose_name_would_be_a_word_of_the_mount_is_refused(computer, n
     (computer.folder / name).mkdir()
     with pytest.raises(SystemExit, match="comma or quote"):
         main(["grade", str(computer.folder / name)])
-    assert "run" not in [one[0] for one in computer.asked()]
+    assert "run" not in [command[0] for command in computer.asked()]
 
 
 def test_marking_by_hand_is_refused_with_the_reason(computer):
@@ -181,11 +181,11 @@ def test_another_version_is_another_image():
 
 
 def test_an_installed_package_is_packed_into_the_wheel_that_it_came_from(tmp_path):
-    found = importlib.metadata.distribution("pluggy")
-    (tmp_path / f"pluggy-{found.version}-py3-none-any.whl").write_bytes(container_image.packed(found))
-    [made] = tmp_path.iterdir()
+    distribution = importlib.metadata.distribution("pluggy")
+    (tmp_path / f"pluggy-{distribution.version}-py3-none-any.whl").write_bytes(container_image.packed(distribution))
+    [wheel_file] = tmp_path.iterdir()
     command = [sys.executable, "-m", "pip", "install", "-q", "--no-deps", "--no-index", "--target", str(tmp_path / "there")]
-    subprocess.run([*command, str(made)], check=True)
+    subprocess.run([*command, str(wheel_file)], check=True)
     code = "import pluggy; print(pluggy.__file__)"
     env = {"PYTHONPATH": str(tmp_path / "there")}
     done = subprocess.run([sys.executable, "-c", code], env=env, check=True, capture_output=True, encoding="utf-8")

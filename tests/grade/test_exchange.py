@@ -51,7 +51,7 @@ def rights(folder):
 def test_what_is_handed_out_everybody_can_read_and_what_is_handed_in_nobody_can_list(server, capsys):
     released(server)
     assert "week2: students have it when their server starts next." in capsys.readouterr().out
-    assert [one.name for one in exchange.releases(server)] == ["week2"]
+    assert [release.name for release in exchange.releases(server)] == ["week2"]
     assert os.access(server / "outbound" / "week2" / TOPICS, os.R_OK)
     assert (rights(server / "outbound" / "week2"), rights(server / "inbound")) == ("0o2755", "0o2733")
     assert "BEGIN SOLUTION" not in (server / "outbound" / "week2" / TOPICS).read_text()
@@ -96,13 +96,13 @@ def test_what_students_put_there_is_collected_as_theirs_and_the_newest_counts(se
     released(server)
     for user, done in (("ben", ("q1",)), ("ben", ("q1", "q2")), ("ann", ("q3",))):
         exchange.hand_in(server, user, "week2", [write(tmp_path / TOPICS, text(*done))])
-    made = collected(server / "inbound", tmp_path / "scratch", roster=CLASS)
-    assert not made.questions
-    assert {one: (len(handed.pieces()), set(handed.chosen)) for one, handed in by_name(made).items()} == {
+    collection = collected(server / "inbound", tmp_path / "scratch", roster=CLASS)
+    assert not collection.questions
+    assert {name: (len(handed.pieces()), set(handed.chosen)) for name, handed in by_name(collection).items()} == {
         "Ben Ito": (2, {TOPICS}),
         "Ann Lee": (1, {TOPICS}),
     }
-    chosen = by_name(made)["Ben Ito"].chosen[TOPICS]
+    chosen = by_name(collection)["Ben Ito"].chosen[TOPICS]
     assert chosen.known.begun == ("ch02.q1", "ch02.q2")
     assert chosen.when_from == "the platform's time"
 
@@ -124,10 +124,10 @@ def test_what_a_student_puts_there_appears_whole_or_not_at_all(server, tmp_path,
 def test_work_under_another_user_s_name_is_not_read_and_that_is_told(server, tmp_path):
     released(server)
     place = exchange.hand_in(server, "daemon", "week2", [write(tmp_path / TOPICS, text("q1"))])
-    made = collected(server / "inbound", tmp_path / "scratch", roster=Roster([Person("Dae Mon", id="daemon")]))
-    (one,) = made.handed
-    assert not one.chosen
-    assert any("it names daemon, but root put it there" in note for note in one.notes), one.notes
+    collection = collected(server / "inbound", tmp_path / "scratch", roster=Roster([Person("Dae Mon", id="daemon")]))
+    (handed,) = collection.handed
+    assert not handed.chosen
+    assert any("it names daemon, but root put it there" in note for note in handed.notes), handed.notes
     os.chown(place, 1, 1)
-    made = collected(server / "inbound", tmp_path / "scratch", roster=Roster([Person("Dae Mon", id="daemon")]))
-    assert set(made.handed[0].chosen) == {TOPICS}
+    collection = collected(server / "inbound", tmp_path / "scratch", roster=Roster([Person("Dae Mon", id="daemon")]))
+    assert set(collection.handed[0].chosen) == {TOPICS}

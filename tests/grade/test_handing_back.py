@@ -39,9 +39,9 @@ def test_nobody_gets_another_s_page_whatever_folder_their_work_lay_in(folder, na
     else:
         grade(folder, "--for", "moodle")
     with zipfile.ZipFile(folder.parent / "grades.feedback.zip") as packed:
-        found = {one.split("_")[1]: packed.read(one).decode() for one in packed.namelist()}
-    assert set(found) == ({"101", "102"} if name else {"101", "102", "103"})
-    assert "López" in found["101"] and "Ben" in found["102"] and "Ben" not in found["101"]
+        pages_by_id = {member.split("_")[1]: packed.read(member).decode() for member in packed.namelist()}
+    assert set(pages_by_id) == ({"101", "102"} if name else {"101", "102", "103"})
+    assert "López" in pages_by_id["101"] and "Ben" in pages_by_id["102"] and "Ben" not in pages_by_id["101"]
 
 
 def test_a_comment_reaches_also_whoever_handed_in_nothing(folder):
@@ -50,7 +50,7 @@ def test_a_comment_reaches_also_whoever_handed_in_nothing(folder):
     edited(folder.parent / "grades.csv", student="Ben Ito", comment="Come and see me.")
     grade(folder, *words)
     with zipfile.ZipFile(folder.parent / "grades.feedback.zip") as packed:
-        (own,) = [one for one in packed.namelist() if "_102_" in one]
+        (own,) = [name for name in packed.namelist() if "_102_" in name]
         assert "Come and see me." in packed.read(own).decode()
 
 
@@ -62,7 +62,7 @@ def test_a_student_reads_their_page_in_the_language_of_the_notebook_that_they_ha
     words = ("--roster", folder.parent / "plain.csv", "--policy", folder.parent / "policy.toml", "--for", "moodle")
     grade(folder, *words, "--chapters", "02")
     with zipfile.ZipFile(folder.parent / "grades.feedback.zip") as packed:
-        pages = {one.split("_")[1]: packed.read(one).decode() for one in packed.namelist()}
+        pages = {name.split("_")[1]: packed.read(name).decode() for name in packed.namelist()}
     assert '<html lang="es">' in pages["102"] and '<html lang="en">' in pages["101"]
     late = "1 día 2 h de retraso"
     for words in ("Por mejorar", "puntos en 02_topics, con 20 % menos por entrega tardía", late, "esperado"):
@@ -109,15 +109,15 @@ def test_nothing_is_handed_back_for_whom_a_question_is_open(folder):
 def test_every_average_is_of_the_marks_after_lateness_and_says_so(folder, capsys):
     write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, text("q1", "q2", "q3", "q4"), NOON + 30 * 3600)
     (folder.parent / "policy.toml").write_text("due = 2026-11-23T12:30:00\npercent_per_day = 10\n")
-    found = grade(folder, "--policy", folder.parent / "policy.toml")[1]
-    assert [row["total"] for row in found.values()] == ["3", "5.6"]
+    rows_by_name = grade(folder, "--policy", folder.parent / "policy.toml")[1]
+    assert [row["total"] for row in rows_by_name.values()] == ["3", "5.6"]
     words = "on average 4.30 of 7 points after lateness (2 students with work and a mark)"
     page = (folder.parent / "grades" / "class.html").read_text()
     assert words in capsys.readouterr().out and words in page
     kept = json.loads((folder.parent / "grades" / "statistics.json").read_text())
     assert (kept["mean"], kept["median"], kept["averaged"], kept["of"]) == (4.3, 4.3, 2, 7)
     assert kept["questions"]["ch02.q3"] == 0.5 and "Shares are before lateness" in page
-    own = (folder.parent / "grades" / f"{found['Ito Ben']['key']}.html").read_text()
+    own = (folder.parent / "grades" / f"{rows_by_name['Ito Ben']['key']}.html").read_text()
     assert "<b>5.6</b> of 7 points in 02_topics, after 20 % taken off for being late" in own
 
 
@@ -131,21 +131,21 @@ def test_names_are_hidden_and_who_is_who_lies_apart(folder):
     write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, text("q1", own=" by Ben Ito"))
     write(folder / "Ito Ben_102_assignsubmission_file_" / "Ito.txt", "Ben Ito")
     words = ("--roster", folder.parent / "moodle.csv", "--anonymous")
-    found = grade(folder, *words)[1]
-    assert all(name.startswith("P-") and len(name) == 10 for name in found) and len(found) == 2
+    rows_by_name = grade(folder, *words)[1]
+    assert all(name.startswith("P-") and len(name) == 10 for name in rows_by_name) and len(rows_by_name) == 2
     who = folder.parent / "grades.names.csv"
     assert is_private(who)
-    assert {row[0]: row[1] for row in lines(who)[1:]}.keys() == found.keys()
+    assert {row[0]: row[1] for row in lines(who)[1:]}.keys() == rows_by_name.keys()
     shown = [
         folder.parent / "grades.csv",
         *(p for p in (folder.parent / "grades").iterdir() if p.suffix in (".html", ".json", ".csv")),
     ]
     for file in shown:
         said = file.read_text(encoding="utf-8-sig") + file.name
-        assert not [one for one in ("García", "Ana ", "Ben", "Ito", "a01", "uni.example") if one in said], file.name
-    assert grade(folder, *words)[1] == found
+        assert not [word for word in ("García", "Ana ", "Ben", "Ito", "a01", "uni.example") if word in said], file.name
+    assert grade(folder, *words)[1] == rows_by_name
     named = grade(folder, *words[:2])[1]
-    assert sorted(row["total"] for row in named.values()) == sorted(row["total"] for row in found.values())
+    assert sorted(row["total"] for row in named.values()) == sorted(row["total"] for row in rows_by_name.values())
     with pytest.raises(SystemExit, match="--for needs the names"):
         main(["grade", "--allow-root", str(folder), "--anonymous", "--for", "moodle"])
 
@@ -163,13 +163,13 @@ def test_what_could_not_be_read_is_told_with_its_reason(folder):
 def test_table_page_and_closing_line_count_the_same(folder, capsys):
     write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, "<html>")
     write(folder / "Nobody Known.zip", zipped({TOPICS: text("q1")}))
-    status, found = grade(folder, "--roster", folder.parent / "moodle.csv")
+    status, rows_by_name = grade(folder, "--roster", folder.parent / "moodle.csv")
     said = capsys.readouterr().out
     counts = "2 students: 1 graded, 1 unreadable; 1 hand-in is nobody's yet"
     page = (folder.parent / "grades" / "class.html").read_text()
     assert counts in said and html.escape(counts) in page and status == 1 and "1 question is open:" in said
-    assert {row["status"] for row in found.values()} == {"graded", "unreadable"} and {
-        row["status"] for row in found.values()
+    assert {row["status"] for row in rows_by_name.values()} == {"graded", "unreadable"} and {
+        row["status"] for row in rows_by_name.values()
     } <= set(STATUSES)
     assert "sandbox bubblewrap" in said and "sandbox <code>bubblewrap</code>" in page
     assert page.index("Needs a look") < page.index("the hardest first") < page.index("All students")
@@ -202,7 +202,7 @@ def test_rows_are_whole_while_it_runs(folder, monkeypatch):
     table, seen = folder.parent / "grades.csv", []
     monkeypatch.setattr("coursekit.grade.bar.Bar.__call__", lambda *_: seen.append(rows(table)))
     grade(folder, "--roster", folder.parent / "moodle.csv", "--jobs", "1")
-    assert [set(one) for one in seen] == [{"Ana García López", "Ben Ito"}] * 2
+    assert [set(rows_by_name) for rows_by_name in seen] == [{"Ana García López", "Ben Ito"}] * 2
     assert sorted(row["status"] for row in seen[0].values()) == ["graded", "not marked"]
     assert not list(folder.parent.glob(".grades*"))
 
@@ -211,8 +211,8 @@ def test_nobody_with_an_open_question_has_a_total_in_the_gradebook(folder):
     for name in ("x", "y"):
         write(folder / "Ito Ben_102_assignsubmission_file_" / name / TOPICS, text("q1" if name == "x" else "q2"))
     assert grade(folder, "--roster", folder.parent / "moodle.csv")[0] == 1
-    found = {row[0]: row[3:5] for row in lines(folder.parent / "grades" / "gradebook.csv")[1:]}
-    assert found == {"Ana García López": ["3", "3"], "Ben Ito": ["", ""]}
+    marks_by_name = {row[0]: row[3:5] for row in lines(folder.parent / "grades" / "gradebook.csv")[1:]}
+    assert marks_by_name == {"Ana García López": ["3", "3"], "Ben Ito": ["", ""]}
 
 
 def test_whose_page_moodle_cannot_deal_out_is_told(folder, capsys):
@@ -257,15 +257,15 @@ UNKNOWN = SPANISH.replace("Calificación;Cal", "Hodnocení;Cal").replace("Identi
 def test_moodle_s_worksheet_is_known_in_other_languages(folder, sheet, capsys):
     people = folder.parent / "sheet.csv"
     people.write_text(sheet, encoding="utf-8-sig")
-    _, found = grade(folder, "--roster", people, "--for", "moodle")
-    assert set(found) == {"Ana García López", "Ben Ito"}
+    _, rows_by_name = grade(folder, "--roster", people, "--for", "moodle")
+    assert set(rows_by_name) == {"Ana García López", "Ben Ito"}
     with open(folder.parent / "grades.moodle.csv", encoding="utf-8-sig", newline="") as file:
         head, ana, ben = csv.reader(file, delimiter=";")
     assert head == sheet.splitlines()[0].split(";"), "no column is added"
     assert (ana[4], ben[4], ana[5]) == ("3", "0", "100,00") and "2 of 2 for" in ana[7]
     assert "maximum grade is 100,00, and these marks are of 7 points" in capsys.readouterr().out
     with zipfile.ZipFile(folder.parent / "grades.feedback.zip") as packed:
-        assert [one.split("_")[1] for one in packed.namelist()] == ["101"]
+        assert [name.split("_")[1] for name in packed.namelist()] == ["101"]
 
 
 def test_pages_never_go_into_the_folder_of_what_was_handed_in(folder):

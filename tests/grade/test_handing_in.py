@@ -41,8 +41,8 @@ def bundle(course, tmp_path_factory):
     (course / "evidence").mkdir()
     picture = course / "evidence" / "VeraCourse_evidence_s2.png"
     picture.write_bytes(bytes(range(256)))
-    made = {"picture": picture.name, "sha256": digest_of(picture.read_bytes())}
-    events.note(course / ".coursekit" / "events.jsonl", "evidence", **made)
+    evidence = {"picture": picture.name, "sha256": digest_of(picture.read_bytes())}
+    events.note(course / ".coursekit" / "events.jsonl", "evidence", **evidence)
     (course / "evidence" / "private.png").write_bytes(b"mine")
     for points in (0, 1):
         events.note(course / ".coursekit" / "events.jsonl", "check", name="ch02.q1", points=points)
@@ -73,11 +73,11 @@ def test_every_flipped_byte_is_found(bundle):
 
 
 def zipped(files):
-    made = io.BytesIO()
-    with zipfile.ZipFile(made, "w") as packed:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as packed:
         for name, content in files:
             packed.writestr(name, content)
-    return made.getvalue()
+    return buffer.getvalue()
 
 
 def test_files_that_are_taken_out_put_in_changed_or_moved_are_found(bundle):
@@ -172,7 +172,9 @@ def test_a_log_that_two_hand_in_is_told_even_when_all_is_sealed_anew(bundle, cou
     (tmp_path / "cem.zip").write_bytes(b"no zip")
     files = {"vera": bundle, "bob": tmp_path / "BobBuilder_names.zip", "cem": tmp_path / "cem.zip"}
     note_copies({name: (concerns[name], [files[name]]) for name in concerns})
-    assert [len(one) for one in concerns.values()] == [1, 1, 0] and concerns["vera"][0].startswith("the same as in bob's")
+    assert [len(messages) for messages in concerns.values()] == [1, 1, 0] and concerns["vera"][0].startswith(
+        "the same as in bob's"
+    )
 
 
 def handed_in(folder, name, notebook, notebooks, student="Vera Course"):
@@ -223,7 +225,7 @@ def test_a_log_that_is_none_is_a_fault(bundle, line):
 @pytest.mark.parametrize("name", ["manifest.json", "events.jsonl"])
 def test_a_manifest_or_log_that_would_take_all_memory_is_not_read(bundle, name):
     with zipfile.ZipFile(bundle) as opened:
-        files = {one: opened.read(one) for one in opened.namelist()}
+        files = {member: opened.read(member) for member in opened.namelist()}
     for long in (b"[" + b"[]," * 700_000 + b"1]", b'"' + b"x" * (17 << 20) + b'"'):
         assert f"{name} is longer than hand_in() makes it" in bundle_faults(zipped({**files, name: long}.items()))[0]
 

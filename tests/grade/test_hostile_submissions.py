@@ -26,10 +26,10 @@ def folder(tmp_path, monkeypatch):
 @pytest.mark.parametrize("what", ZIPS)
 def test_a_bad_zip_has_a_reason_and_the_others_their_marks(folder, what):
     write(folder / "Ben.zip", ZIPS[what]())
-    found = grade(folder)[1]
-    assert found["Ann Lee"]["total"] == "7" and found["Ben"]["total"] == "0"
-    assert found["Ben"]["status"] == ("empty" if what == "a link" else "unreadable")
-    assert what == "a link" or "Ben.zip" in found["Ben"]["notes"]
+    rows_by_name = grade(folder)[1]
+    assert rows_by_name["Ann Lee"]["total"] == "7" and rows_by_name["Ben"]["total"] == "0"
+    assert rows_by_name["Ben"]["status"] == ("empty" if what == "a link" else "unreadable")
+    assert what == "a link" or "Ben.zip" in rows_by_name["Ben"]["notes"]
 
 
 def test_a_bomb_costs_little_memory(folder):
@@ -57,9 +57,9 @@ MANY = {
 @pytest.mark.parametrize("what", MANY)
 def test_a_bad_notebook_has_a_reason_and_the_others_their_marks(folder, what):
     write(folder / "Ben" / TOPICS, MANY[what])
-    found = grade(folder)[1]
-    assert found["Ann Lee"]["total"] == "7" and found["Ben"]["total"] in ("0", "")
-    assert found["Ben"]["status"] in ("unreadable", "graded", "question")
+    rows_by_name = grade(folder)[1]
+    assert rows_by_name["Ann Lee"]["total"] == "7" and rows_by_name["Ben"]["total"] in ("0", "")
+    assert rows_by_name["Ben"]["status"] in ("unreadable", "graded", "question")
 
 
 @posix("there are no such pipes, and folders are not opened")
@@ -84,9 +84,9 @@ def test_folders_in_folders_links_pipes_and_names_that_are_no_text(folder, tmp_p
     os.rename(folder / "Fay" / "x", os.path.join(os.fsencode(folder), b"Fay", b"\xff\xfe.ipynb"))
     write(folder / ("G" * 250) / (f"{'h' * 200}.ipynb"), text("q1"))
     write(folder / "Hal" / f"a\n\x1b[2J\u202e{TOPICS}", text("q1"))
-    found = grade(folder)[1]
+    rows_by_name = grade(folder)[1]
     os.close(place)
-    said = {row["student"]: (row["status"], row["total"]) for row in found.values()}
+    said = {row["student"]: (row["status"], row["total"]) for row in rows_by_name.values()}
     assert said.pop("Ann Lee") == ("graded", "7") and said.pop("Hal") == ("graded", "1")
     assert said.pop("G" * 199 + "…") == ("graded", "1")
     assert said == dict.fromkeys(("Ben", "Cem", "Dai", "Fay"), ("unreadable", "0")) | {"E\ufffdva": ("empty", "0")}
@@ -104,8 +104,8 @@ def test_more_files_than_may_be_are_told(folder, monkeypatch):
     monkeypatch.setattr("coursekit.grade.walking.MOST", 20)
     for number in range(40):
         write(folder / "Ben" / f"{number}.txt", "")
-    found = grade(folder)[1]
-    assert "more than 20 files" in found["Ben"]["notes"]
+    rows_by_name = grade(folder)[1]
+    assert "more than 20 files" in rows_by_name["Ben"]["notes"]
 
 
 def test_a_fault_of_ours_in_one_submission_leaves_the_others_alone(folder, monkeypatch):
@@ -114,26 +114,26 @@ def test_a_fault_of_ours_in_one_submission_leaves_the_others_alone(folder, monke
     usual = Gatherer.entry
     monkeypatch.setattr(Gatherer, "entry", lambda self, name, files: 1 / 0 if name == "Ben" else usual(self, name, files))
     write(folder / "Ben" / TOPICS, text("q1"))
-    found = grade(folder)[1]
-    assert found["Ann Lee"]["total"] == "7" and found["Ben"]["status"] == "unreadable"
+    rows_by_name = grade(folder)[1]
+    assert rows_by_name["Ann Lee"]["total"] == "7" and rows_by_name["Ben"]["status"] == "unreadable"
 
 
 def test_a_file_that_is_exchanged_for_a_link_is_not_followed(tmp_path):
     write(tmp_path / "secret.ipynb", "secret")
     write(tmp_path / "class" / TOPICS, "mine")
-    (one,) = walk(tmp_path / "class")
+    (walked,) = walk(tmp_path / "class")
     (tmp_path / "class" / TOPICS).unlink()
     os.symlink(tmp_path / "secret.ipynb", tmp_path / "class" / TOPICS)
     with pytest.raises(OSError):
-        one.open()
+        walked.open()
 
 
 def test_a_submission_crosses_to_another_process_as_plain_values(folder):
     from coursekit.grade.submissions import Submission
 
-    (one,) = collected(folder, folder.parent / "s").handed
-    made = one.submission(TOPICS)
-    again = Submission.of_json(json.loads(json.dumps(made.as_json())))
-    assert again == made and again.digest() == made.digest()
+    (handed,) = collected(folder, folder.parent / "s").handed
+    submission = handed.submission(TOPICS)
+    again = Submission.of_json(json.loads(json.dumps(submission.as_json())))
+    assert again == submission and again.digest() == submission.digest()
     (copy,) = again.notebooks(folder.parent / "unpacked")
-    assert copy.name == TOPICS and copy.read_bytes() == made.chosen[TOPICS].read_bytes()
+    assert copy.name == TOPICS and copy.read_bytes() == submission.chosen[TOPICS].read_bytes()

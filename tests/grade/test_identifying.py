@@ -42,7 +42,7 @@ def test_every_platform_s_list_is_read(tmp_path, name, encoding):
     roster = roster_of(tmp_path, name, encoding)
     assert roster.students in (["Ana García López", "Ben Ito"],)
     if name not in ("names.txt", "classroom.csv"):
-        assert [one.id for one in roster.people] == ["a01", "a02"]
+        assert [person.id for person in roster.people] == ["a01", "a02"]
     assert bool(roster.notes) == (name == "canvas.csv")
 
 
@@ -56,7 +56,9 @@ NAMES = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize(("name", "handed_in"), [(name, one) for name, listed in NAMES.items() for one in listed])
+@pytest.mark.parametrize(
+    ("name", "handed_in"), [(name, file_name) for name, listed in NAMES.items() for file_name in listed]
+)
 def test_the_platform_s_names_for_files_are_known(tmp_path, name, handed_in):
     assert named_in(handed_in, roster_of(tmp_path, name)) == "Ana García López"
 
@@ -70,8 +72,8 @@ def test_what_only_resembles_a_name_is_nobody_s(tmp_path, handed_in):
 
 def test_two_who_fit_are_asked_about_and_a_name_within_a_name_is_not_meant():
     someone = Identifier(Roster(["Ann Lee", "Ann Lee Smith", "Lee Wong"]))
-    assert [one.name for one in someone.by_name("Ann Lee Smith_02_topics.ipynb").people] == ["Ann Lee Smith"]
-    assert [one.name for one in someone.by_name("ann_lee_wong_02_topics.ipynb").people] == ["Ann Lee", "Lee Wong"]
+    assert [person.name for person in someone.by_name("Ann Lee Smith_02_topics.ipynb").people] == ["Ann Lee Smith"]
+    assert [person.name for person in someone.by_name("ann_lee_wong_02_topics.ipynb").people] == ["Ann Lee", "Lee Wong"]
 
 
 def test_people_of_one_name_need_ids():
@@ -113,18 +115,18 @@ def group(tmp_path, monkeypatch):
 
 def copy_of(group, word, *done):
     """What was handed out to somebody, with exercises done."""
-    made = json.loads((group / "week2" / word / TOPICS).read_text())
-    for cell in made["cells"]:
+    nb = json.loads((group / "week2" / word / TOPICS).read_text())
+    for cell in nb["cells"]:
         if cell["metadata"].get("nbgrader", {}).get("grade_id", "").partition("-")[2] in done:
             cell["source"] = ["done = True\n"]
-    return json.dumps(made)
+    return json.dumps(nb)
 
 
 def test_every_copy_carries_a_mark_that_only_the_teacher_can_read(group):
     secret = (group / "roster.secret").read_text().strip()
     marks = {json.loads(copy_of(group, word))["metadata"]["coursekit"]["copy"] for word in ("AnaGarcíaLópez", "BenIto")}
     assert len(marks) == 2 and marks == set(Variants.read(group / "roster.csv").copy_marks())
-    assert not [one for one in (secret, "Ben", "uni.example") if one in copy_of(group, "BenIto")]
+    assert not [word for word in (secret, "Ben", "uni.example") if word in copy_of(group, "BenIto")]
     with zipfile.ZipFile(group / "week2" / "BenIto.zip") as packed:
         assert packed.namelist() == [f"week2/{TOPICS}", "week2/images/workspace.svg"]
 
@@ -138,31 +140,40 @@ def test_without_a_list_a_release_says_which_it_is(tmp_path):
 def test_the_copy_says_whose_it_is_whatever_its_name(group):
     write(group / "class" / "homework final (3).ipynb", copy_of(group, "BenIto", "q1"))
     write(group / "class" / TOPICS, copy_of(group, "AnaGarcíaLópez", "q1", "q2"))
-    status, found = grade(group / "class", "--roster", group / "roster.csv")
-    assert status == 0 and {name: row["total"] for name, row in found.items()} == {"Ana García López": "3", "Ben Ito": "1"}
-    assert found["Ben Ito"]["id"] == "a02" and "the mark of the copy" in found["Ben Ito"]["notes"]
+    status, rows_by_name = grade(group / "class", "--roster", group / "roster.csv")
+    assert status == 0 and {name: row["total"] for name, row in rows_by_name.items()} == {
+        "Ana García López": "3",
+        "Ben Ito": "1",
+    }
+    assert rows_by_name["Ben Ito"]["id"] == "a02" and "the mark of the copy" in rows_by_name["Ben Ito"]["notes"]
 
 
 def test_another_s_copy_under_one_s_own_name_is_asked_about(group):
     write(group / "class" / "Ben Ito" / TOPICS, copy_of(group, "AnaGarcíaLópez", "q1"))
-    status, found = grade(group / "class", "--roster", group / "roster.csv")
-    assert status == 1 and {row["status"] for row in found.values()} == {"question"}
-    assert {row["total"] for row in found.values()} == {""}
+    status, rows_by_name = grade(group / "class", "--roster", group / "roster.csv")
+    assert status == 1 and {row["status"] for row in rows_by_name.values()} == {"question"}
+    assert {row["total"] for row in rows_by_name.values()} == {""}
     _, coded = grade(group / "class", "--roster", group / "roster.csv", "--anonymous")
     assert not [row for row in coded.values() if "Ben" in str(row) or "Ana" in str(row)]
     asked = answer(group / "questions.csv", Ben="a02")
     assert "the copy was made for Ana García López" in asked[0]["about"]
-    status, found = grade(group / "class", "--roster", group / "roster.csv")
-    assert status == 0 and found["Ben Ito"]["total"] == "1" and found["Ana García López"]["status"] == "nothing handed in"
-    assert f"{TOPICS}: the copy was made for Ana García López" in found["Ben Ito"]["notes"]
+    status, rows_by_name = grade(group / "class", "--roster", group / "roster.csv")
+    assert (
+        status == 0
+        and rows_by_name["Ben Ito"]["total"] == "1"
+        and rows_by_name["Ana García López"]["status"] == "nothing handed in"
+    )
+    assert f"{TOPICS}: the copy was made for Ana García López" in rows_by_name["Ben Ito"]["notes"]
 
 
 def test_a_name_that_nobody_has_is_asked_about_and_everybody_has_a_row(group, capsys):
     write(group / "class" / "Who Is That.ipynb", text("q1"))
     write(group / "class" / "Ben Ito.zip", zipped({TOPICS: text("q1")}))
-    status, found = grade(group / "class", "--roster", group / "roster.csv")
+    status, rows_by_name = grade(group / "class", "--roster", group / "roster.csv")
     assert (
-        status == 1 and found["Ben Ito"]["status"] == "graded" and found["Ana García López"]["status"] == "nothing handed in"
+        status == 1
+        and rows_by_name["Ben Ito"]["status"] == "graded"
+        and rows_by_name["Ana García López"]["status"] == "nothing handed in"
     )
     said = capsys.readouterr().out
     assert "Whose is this?" in said and "1 question is open" in said and "questions.csv" in said
@@ -171,8 +182,8 @@ def test_a_name_that_nobody_has_is_asked_about_and_everybody_has_a_row(group, ca
     answer(group / "questions.csv", Who="nobody")
     assert grade(group / "class", "--roster", group / "roster.csv")[0] == 0
     answer(group / "questions.csv", Who="ana@uni.example")
-    status, found = grade(group / "class", "--roster", group / "roster.csv")
-    assert status == 0 and found["Ana García López"]["total"] == "1"
+    status, rows_by_name = grade(group / "class", "--roster", group / "roster.csv")
+    assert status == 0 and rows_by_name["Ana García López"]["total"] == "1"
 
 
 def test_files_that_canvas_renamed_are_each_person_s_own(tmp_path):
@@ -180,11 +191,11 @@ def test_files_that_canvas_renamed_are_each_person_s_own(tmp_path):
     write(tmp_path / "class" / f"itoben_14_15_{TOPICS}", text("q1"))
     write(tmp_path / "class" / f"garcalpezana_LATE_12_13_{TOPICS}", text("q1", "q2"))
     write(tmp_path / "class" / "itoben_14_16_extra.ipynb", text("q1", chapter="03_services.ipynb"))
-    found = by_name(collected(tmp_path / "class", tmp_path / "s", roster=roster_of(tmp_path, "canvas.csv")))
-    assert {name: sorted(one.chosen) for name, one in found.items()} == {
+    handed_by_name = by_name(collected(tmp_path / "class", tmp_path / "s", roster=roster_of(tmp_path, "canvas.csv")))
+    assert {name: sorted(handed.chosen) for name, handed in handed_by_name.items()} == {
         "Ana García López": [TOPICS], "Ben Ito": ["03_services.ipynb", TOPICS][::-1],
     }  # fmt: skip
-    assert found["Ana García López"].chosen[TOPICS].late_said
+    assert handed_by_name["Ana García López"].chosen[TOPICS].late_said
 
 
 def test_two_bundles_of_one_student_are_one_student(tmp_path):
@@ -195,18 +206,18 @@ def test_two_bundles_of_one_student_are_one_student(tmp_path):
         facts = {"student": "Ann Lee", "notebook": name, "time": f"2026-11-2{at} 10:00:00 +0000"}
         data = pack_bundle({name: text(done, chapter=name).encode()}, facts)
         write(tmp_path / "class" / f"AnnLee_{name[:-6]}.zip", data)
-    found = collected(tmp_path / "class", tmp_path / "s")
-    (one,) = found.handed
-    assert one.label == "Ann Lee" and set(one.chosen) == {TOPICS, "03_services.ipynb"}
-    assert {piece.when_from for piece in one.chosen.values()} == {"the time that hand_in sealed"}
+    collection = collected(tmp_path / "class", tmp_path / "s")
+    (handed,) = collection.handed
+    assert handed.label == "Ann Lee" and set(handed.chosen) == {TOPICS, "03_services.ipynb"}
+    assert {piece.when_from for piece in handed.chosen.values()} == {"the time that hand_in sealed"}
 
 
 def test_a_manifest_of_the_course_s_own_folder_is_no_bundle(tmp_path):
     (tmp_path / "class").mkdir()
     files = {TOPICS: text("q1"), ".coursekit/manifest.json": "{}", "ros2_ws/manifest.json": "{}"}
     write(tmp_path / "class" / "Ann Lee.zip", zipped(files))
-    (one,) = collected(tmp_path / "class", tmp_path / "s").handed
-    assert one.bundles() == [] and one.submission(TOPICS).bundles() == [] and not one.concerns
+    (handed,) = collected(tmp_path / "class", tmp_path / "s").handed
+    assert handed.bundles() == [] and handed.submission(TOPICS).bundles() == [] and not handed.concerns
 
 
 def test_the_release_tells_the_points_that_the_judges_give(tmp_path):
@@ -217,9 +228,9 @@ def test_the_release_tells_the_points_that_the_judges_give(tmp_path):
     known, told = all_exercises(), {}
     chapters = [json.loads(file.read_text(encoding="utf-8")) for file in sorted(NOTEBOOKS.glob("*.ipynb"))]
     for source in filter(checks_in, chapters):
-        for made in (source, released(source), with_points(released(source))):
-            for name, place in checks_in(made).items():
-                told[name] = made["cells"][place]["metadata"]["nbgrader"]["points"]
+        for nb in (source, released(source), with_points(released(source))):
+            for name, place in checks_in(nb).items():
+                told[name] = nb["cells"][place]["metadata"]["nbgrader"]["points"]
                 assert told[name] == known[name].points, name
     assert set(told) == set(known)
     source = json.loads((NOTEBOOKS / TOPICS).read_text(encoding="utf-8"))
@@ -256,6 +267,6 @@ def test_whoever_has_no_e_mail_does_not_get_what_is_nobody_s(tmp_path, more):
     (tmp_path / "list.csv").write_text(f"Full name,Email address\nBen Ito,\n{more}", encoding="utf-8")
     write(tmp_path / "class" / "García López Ana_101_assignsubmission_file_" / TOPICS, text("q1", "q2"))
     roster = Roster.read(tmp_path / "list.csv")
-    found = collected(tmp_path / "class", tmp_path / "scratch", roster=roster)
-    assert not by_name(found)["Ben Ito"].entries and "Whose is this?" in found.questions[0].text
+    collection = collected(tmp_path / "class", tmp_path / "scratch", roster=roster)
+    assert not by_name(collection)["Ben Ito"].entries and "Whose is this?" in collection.questions[0].text
     assert roster.of("") is None and roster.of("  ") is None

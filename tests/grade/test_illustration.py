@@ -132,8 +132,8 @@ def shown(tmp_path, monkeypatch):
 
 
 def test_a_check_shows_the_picture_to_those_who_see_and_words_to_all(shown):
-    one = shown(drawing(line, (0, 0), (1, 1)))
-    assert "<figure" in one._repr_html_() and repr(one) == "✔ ch99.q1 Draw: 2 of 2 points"
+    verdict = shown(drawing(line, (0, 0), (1, 1)))
+    assert "<figure" in verdict._repr_html_() and repr(verdict) == "✔ ch99.q1 Draw: 2 of 2 points"
 
 
 def test_a_check_that_fails_shows_it_as_well(shown):
@@ -141,7 +141,7 @@ def test_a_check_that_fails_shows_it_as_well(shown):
         shown(drawing(broken, wrong=Wrong("x")))
 
 
-@pytest.mark.parametrize("name", [one for one in ILLUSTRATED if one in CALLS_A_FUNCTION])
+@pytest.mark.parametrize("name", [exercise for exercise in ILLUSTRATED if exercise in CALLS_A_FUNCTION])
 def test_junk_from_a_function_gets_the_verdict_that_it_gets_without_pictures(name):
     for value in values():
         with_picture, without = Fed(answer=value), Fed(answer=value)
@@ -151,7 +151,7 @@ def test_junk_from_a_function_gets_the_verdict_that_it_gets_without_pictures(nam
         assert isinstance(with_picture.illustration.html(), str)
 
 
-@pytest.mark.parametrize("name", [one for one in ILLUSTRATED if one in JUDGES_A_TRIAL])
+@pytest.mark.parametrize("name", [exercise for exercise in ILLUSTRATED if exercise in JUDGES_A_TRIAL])
 @pytest.mark.parametrize("leaf", LEAVES, ids=range(len(LEAVES)))
 def test_junk_from_a_program_gets_the_verdict_that_it_gets_without_pictures(name, leaf):
     with_picture, without = (Fed(seen=seen_with([message(leaf)])) for _ in range(2))

@@ -27,7 +27,7 @@ def run(folder, *cells):
     ours = [sys.executable, "-c", PROGRAM, json.dumps(cells)]
     done = subprocess.run(ours, env={**os.environ, **surroundings}, capture_output=True, cwd=folder, check=True)
     told, said = json.loads(done.stdout.splitlines()[-1])
-    return [one["error"] for one in told], said
+    return [output["error"] for output in told], said
 
 
 @posix("there is no bash there")

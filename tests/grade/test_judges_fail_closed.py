@@ -77,7 +77,7 @@ class Fed(Work):
 
     def try_out(self, *commands, **plan):
         for _, _, _, fields in plan.get("publish", ()):
-            assert not any(isinstance(one, float) and not math.isfinite(one) for one in leaves(fields)), fields
+            assert not any(isinstance(leaf, float) and not math.isfinite(leaf) for leaf in leaves(fields)), fields
         if self._seen is None:
             raise Wrong("a trial")
         kept = {key: value if key == "seconds" else list(value) for key, value in plan.items()}
@@ -87,7 +87,7 @@ class Fed(Work):
 def leaves(value):
     """The plain values in a tree of dictionaries and lists."""
     inner = value.values() if isinstance(value, dict) else value if isinstance(value, list) else None
-    return [value] if inner is None else [leaf for one in inner for leaf in leaves(one)]
+    return [value] if inner is None else [leaf for element in inner for leaf in leaves(element)]
 
 
 def refused(name, work, told):
@@ -115,8 +115,8 @@ def test_no_message_whose_fields_are_no_numbers_is_taken(name):
     for number in (math.nan, math.inf, LyingFloat(1.0)):
         pose, poses = Pose(), PoseArray()
         for part, names in ((pose.position, "xyz"), (pose.orientation, "xyzw")):
-            for one in names:
-                setattr(part, one, number)
+            for field in names:
+                setattr(part, field, number)
         poses.poses = [pose] * 3
         flat, said = Pose2D(x=number, y=number, theta=number), SetBool.Response(success=True, message=LyingStr())
         for value in (pose, poses, flat, said):
@@ -145,9 +145,9 @@ def test_a_name_that_is_gone_after_a_restart_is_told_with_the_cure():
 
 @pytest.mark.parametrize("name", READS_A_VARIABLE)
 def test_no_variable_that_is_no_answer_is_taken(name):
-    junk = [one for one in values() if one.__class__.__hash__ is not None and not isinstance(one, (tuple, list))]
-    held = [*values(), *([one] * 3 for one in values()), *({1: one, 2: one, 3: one} for one in values())]
-    for value in [*held, *({one: one} for one in junk if type(one).__name__ != "Unshowable")]:
+    junk = [sample for sample in values() if sample.__class__.__hash__ is not None and not isinstance(sample, (tuple, list))]
+    held = [*values(), *([sample] * 3 for sample in values()), *({1: sample, 2: sample, 3: sample} for sample in values())]
+    for value in [*held, *({sample: sample} for sample in junk if type(sample).__name__ != "Unshowable")]:
         refused(name, Fed(value=value), shown(value))
 
 
@@ -200,13 +200,17 @@ def seen_with(messages, responses=None):
         topics = plan.record if plan.record != ["*"] else ["/one", "/two"]
         spoken = [(plan.seconds * k / 3000, messages[k % len(messages)]) for k in range(3000)]
         programs = len(plan.run) + len(plan.later)
-        made = Seen(outputs=[""] * programs, exit_codes=[0] * programs, beside=["asked for 1 and 2"] * len(plan.beside))
-        made.nodes, made.topics, made.services = Every(), Any_(["std_srvs/srv/SetBool"]), Any_(["std_srvs/srv/SetBool"])
-        made.publishers, made.subscriptions = Any_([{"node": "/x"}]), Any_([{"node": "/x"}])
-        made.messages = {topic: list(spoken) for topic in topics}
-        made.by_course = {topic: [True] * len(spoken) for topic in topics}
-        made.responses = [messages[0] if responses is None else responses] * len(plan.call)
-        return made
+        observed = Seen(outputs=[""] * programs, exit_codes=[0] * programs, beside=["asked for 1 and 2"] * len(plan.beside))
+        observed.nodes, observed.topics, observed.services = (
+            Every(),
+            Any_(["std_srvs/srv/SetBool"]),
+            Any_(["std_srvs/srv/SetBool"]),
+        )
+        observed.publishers, observed.subscriptions = Any_([{"node": "/x"}]), Any_([{"node": "/x"}])
+        observed.messages = {topic: list(spoken) for topic in topics}
+        observed.by_course = {topic: [True] * len(spoken) for topic in topics}
+        observed.responses = [messages[0] if responses is None else responses] * len(plan.call)
+        return observed
 
     return seen
 

@@ -34,15 +34,15 @@ def test_the_seal_goes_before_the_platform_and_the_platform_before_the_file(fold
     write(folder / f"w_ben_attempt_{stamp}_{TOPICS}", text("q1"), NOON + DAY)
     write(folder / "cem.zip", zipped({TOPICS: (text("q1"), NOON + 2 * HOUR)}, NOON + DAY))
     write(folder / "dai" / TOPICS, text("q1"), NOON - HOUR)
-    found = grade(folder, "--due", DUE)[1]
-    said = {name: (row["minutes_late"], row["time_from"], row["status"]) for name, row in found.items()}
+    rows_by_name = grade(folder, "--due", DUE)[1]
+    said = {name: (row["minutes_late"], row["time_from"], row["status"]) for name, row in rows_by_name.items()}
     assert said == {
         "Ann Lee": ("0", "the time that hand_in sealed", "graded"),
         "ben": ("60", "the platform's time", "late"),
         "cem": ("120", "the file's time in the zip", "late"),
         "dai": ("0", "the file's time", "graded"),
     }
-    assert "sealed in time, but the file is of" in found["Ann Lee"]["notes"]
+    assert "sealed in time, but the file is of" in rows_by_name["Ann Lee"]["notes"]
 
 
 def test_the_time_in_the_platform_s_list_counts_where_its_names_tell_none(folder, tmp_path):
@@ -70,9 +70,9 @@ def test_who_was_never_in_time_is_late_with_what_there_is(folder):
 def test_a_file_of_the_future_is_told(folder):
     write(folder / "Ann Lee" / TOPICS, text("q1"), NOON + 40 * DAY)
     write(folder / "Ben Ito" / TOPICS, text("q1"), NOON)
-    found = grade(folder, "--due", DUE)[1]
-    assert "yet to come: was that computer's clock wrong?" in found["Ann Lee"]["notes"]
-    assert "yet to come" not in found["Ben Ito"]["notes"]
+    rows_by_name = grade(folder, "--due", DUE)[1]
+    assert "yet to come: was that computer's clock wrong?" in rows_by_name["Ann Lee"]["notes"]
+    assert "yet to come" not in rows_by_name["Ben Ito"]["notes"]
 
 
 def test_canvas_says_late_and_that_is_believed(folder):
@@ -97,12 +97,12 @@ def test_grace_percent_floor_and_extensions(folder, tmp_path):
     (tmp_path / "roster.csv").write_text("name,id,email\nAnn,a01,\nBen,a02,\nCem,a03,cem@uni.example\nDai,a04,\nEva,a05,\n")
     for name, after in (("Ann", 20 * 60), ("Ben", 5 * DAY), ("Cem", 3 * DAY - 60), ("Dai", 1.5 * DAY), ("Eva", 30 * DAY)):
         write(folder / name / TOPICS, text("q1", "q2", "q3"), NOON + after)
-    found = grade(folder, "--roster", tmp_path / "roster.csv", "--policy", tmp_path / "policy.toml")[1]
-    assert {name: (row["percent_off"], row["total"]) for name, row in found.items()} == {
+    rows_by_name = grade(folder, "--roster", tmp_path / "roster.csv", "--policy", tmp_path / "policy.toml")[1]
+    assert {name: (row["percent_off"], row["total"]) for name, row in rows_by_name.items()} == {
         "Ann": ("0", "5"), "Ben": ("0", "5"), "Cem": ("10", "4.5"), "Dai": ("20", "4"), "Eva": ("25", "3.75"),
     }  # fmt: skip
-    assert {row["points"] for row in found.values()} == {"5"}
-    page = (tmp_path / "grades" / f"{found['Eva']['key']}.html").read_text()
+    assert {row["points"] for row in rows_by_name.values()} == {"5"}
+    page = (tmp_path / "grades" / f"{rows_by_name['Eva']['key']}.html").read_text()
     assert "after 25 % taken off for being late" in page and "by the file&#x27;s time" in page
 
 
@@ -150,7 +150,7 @@ def test_extensions_can_be_a_table(tmp_path):
 
 
 def test_days_begin_with_the_first_minute():
-    assert [Policy(percent_per_day=10).percent_off(one) for one in (0, 0.1, 1440, 1441)] == [0, 10, 10, 20]
+    assert [Policy(percent_per_day=10).percent_off(minutes) for minutes in (0, 0.1, 1440, 1441)] == [0, 10, 10, 20]
 
 
 def test_times_in_zips_are_kept(folder, tmp_path):

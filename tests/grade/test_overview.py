@@ -24,11 +24,11 @@ def verdict(points, got="<b>7</b>"):
 def record(name, *verdicts, **more):
     """Somebody's line; of somebody who handed in an empty folder if there are no verdicts."""
     handed = Handed(Person(name), name, [Entry(name)])
-    made = Record(handed, {CHAPTER: [verdict(0, "nothing was handed in")]}, tier="bubblewrap")
+    new_record = Record(handed, {CHAPTER: [verdict(0, "nothing was handed in")]}, tier="bubblewrap")
     if verdicts:
         handed.chosen[CHAPTER] = Piece(CHAPTER, CHAPTER)
-        made.marks[CHAPTER] = Marked(name, "", list(verdicts), tier="bubblewrap", **more)
-    return made
+        new_record.marks[CHAPTER] = Marked(name, "", list(verdicts), tier="bubblewrap", **more)
+    return new_record
 
 
 def test_every_student_stands_there_with_marks_concerns_and_a_link():
@@ -59,9 +59,9 @@ def test_the_hardest_exercise_and_the_most_frequent_wrong_answer_come_first():
 
 def test_wrong_answers_stand_there_as_they_were_typed():
     gave = ["['topic list', 'a < b']", "'/scan'", "a list: [(1, 'x')]", "[" * 150, "9" * 159, "['ab', 'c…", "[…", "\\"]
-    page = overview([record(f"s{n}", Verdict("ch02.q1", "Names", 0, 2, gave=one)) for n, one in enumerate(gave)])
-    for one in gave[3:]:
-        overview([record("s", Verdict("ch02.q1", "Names", 0, 2, gave=one))])
+    page = overview([record(f"s{n}", Verdict("ch02.q1", "Names", 0, 2, gave=answer)) for n, answer in enumerate(gave)])
+    for answer in gave[3:]:
+        overview([record("s", Verdict("ch02.q1", "Names", 0, 2, gave=answer))])
     assert "1 × topic list | a &lt; b" in page and "1 × /scan" in page and "1 × a list: (1, &#x27;x&#x27;)" in page
 
 

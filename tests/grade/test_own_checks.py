@@ -37,11 +37,11 @@ def grip(work):
 
 def handed_in(folder, name, answer):
     """A student's notebook with an answer."""
-    made = json.loads((folder / "gripper.ipynb").read_text())
-    made["cells"][3]["source"] = answer
+    nb = json.loads((folder / "gripper.ipynb").read_text())
+    nb["cells"][3]["source"] = answer
     target = folder.parent / "handed_in" / name
     target.mkdir(parents=True)
-    (target / "gripper.ipynb").write_text(json.dumps(student_notebook(made)))
+    (target / "gripper.ipynb").write_text(json.dumps(student_notebook(nb)))
 
 
 @pytest.mark.slow
@@ -125,9 +125,9 @@ def test_a_check_that_stops_at_the_right_solution_stops_the_grader_and_is_named(
     write(handed / "Ann" / TOPICS, text("q1", "q2"))
 
     def faulty(submission, *more):
-        made = cheap_mark(submission, *more)
-        made.verdicts[1] = replace(made.verdicts[1], points=0, fault="NameError: x (c.py, line 7)")
-        return made
+        marked = cheap_mark(submission, *more)
+        marked.verdicts[1] = replace(marked.verdicts[1], points=0, fault="NameError: x (c.py, line 7)")
+        return marked
 
     monkeypatch.setattr("coursekit.grade.batch.mark", faulty)
     out = ["--out", str(tmp_path / "grades.csv")]
@@ -142,15 +142,15 @@ def test_a_check_s_own_fault_costs_nobody_points_and_the_teacher_is_told(tmp_pat
         write(handed / name / TOPICS, text("q1", "q2"))
 
     def faulty(submission, *more):
-        made = cheap_mark(submission, *more)
+        marked = cheap_mark(submission, *more)
         if submission.student == "Ann":
-            made.verdicts[1] = replace(made.verdicts[1], points=0, fault="TypeError: no (c.py, line 7)")
-        return made
+            marked.verdicts[1] = replace(marked.verdicts[1], points=0, fault="TypeError: no (c.py, line 7)")
+        return marked
 
     monkeypatch.setattr("coursekit.grade.batch.mark", faulty)
-    status, found = grade(handed)
-    assert status == 1 and (found["Ann"]["status"], found["Ann"]["total"]) == ("not marked", "")
-    assert found["Ben"]["total"] == "3"
+    status, rows_by_name = grade(handed)
+    assert status == 1 and (rows_by_name["Ann"]["status"], rows_by_name["Ann"]["total"]) == ("not marked", "")
+    assert rows_by_name["Ben"]["total"] == "3"
     said = capsys.readouterr().out
     assert "The check of ch02.q2 has a fault: TypeError: no (c.py, line 7). No mark yet: Ann." in said
     monkeypatch.setattr("coursekit.grade.batch.mark", cheap_mark)
@@ -170,8 +170,8 @@ for cell in json.load(open("claw.ipynb"))["cells"]:
 
 def test_the_notebook_runs_in_a_kernel_that_is_not_ours(tmp_path):
     write_template(tmp_path, "claw")
-    made = json.loads((tmp_path / "claw.ipynb").read_text())
-    assert len({cell["id"] for cell in made["cells"]}) == len(made["cells"])
+    nb = json.loads((tmp_path / "claw.ipynb").read_text())
+    assert len({cell["id"] for cell in nb["cells"]}) == len(nb["cells"])
     env = {name: value for name, value in os.environ.items() if not name.startswith("COURSEKIT")}
     env |= {"COURSEKIT_TIME": "virtual", "PYTHONUTF8": "1"}
     command = [sys.executable, "-c", PLAIN_SHELL]
@@ -211,8 +211,8 @@ def test_an_exercise_that_nobody_is_asked_for_is_told(own, capsys):
 
 
 def test_two_cells_of_one_name_are_not_released(own):
-    made = json.loads((own / "gripper.ipynb").read_text())
-    made["cells"].append(dict(next(cell for cell in made["cells"] if "solution" in cell["metadata"].get("nbgrader", {}))))
-    (own / "gripper.ipynb").write_text(json.dumps(made))
+    nb = json.loads((own / "gripper.ipynb").read_text())
+    nb["cells"].append(dict(next(cell for cell in nb["cells"] if "solution" in cell["metadata"].get("nbgrader", {}))))
+    (own / "gripper.ipynb").write_text(json.dumps(nb))
     with pytest.raises(SystemExit, match="2 cells are called gripper-q1"):
         released(own)

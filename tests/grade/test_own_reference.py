@@ -28,7 +28,7 @@ def section(heading):
 
 
 def methods(kind):
-    return {name for name, one in vars(kind).items() if inspect.isfunction(one) and not name.startswith("_")}
+    return {name for name, member in vars(kind).items() if inspect.isfunction(member) and not name.startswith("_")}
 
 
 def test_work():
@@ -36,13 +36,17 @@ def test_work():
 
 
 def test_the_words_of_try_out():
-    named = {one for one in inspect.signature(Work.try_out).parameters if one not in ("self", "commands", "plan")}
-    fields = {one.name for one in dataclasses.fields(Plan)} - {"run"}
+    named = {
+        parameter
+        for parameter in inspect.signature(Work.try_out).parameters
+        if parameter not in ("self", "commands", "plan")
+    }
+    fields = {field.name for field in dataclasses.fields(Plan)} - {"run"}
     assert set(re.findall(r"`(\w+)`", section("`try_out`: its arguments"))) == fields | named
 
 
 def test_seen():
-    fields = {one.name for one in dataclasses.fields(Seen)}
+    fields = {field.name for field in dataclasses.fields(Seen)}
     assert set(re.findall(r"seen\.(\w+)", section("Seen: the result of `try_out`"))) == fields | methods(Seen)
 
 
@@ -52,7 +56,9 @@ def test_wrong():
 
 
 def test_plain_values():
-    there = {name for name, one in vars(plain).items() if inspect.isfunction(one) and one.__module__ == plain.__name__}
+    there = {
+        name for name, member in vars(plain).items() if inspect.isfunction(member) and member.__module__ == plain.__name__
+    }
     public = {name for name in there if not name.startswith("_")} - FOR_JUDGES_OF_OURS
     assert set(re.findall(r"`(\w+)\(", section("Values that cannot be faked"))) == public
 

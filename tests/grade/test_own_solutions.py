@@ -34,5 +34,5 @@ def test_a_chapter_s_own_solutions_earn_every_point(file, tmp_path):
     shutil.copy(file, folder)
     marked = mark(Submission("ann", folder), {file.name: source}, exercises, Limits(seconds=SECONDS))
     assert marked.status == "graded"
-    assert not [one.text() for one in marked.verdicts if not one.passed]
-    assert not marked.notes and {one.name for one in marked.verdicts} == set(exercises)
+    assert not [verdict.text() for verdict in marked.verdicts if not verdict.passed]
+    assert not marked.notes and {verdict.name for verdict in marked.verdicts} == set(exercises)

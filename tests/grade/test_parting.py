@@ -27,21 +27,21 @@ def test_marks_settle_whose_the_copies_in_a_folder_are(group, packed):
         write(group / "class" / "group 7" / name, content)
     if packed:
         write(group / "class" / "group 7.zip", zipped(files))
-    status, found = run(group)
-    assert status == 0 and told(found) == {"Ana García López": ("graded", "3"), "Ben Ito": ("graded", "1")}
-    assert "group 7" in found["Ben Ito"]["notes"] and "the mark of the copy" in found["Ben Ito"]["notes"]
+    status, rows_by_name = run(group)
+    assert status == 0 and told(rows_by_name) == {"Ana García López": ("graded", "3"), "Ben Ito": ("graded", "1")}
+    assert "group 7" in rows_by_name["Ben Ito"]["notes"] and "the mark of the copy" in rows_by_name["Ben Ito"]["notes"]
 
 
 def test_another_s_copy_in_one_s_own_folder_is_one_question_and_the_rest_is_theirs(group):
     write(group / "class" / "Ben Ito" / TOPICS, copy_of(group, BEN, "q1"))
     write(group / "class" / "Ben Ito" / "from ana.ipynb", copy_of(group, ANA, "q1", "q2"), NOON + 60)
-    status, found = run(group)
-    assert status == 1 and told(found) == {"Ana García López": ("question", ""), "Ben Ito": ("question", "")}
+    status, rows_by_name = run(group)
+    assert status == 1 and told(rows_by_name) == {"Ana García López": ("question", ""), "Ben Ito": ("question", "")}
     (asked,) = answer(group / "questions.csv", Ben="Ana")
     assert "from ana.ipynb" in asked["about"] and TOPICS not in asked["about"]
     assert asked["choices"] == "Ana García López | Ben Ito" and "1 notebook)" in asked["about"]
-    status, found = run(group)
-    assert status == 0 and told(found) == {"Ana García López": ("graded", "3"), "Ben Ito": ("graded", "1")}
+    status, rows_by_name = run(group)
+    assert status == 0 and told(rows_by_name) == {"Ana García López": ("graded", "3"), "Ben Ito": ("graded", "1")}
     answer(group / "questions.csv", Ben="nobody")
     assert told(run(group)[1]) == {"Ana García López": ("nothing handed in", "0"), "Ben Ito": ("graded", "1")}
 
@@ -52,13 +52,17 @@ def test_each_copy_in_a_stranger_s_folder_is_a_question_of_its_own(group):
     write(group / "class" / "Cem Kaya" / "a.ipynb", copy_of(group, ANA, "q1"))
     write(group / "class" / "Cem Kaya" / "b.ipynb", copy_of(group, BEN, "q2"))
     write(group / "class" / "Cem Kaya" / "c.ipynb", text("q3"))
-    status, found = run(group)
-    assert status == 1 and {one for one, _ in told(found).values()} == {"question"}
+    status, rows_by_name = run(group)
+    assert status == 1 and {row_status for row_status, _ in told(rows_by_name).values()} == {"question"}
     asked = answer(group / "questions.csv", **{"a.ipynb": "Ana", "b.ipynb": "nobody"})
     assert len(asked) == 2
-    status, found = run(group)
+    status, rows_by_name = run(group)
     assert status == 0
-    assert {name: row["total"] for name, row in found.items()} == {"Ben Ito": "1", "Ana García López": "1", "Cem Kaya": "2"}
+    assert {name: row["total"] for name, row in rows_by_name.items()} == {
+        "Ben Ito": "1",
+        "Ana García López": "1",
+        "Cem Kaya": "2",
+    }
 
 
 def test_names_of_what_lies_in_a_nameless_folder_settle_it_and_the_rest_is_asked(tmp_path):
@@ -67,11 +71,11 @@ def test_names_of_what_lies_in_a_nameless_folder_settle_it_and_the_rest_is_asked
     write(place / "Ann Lee" / TOPICS, text("q1"))
     write(place / "ben_ito_02_topics.ipynb", text("q2"))
     write(place / "mystery.ipynb", text("q3"))
-    found = collected(tmp_path / "class", tmp_path / "s", roster=people)
-    assert {name: one.chosen[TOPICS].known.begun for name, one in by_name(found).items()} == {
+    collection = collected(tmp_path / "class", tmp_path / "s", roster=people)
+    assert {name: handed.chosen[TOPICS].known.begun for name, handed in by_name(collection).items()} == {
         "Ann Lee": ("ch02.q1",), "Ben Ito": ("ch02.q2",),
     }  # fmt: skip
-    (question,) = found.unanswered
+    (question,) = collection.unanswered
     assert "mystery.ipynb" in question.about and "ann" not in question.about.casefold()
 
 
@@ -81,8 +85,8 @@ def test_a_file_that_cannot_be_read_among_others_copies_is_asked_about(tmp_path)
         write(place / name / TOPICS, text("q1"))
     write(place / "cem.zip", b"PK no zip")
     people = Roster([Person("Ann Lee"), Person("Ben Ito"), Person("Cem Kaya")])
-    found = collected(tmp_path / "class", tmp_path / "s", roster=people)
-    assert len(found.unanswered) == 1
+    collection = collected(tmp_path / "class", tmp_path / "s", roster=people)
+    assert len(collection.unanswered) == 1
 
 
 def test_files_of_hand_in_in_one_folder_are_each_their_author_s(tmp_path):
@@ -90,18 +94,18 @@ def test_files_of_hand_in_in_one_folder_are_each_their_author_s(tmp_path):
         facts = {"student": name, "notebook": TOPICS, "time": "2026-11-23 08:00:00 +0000"}
         data = pack_bundle({TOPICS: text("q1", own=f" by {name}").encode()}, facts)
         write(tmp_path / "class" / "all" / f"{len(name)}{name[:1]}.zip", data)
-    found = collected(tmp_path / "class", tmp_path / "s", roster=Roster([Person("Ann Lee"), Person("Ben Ito")]))
-    people = by_name(found)
-    assert not found.unanswered and all(len(people[name].bundles()) == 1 for name in ("Ann Lee", "Ben Ito"))
-    assert [people[name].chosen[TOPICS].bundle for name in people] == [one.bundles()[0] for one in people.values()]
+    collection = collected(tmp_path / "class", tmp_path / "s", roster=Roster([Person("Ann Lee"), Person("Ben Ito")]))
+    people = by_name(collection)
+    assert not collection.unanswered and all(len(people[name].bundles()) == 1 for name in ("Ann Lee", "Ben Ito"))
+    assert [people[name].chosen[TOPICS].bundle for name in people] == [person.bundles()[0] for person in people.values()]
 
 
 def test_one_person_s_folder_is_parted_by_nothing(tmp_path):
     people = Roster([Person("Ann Lee"), Person("Ben Ito")])
     write(tmp_path / "class" / "Ann Lee" / "ben ito.ipynb", text("q1"))
     write(tmp_path / "class" / "Ann Lee" / TOPICS, text("q1", "q2"))
-    found = by_name(collected(tmp_path / "class", tmp_path / "s", roster=people))
-    assert len(found["Ann Lee"].pieces()) == 2 and not found["Ben Ito"].entries
+    handed_by_name = by_name(collected(tmp_path / "class", tmp_path / "s", roster=people))
+    assert len(handed_by_name["Ann Lee"].pieces()) == 2 and not handed_by_name["Ben Ito"].entries
 
 
 def test_a_part_of_a_name_is_an_answer_where_it_is_one_person_s(group):

@@ -29,7 +29,7 @@ PATHS = [
 @pytest.mark.parametrize("path", PATHS)
 def test_paths_in_zips_lead_nowhere(path):
     parts = parts_of(path)
-    assert parts and not {"", ".", ".."} & set(parts) and not any("/" in one or "\\" in one for one in parts)
+    assert parts and not {"", ".", ".."} & set(parts) and not any("/" in part or "\\" in part for part in parts)
 
 
 def test_only_what_may_be_is_read_of_a_zip():
@@ -50,9 +50,9 @@ def test_only_what_may_be_is_read_of_a_zip():
 def test_bytes_that_are_no_zip_are_a_bad_archive(noise, place, value):
     data = bytearray(zipped({TOPICS: b"{}" * 50, "b/c.txt": b"x"}))
     data[place % len(data)] = value
-    for made in (noise, bytes(data), bytes(data) + noise[:40], noise[:40] + bytes(data)):
+    for content in (noise, bytes(data), bytes(data) + noise[:40], noise[:40] + bytes(data)):
         try:
-            with Archive(io.BytesIO(made)) as opened:
+            with Archive(io.BytesIO(content)) as opened:
                 for member in opened.members():
                     assert member.when >= 0 and len(opened.read(member)) == member.size
         except BadArchive as error:

@@ -36,31 +36,31 @@ def structures(text):
         tree = ast.parse(re.sub(r"^[%!].*$", "", text, flags=re.M))
     except SyntaxError:
         return set()
-    found = (node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef) and len(node.body) > 2)
-    return {re.sub(r"'[^']*'", "", ast.dump(node)) for node in found}
+    functions = (node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef) and len(node.body) > 2)
+    return {re.sub(r"'[^']*'", "", ast.dump(node)) for node in functions}
 
 
 @pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)
 def test_a_release_has_no_solution_by_marker_text_or_structure(file):
     source = json.loads(file.read_text())
-    made = released(source)
-    text = json.dumps(made)
+    nb = released(source)
+    text = json.dumps(nb)
     assert "BEGIN SOLUTION" not in text and "BEGIN HIDDEN" not in text
     elsewhere = json.dumps([SOLUTION.sub("", "".join(cell["source"])) for cell in source["cells"]])
     lines = [json.dumps(line)[1:-1] for line in solutions(source)]
     assert not [line for line in lines if line in text and line not in elsewhere]
     blocks = [block for cell in source["cells"] for block in SOLUTION.findall("".join(cell["source"]))]
-    own = {one for block in blocks for one in structures(block)}
-    open_ = {one for cell in source["cells"] for one in structures(SOLUTION.sub("", "".join(cell["source"])))}
-    given = {one for cell in made["cells"] for one in structures("".join(cell["source"]))}
+    own = {structure for block in blocks for structure in structures(block)}
+    open_ = {structure for cell in source["cells"] for structure in structures(SOLUTION.sub("", "".join(cell["source"])))}
+    given = {structure for cell in nb["cells"] for structure in structures("".join(cell["source"]))}
     assert not (own - open_) & given
-    assert all(not cell.get("outputs") for cell in made["cells"])
+    assert all(not cell.get("outputs") for cell in nb["cells"])
 
 
 @pytest.mark.parametrize("file", NOTEBOOKS, ids=lambda file: file.stem)
 def test_nbgrader_takes_the_metadata(file):
-    for made in (json.loads(file.read_text()), released(json.loads(file.read_text()))):
-        notebook = nbformat.from_dict(made)
+    for nb in (json.loads(file.read_text()), released(json.loads(file.read_text()))):
+        notebook = nbformat.from_dict(nb)
         nbformat.validate(notebook)
         v3.MetadataValidatorV3().validate_nb(notebook)
 
@@ -91,11 +91,11 @@ def test_a_list_says_whose_is_which_copy(tmp_path):
     write(tmp_path / "roster.csv", LISTS["plain.csv"])
     assert main(["release", "02", "--roster", str(tmp_path / "roster.csv"), "--out", str(tmp_path / "week2")]) == 0
     with open(tmp_path / "week2" / "copies.csv", newline="", encoding="utf-8-sig") as file:
-        found = list(csv.DictReader(file, delimiter=";"))  # as the list
-    assert [(one["email"], one["id"], one["file"]) for one in found] == [
+        records = list(csv.DictReader(file, delimiter=";"))  # as the list
+    assert [(record["email"], record["id"], record["file"]) for record in records] == [
         ("ana@uni.example", "a01", "AnaGarcíaLópez.zip"), ("ben@uni.example", "a02", "BenIto.zip"),
     ]  # fmt: skip
-    assert all((tmp_path / "week2" / one["file"]).is_file() for one in found)
+    assert all((tmp_path / "week2" / record["file"]).is_file() for record in records)
 
 
 def test_moodle_deals_out_each_copy_to_the_student_whose_it_is(tmp_path):

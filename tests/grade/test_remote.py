@@ -36,10 +36,10 @@ def work(tmp_path):
     (workspace / "src").mkdir(parents=True)
     env, limits = environment(workspace), sandbox.Limits(seconds=30)
     running = sandbox.start([sys.executable, "-m", "coursekit.grade.inside"], workspace.parent, env, limits)
-    made = RemoteWork(running, workspace, env, limits)
-    made.judge_from_here("any")
-    yield made
-    made.end()
+    remote_work = RemoteWork(running, workspace, env, limits)
+    remote_work.judge_from_here("any")
+    yield remote_work
+    remote_work.end()
 
 
 def test_changes_of_arguments_and_variables_cross_in_both_directions(work):

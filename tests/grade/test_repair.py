@@ -19,15 +19,21 @@ SOURCE = json.loads((NOTEBOOKS / "00_start_here.ipynb").read_text())
 def test_stubs_that_nobody_touched_are_known():
     handed_in = student_notebook(SOURCE)
     assert repair(SOURCE, handed_in).begun == {"ch00.q1": False, "ch00.q2": False, "ch00.q3": False}
-    cell = next(one for one in handed_in["cells"] if one["metadata"].get("nbgrader", {}).get("grade_id") == "ch00-q2")
+    cell = next(
+        candidate
+        for candidate in handed_in["cells"]
+        if candidate["metadata"].get("nbgrader", {}).get("grade_id") == "ch00-q2"
+    )
     cell["source"] = 'presses = [("up", 0.5)]'
     assert repair(SOURCE, handed_in).begun == {"ch00.q1": False, "ch00.q2": True, "ch00.q3": False}
 
 
 def _steps(*cells):
     """What is run of a chapter with these code cells: the texts, each with its tags."""
-    made = [{"cell_type": "code", "metadata": {"tags": tags}, "source": source, "outputs": []} for source, tags in cells]
-    return [step.source for step in repair({"cells": made}, {"cells": made}).steps]
+    code_cells = [
+        {"cell_type": "code", "metadata": {"tags": tags}, "source": source, "outputs": []} for source, tags in cells
+    ]
+    return [step.source for step in repair({"cells": code_cells}, {"cells": code_cells}).steps]
 
 
 def test_marking_leaves_out_the_cells_that_are_tagged_and_runs_all_lines_of_the_others():
@@ -58,7 +64,7 @@ def test_every_cell_of_a_chapter_that_starts_or_watches_programs_is_tagged(file)
 
 def test_an_answer_in_a_cell_of_ones_own_counts_as_begun():
     handed_in = student_notebook(SOURCE)
-    at = next(k for k, one in enumerate(handed_in["cells"]) if "ch00-q1" in str(one["metadata"]))
+    at = next(k for k, cell in enumerate(handed_in["cells"]) if "ch00-q1" in str(cell["metadata"]))
     handed_in["cells"].insert(at, {"cell_type": "code", "metadata": {}, "source": 'me = "Ada L"', "outputs": []})
     assert repair(SOURCE, handed_in).begun["ch00.q1"]
 
@@ -66,7 +72,7 @@ def test_an_answer_in_a_cell_of_ones_own_counts_as_begun():
 def test_a_notebook_as_it_was_handed_out_earns_nothing(tmp_path):
     (tmp_path / "ana").mkdir()
     (tmp_path / "ana" / "00_start_here.ipynb").write_text(json.dumps(student_notebook(SOURCE)))
-    exercises = {name: one for name, one in all_exercises().items() if name.startswith("ch00")}
+    exercises = {name: exercise for name, exercise in all_exercises().items() if name.startswith("ch00")}
     marked = mark(Submission("ana", tmp_path / "ana"), {"00_start_here.ipynb": SOURCE}, exercises, sandbox.Limits())
     assert marked.total() == 0
     assert {verdict.got for verdict in marked.verdicts} == {"the cell as it was handed out"}

@@ -35,7 +35,7 @@ def again(folder, *words):
     place, marked = folder
     marked.clear()
     grade(place, *words)
-    return sorted(one for one in marked if "reference" not in one)
+    return sorted(student for student in marked if "reference" not in student)
 
 
 def test_a_second_run_marks_nobody_and_gives_the_same(folder):
@@ -101,9 +101,9 @@ def test_chapters_are_marked_one_by_one(folder):
 
 
 def changed(file, change):
-    found = json.loads(file.read_text())
-    change(found)
-    file.write_text(json.dumps(found))
+    result = json.loads(file.read_text())
+    change(result)
+    file.write_text(json.dumps(result))
 
 
 FORGERIES = {
@@ -131,7 +131,7 @@ def test_another_s_result_under_one_s_own_name_is_none(folder):
     place, _ = folder
     again(folder)
     kept = place.parent / "grades" / "results"
-    ((ann,), (ben,)) = (list(kept.glob(f"{one}-*/result.json")) for one in ("ann", "ben"))
+    ((ann,), (ben,)) = (list(kept.glob(f"{name}-*/result.json")) for name in ("ann", "ben"))
     ann.write_bytes(ben.read_bytes())
     assert again(folder) == ["Ann"] and rows(place.parent / "grades.csv")["Ann"]["total"] == "1"
 
@@ -150,8 +150,8 @@ def test_a_result_is_an_honest_seal_over_its_payload(folder):
     place, _ = folder
     again(folder)
     (file,) = (place.parent / "grades" / "results").glob("ann-*/result.json")
-    found = json.loads(file.read_text())
-    assert found["hmac"] == keys.mac(keys.own_key(), found["payload"]) and is_private(file)
+    result = json.loads(file.read_text())
+    assert result["hmac"] == keys.mac(keys.own_key(), result["payload"]) and is_private(file)
 
 
 def test_a_grader_that_is_broken_marks_nobody(folder, monkeypatch, capsys):
@@ -159,9 +159,11 @@ def test_a_grader_that_is_broken_marks_nobody(folder, monkeypatch, capsys):
 
     def broken(submission, sources, exercises, *more):
         marked.append(submission.student)
-        made = cheap_mark(submission, sources, exercises, *more)
-        made.verdicts = [Verdict(one.name, one.title, 0, one.points, "a node", "none") for one in exercises.values()]
-        return made
+        marks = cheap_mark(submission, sources, exercises, *more)
+        marks.verdicts = [
+            Verdict(exercise.name, exercise.title, 0, exercise.points, "a node", "none") for exercise in exercises.values()
+        ]
+        return marks
 
     monkeypatch.setattr(batch, "mark", broken)
     assert main(["grade", "--allow-root", str(place), "--out", str(place.parent / "grades.csv")]) == 2
@@ -204,9 +206,9 @@ def test_ctrl_c_keeps_what_was_marked_and_writes_the_table(folder, monkeypatch):
     monkeypatch.setattr(bar.Bar, "__call__", lambda self, *facts: stop(*facts))
     out = place.parent / "grades.csv"
     assert main(["grade", "--allow-root", str(place), "--jobs", "1", "--out", str(out)]) == 130
-    found = rows(out)
-    assert set(found) == {"Ann", "Ben"} and "graded" in {row["status"] for row in found.values()}
-    unmarked = [row for row in found.values() if row["status"] == "not marked"]
+    rows_by_name = rows(out)
+    assert set(rows_by_name) == {"Ann", "Ben"} and "graded" in {row["status"] for row in rows_by_name.values()}
+    unmarked = [row for row in rows_by_name.values() if row["status"] == "not marked"]
     assert all(row["total"] == "" for row in unmarked)
     monkeypatch.undo()
     monkeypatch.setattr(batch, "mark", cheap_mark)
@@ -221,6 +223,6 @@ def test_an_error_of_ours_is_no_mark(folder, monkeypatch):
         return cheap_mark(submission, *more)
 
     monkeypatch.setattr(batch, "mark", marks)
-    status, found = grade(place)
-    assert status == 1 and (found["Ben"]["status"], found["Ben"]["total"]) == ("not marked", "")
-    assert found["Ann"]["total"] == "1"
+    status, rows_by_name = grade(place)
+    assert status == 1 and (rows_by_name["Ben"]["status"], rows_by_name["Ben"]["total"]) == ("not marked", "")
+    assert rows_by_name["Ann"]["total"] == "1"

@@ -17,16 +17,16 @@ pytestmark = posix("submissions are marked in a container, and `--review` is ref
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     """A class of three."""
-    made = tmp_path_factory.mktemp("marking") / "class"
-    make_class(made)
-    return made
+    class_folder = tmp_path_factory.mktemp("marking") / "class"
+    make_class(class_folder)
+    return class_folder
 
 
 @pytest.fixture(scope="module")
 def address(folder):
     """Where it is marked; the folder of the pages."""
-    with reviewing(folder) as found:
-        yield found.removesuffix("class.html")
+    with reviewing(folder) as url:
+        yield url.removesuffix("class.html")
 
 
 def get(url, host=None):

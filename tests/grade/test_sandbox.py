@@ -46,10 +46,10 @@ print(json.dumps({"uid": os.getuid(), "gid": os.getgid(), "groups": os.getgroups
 
 @walls
 def test_it_has_no_capability_no_name_and_no_way_to_more_rights(tmp_path):
-    found = json.loads(told(tmp_path, STATUS)[0])
-    assert (found["uid"], found["gid"]) == (65534, 65534)
-    assert {found[name] for name in ("CapInh", "CapPrm", "CapEff", "CapBnd", "CapAmb")} == {"0" * 16}
-    assert found["NoNewPrivs"] == "1"
+    status = json.loads(told(tmp_path, STATUS)[0])
+    assert (status["uid"], status["gid"]) == (65534, 65534)
+    assert {status[name] for name in ("CapInh", "CapPrm", "CapEff", "CapBnd", "CapAmb")} == {"0" * 16}
+    assert status["NoNewPrivs"] == "1"
 
 
 REFUSED = """

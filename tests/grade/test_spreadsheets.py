@@ -16,10 +16,10 @@ SPANISH = "Apellidos;Nombre;Número de ID\nGarcía López;Ana;a01\nIto;Ben;a02\n
 
 def half(*facts):
     """Marks with decimals, but for the course's own solutions."""
-    made = cheap_mark(*facts)
-    if any("was done" in one for one in made.answers):
-        made.verdicts = [replace(one, points=0.75 * one.points) for one in made.verdicts]
-    return made
+    marked = cheap_mark(*facts)
+    if any("was done" in code for code in marked.answers):
+        marked.verdicts = [replace(verdict, points=0.75 * verdict.points) for verdict in marked.verdicts]
+    return marked
 
 
 @pytest.fixture
@@ -33,7 +33,7 @@ def spanish(folder, monkeypatch):
 def opened(file, separator, decimal):
     """The cells as a spreadsheet shows them: numbers where they are numbers of its language."""
     read = csv.reader(io.StringIO(file.read_text(encoding="utf-8-sig")), delimiter=separator)
-    return [[_number(one, decimal) for one in row] for row in read]
+    return [[_number(field, decimal) for field in row] for row in read]
 
 
 def _number(text, decimal):
@@ -43,10 +43,10 @@ def _number(text, decimal):
 
 def saved(file, cells, separator, decimal, encoding):
     """What a spreadsheet saves."""
-    made = io.StringIO()
-    told = [[f"{one:g}".replace(".", decimal) if isinstance(one, float) else one for one in row] for row in cells]
-    csv.writer(made, delimiter=separator).writerows(told)
-    file.write_bytes(made.getvalue().encode(encoding, "replace"))
+    buffer = io.StringIO()
+    told = [[f"{value:g}".replace(".", decimal) if isinstance(value, float) else value for value in row] for row in cells]
+    csv.writer(buffer, delimiter=separator).writerows(told)
+    file.write_bytes(buffer.getvalue().encode(encoding, "replace"))
 
 
 @pytest.mark.parametrize("encoding", ["cp1252", "mac-roman", "utf-8-sig"])
@@ -89,8 +89,8 @@ def test_the_form_of_the_marks_is_that_in_which_they_were_saved_last(folder):
     ids=["Spanish", "Swiss", "no decimals"],
 )
 def test_a_list_tells_the_sign_of_decimals_by_its_own_numbers(tmp_path, numbers, form):
-    made = "Name;Maximum grade\nAnn Lee;{}\nBen Ito;{}\n".format(*numbers)
-    assert Roster.read(write(tmp_path / "list.csv", made)).form == form
+    table = "Name;Maximum grade\nAnn Lee;{}\nBen Ito;{}\n".format(*numbers)
+    assert Roster.read(write(tmp_path / "list.csv", table)).form == form
 
 
 def test_moodle_s_list_comes_back_with_marks_as_its_other_numbers(folder, spanish):
@@ -116,5 +116,5 @@ def test_questions_are_asked_and_answered_in_that_form_too(folder, spanish):
     assert read_table(folder.parent / "questions.csv").separator == ";"
     answer(folder.parent / "questions.csv", someone="Ben")
     edited(folder.parent / "grades.csv", student="Ben Ito", comment="gut; =1+1")
-    _, found = grade(folder, "--roster", spanish)
-    assert found["Ben Ito"]["status"] != "question" and found["Ben Ito"]["comment"] == "gut; '=1+1"
+    _, rows_by_name = grade(folder, "--roster", spanish)
+    assert rows_by_name["Ben Ito"]["status"] != "question" and rows_by_name["Ben Ito"]["comment"] == "gut; '=1+1"

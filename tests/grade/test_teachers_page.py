@@ -34,7 +34,7 @@ def test_its_policy_can_be_read(tmp_path):
 def test_the_names_that_it_shows_are_known_and_every_status_stands_there():
     names = re.findall(r"`([^`]*(?:assignsubmission|_14_15_|attempt| - )[^`]*)`", TEXT)
     assert len(names) == 4
-    assert all(Identifier(Roster([BEN, "Ann Lee"])).by_name(one).people == (BEN,) for one in names)
+    assert all(Identifier(Roster([BEN, "Ann Lee"])).by_name(name).people == (BEN,) for name in names)
     assert all(status in TEXT for status in STATUSES)
 
 

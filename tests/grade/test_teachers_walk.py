@@ -48,8 +48,8 @@ def test_a_maximum_that_is_no_number_is_left_alone(most, told):
 
 def test_a_dash_in_the_platform_s_own_column_stays_a_dash(folder):
     head, *rows = LISTS["moodle.csv"].splitlines()
-    made = "\n".join([f"{head},Last modified (grade)", *(f"{row},-" for row in rows)])
-    (folder.parent / "moodle.csv").write_text(made, encoding="utf-8")
+    table = "\n".join([f"{head},Last modified (grade)", *(f"{row},-" for row in rows)])
+    (folder.parent / "moodle.csv").write_text(table, encoding="utf-8")
     grade(folder, "--roster", folder.parent / "moodle.csv", "--for", "moodle")
     assert lines(folder.parent / "grades.moodle.csv")[1][-1] == "-"
 
@@ -107,8 +107,8 @@ def test_long_lines_of_code_are_not_cut_at_the_page_s_edge():
 
 
 def test_the_class_s_picture_is_dark_on_a_dark_page():
-    made = overview([_record()])
-    assert '<img class="drawn" src="histogram.png"' in made
+    overview_page = overview([_record()])
+    assert '<img class="drawn" src="histogram.png"' in overview_page
     assert "img.drawn{filter:invert" in STYLE.partition("prefers-color-scheme:dark")[2]
 
 

@@ -45,11 +45,11 @@ def zone():
 def test_each_hour_of_the_year_is_the_same_in_the_container(zone, name):
     zone(name)
     moments = [int(time.mktime((2026, 1, 1, 0, 0, 0, 0, 0, -1))) + 1800 * number for number in range(2 * 24 * 365)]
-    around = [time.localtime(one)[:6] for one in moments]
-    made = posix_zone(NOON)
-    assert made == ZONES[name]
-    zone(made)
-    assert [time.localtime(one)[:6] for one in moments] == around
+    around = [time.localtime(moment)[:6] for moment in moments]
+    tz = posix_zone(NOON)
+    assert tz == ZONES[name]
+    zone(tz)
+    assert [time.localtime(moment)[:6] for moment in moments] == around
 
 
 @posix("Windows cannot change the zone of a process")

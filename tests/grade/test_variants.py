@@ -32,7 +32,9 @@ def part(exercise):
     """A notebook with the cells of one exercise, which need no others."""
     source, name = SOURCES[DECLARED[exercise]], exercise.replace(".", "-")
     cells = source["cells"]
-    last = next(at for at, one in enumerate(cells) if one["metadata"].get("nbgrader", {}).get("grade_id") == f"{name}-check")
+    last = next(
+        at for at, cell in enumerate(cells) if cell["metadata"].get("nbgrader", {}).get("grade_id") == f"{name}-check"
+    )
     first = max(at for at in range(last) if "## Exercise" in "".join(cells[at]["source"]))
     return {**source, "cells": [cells[1], *cells[first : last + 1]]}
 
@@ -57,30 +59,30 @@ def test_the_values_are_the_secret_s_and_the_student_s():
     drawn = [Variants(CLASS, b"one").of(student, source) for student in CLASS.students]
     assert drawn == [Variants(CLASS, b"one").of(student, source) for student in CLASS.students]
     assert drawn != [Variants(CLASS, b"two").of(student, source) for student in CLASS.students]
-    assert len({one["ch03.q3"]["boxes"] for one in drawn}) > 10
+    assert len({values["ch03.q3"]["boxes"] for values in drawn}) > 10
 
 
 @pytest.mark.parametrize("exercise", DECLARED)
 def test_each_value_stands_in_the_text_and_in_the_solution_and_nowhere_else(exercise):
     source = part(exercise)
     choices = declared(source)[exercise]
-    own = {name: found[-1] for name, found in choices.items()}
-    made = personal(source, {exercise: own})
-    assert told(made)[exercise] == own and declared(made) == {}
-    described, solution = text_of({"cells": made["cells"][1:2]}), text_of({"cells": list(solution_cells(made).values())})
-    for name, found in choices.items():
-        before, now = (one if isinstance(one, str) else repr(one) for one in (found[0], own[name]))
+    own = {name: options[-1] for name, options in choices.items()}
+    nb = personal(source, {exercise: own})
+    assert told(nb)[exercise] == own and declared(nb) == {}
+    described, solution = text_of({"cells": nb["cells"][1:2]}), text_of({"cells": list(solution_cells(nb).values())})
+    for name, options in choices.items():
+        before, now = (value if isinstance(value, str) else repr(value) for value in (options[0], own[name]))
         assert now in described and now in solution, name
         assert f"{before} " not in described, name
 
 
 def test_other_exercises_stay_as_they_are():
     source = SOURCES["03_services.ipynb"]
-    made = personal(source, {"ch03.q3": {"boxes": 33}})
-    pairs = zip(source["cells"], made["cells"], strict=True)
+    nb = personal(source, {"ch03.q3": {"boxes": 33}})
+    pairs = zip(source["cells"], nb["cells"], strict=True)
     changed = [new for old, new in pairs if "".join(old["source"]) != "".join(new["source"])]
-    assert len(changed) == 3 and all("33" in text_of({"cells": [one]}) for one in changed)
-    assert 'check("ch03.q3", boxes=33)' in text_of(made)
+    assert len(changed) == 3 and all("33" in text_of({"cells": [cell]}) for cell in changed)
+    assert 'check("ch03.q3", boxes=33)' in text_of(nb)
 
 
 @pytest.mark.parametrize("exercise", ["ch01.q3", "ch05.q2"])
@@ -90,7 +92,7 @@ def test_solutions_earn_all_points_under_every_variant_and_a_classmate_s_none(tm
         Variants(CLASS, secret).copies(student, {"part": source})["part"]
         for secret, student in ((b"a", "Ann Lee"), (b"a", "Ben Ito"), (b"b", "Ann Lee"))
     ]
-    assert len({text_of(one) for one in copies}) == 3
+    assert len({text_of(nb) for nb in copies}) == 3
     for number, copy in enumerate(copies):
         marked = graded(tmp_path / f"own{number}", copy, copy, exercise)
         assert marked.verdicts[0].passed, marked.verdicts[0].text()
@@ -162,9 +164,9 @@ def test_grading_draws_the_values_again_and_believes_no_copy(handed_out, capsys)
     students = handed_out / "students.txt"
     variants = Variants.read(students)
     for student, folder in (("Ann Lee", "AnnLee_05"), ("Ann Lee", "BenIto"), ("Ann Lee", "nobody")):
-        made = variants.copies(student, {"part": part("ch05.q2")})["part"]
+        nb = variants.copies(student, {"part": part("ch05.q2")})["part"]
         (handed_out / "class" / folder).mkdir(parents=True)
-        (handed_out / "class" / folder / "05_part.ipynb").write_text(json.dumps(made))
+        (handed_out / "class" / folder / "05_part.ipynb").write_text(json.dumps(nb))
     command = ["grade", str(handed_out / "class"), "--notebooks", str(handed_out / "notebooks"), "--allow-root"]
     out = ["--out", str(handed_out / "grades.csv")]
     assert main([*command, *out, "--variants", str(students)]) == 1, "whose `nobody` is was asked"

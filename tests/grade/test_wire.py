@@ -35,9 +35,9 @@ def test_sets_arrive(one, other):
 
 @given(st.lists(st.lists(st.floats(width=32, allow_nan=False), min_size=3, max_size=3)))
 def test_arrays_keep_kind_and_shape(rows):
-    made = np.array(rows, np.float32).reshape(-1, 3)
-    got = over(made)
-    assert got.dtype == made.dtype and got.shape == made.shape and (got == made).all()
+    array = np.array(rows, np.float32).reshape(-1, 3)
+    got = over(array)
+    assert got.dtype == array.dtype and got.shape == array.shape and (got == array).all()
 
 
 def test_messages_arrive():

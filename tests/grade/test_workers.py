@@ -52,11 +52,11 @@ def hand_in_all(folder):
     [source] = notebooks(folder).glob("*.ipynb")
     right = json.loads(source.read_text())
     for name, points in STUDENTS.items():
-        made = student_notebook(right)
+        nb = student_notebook(right)
         if points:
-            for grade_id, cell in solution_cells(made).items():
+            for grade_id, cell in solution_cells(nb).items():
                 cell["source"] = solution_cells(right)[grade_id]["source"]
-        write(folder / "class" / name / source.name, json.dumps(made))
+        write(folder / "class" / name / source.name, json.dumps(nb))
     return source
 
 

@@ -44,7 +44,7 @@ def test_the_cause_in_a_parameter_file_is_the_fault_that_is_there(tmp_path, righ
 
 @pytest.mark.parametrize(("stamps", "got"), [([1, 2], "picture 1 and picture 2"), ([], "neither")])
 def test_a_picture_without_a_ball_has_no_place(stamps, got):
-    told = {"/ball/pixel": [(0.5, {"header": {"stamp": {"sec": one}}}) for one in stamps]}
+    told = {"/ball/pixel": [(0.5, {"header": {"stamp": {"sec": stamp}}}) for stamp in stamps]}
     with pytest.raises(Wrong) as caught:
         _expect_none(Tried(Seen(messages=told)), Work({}, None).dice("ch05.q4"))
     assert caught.value.got == f"places for {got}"

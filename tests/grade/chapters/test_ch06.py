@@ -89,7 +89,7 @@ def elbow_alone(shoulder, elbow, upper=0.4, fore=0.3):
         (lambda s, e, *ways: right(math.radians(s), math.radians(e), *ways), "radians"),
         (elbow_alone, "elbow's angle alone"),
         (lambda *given: right(*given)[::-1], "x first"),
-        (lambda *given: tuple(round(one, 2) for one in right(*given)), "rounded"),
+        (lambda *given: tuple(round(coordinate, 2) for coordinate in right(*given)), "rounded"),
         (lambda s, e, *_: right(s, e), "other lengths"),
         (lambda *given: (*right(*given), 0.0), "2 values are asked for, these are 3"),
         (lambda *given: str(right(*given)), "text"),

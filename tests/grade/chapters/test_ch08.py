@@ -13,14 +13,14 @@ from tests.grade.tried import told_of
 
 def distance(walls, x, y, angle, range_max=10.0):
     """As numpy's functions give it."""
-    c, s, found = math.cos(angle), math.sin(angle), [np.float64(math.inf)]
+    c, s, distances = math.cos(angle), math.sin(angle), [np.float64(math.inf)]
     for x1, y1, x2, y2 in walls:
         across = c * (y2 - y1) - s * (x2 - x1)
         if abs(across) > 1e-12:
             t = ((x1 - x) * (y2 - y1) - (y1 - y) * (x2 - x1)) / across
             part = ((x1 - x) * s - (y1 - y) * c) / across
-            found += [np.float64(t)] if 0 <= t <= range_max and 0 <= part <= 1 else []
-    return np.min(found)
+            distances += [np.float64(t)] if 0 <= t <= range_max and 0 <= part <= 1 else []
+    return np.min(distances)
 
 
 def test_a_ray_that_ends_nowhere_may_say_so_with_numpys_infinity(tmp_path):

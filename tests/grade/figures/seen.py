@@ -17,11 +17,11 @@ def handed_out(name, **functions):
 
 def labels(figure):
     """The labels of what there is to see."""
-    shapes = [one for panel in figure.panels for one in panel.shapes if not isinstance(one, Cells)]
-    return {one.label for one in shapes if getattr(one, "label", "") and len(getattr(one, "points", "x")) > 0}
+    shapes = [shape for panel in figure.panels for shape in panel.shapes if not isinstance(shape, Cells)]
+    return {shape.label for shape in shapes if getattr(shape, "label", "") and len(getattr(shape, "points", "x")) > 0}
 
 
 def count(figure, kind):
     """How many cells of the last panel are of a kind."""
-    cells = next(one for one in figure.panels[-1].shapes if isinstance(one, Cells))
+    cells = next(shape for shape in figure.panels[-1].shapes if isinstance(shape, Cells))
     return int((cells.codes == cells.kinds.index(kind)).sum())

@@ -33,7 +33,7 @@ def robot(mass_at=0.0, height=0.1, x="0"):
 
 
 def line(panel, label):
-    return next(one.points for one in panel.shapes if isinstance(one, Line) and one.label == label)
+    return next(shape.points for shape in panel.shapes if isinstance(shape, Line) and shape.label == label)
 
 
 def test_a_box_is_a_rectangle_from_each_side():
@@ -49,7 +49,7 @@ def test_what_falls_over_has_its_mass_beside_its_contacts(mass_at):
     x, y, _ = centre_of_mass(fallen, {}).tolist()
     above = standing(fallen, {}, contacts(fallen, {}), (x, y)).panels[1]
     feet = line(above, "its contacts")
-    assert (max(one[0] for one in feet) < x) == (outside(fallen, {}) > 0) == (mass_at > 0.2)
+    assert (max(point[0] for point in feet) < x) == (outside(fallen, {}) > 0) == (mass_at > 0.2)
     assert above.shapes[-1] == Dots([(x, y)], "bad", "centre of mass", 5.0)
 
 
@@ -61,8 +61,8 @@ def test_a_hull_goes_around_all_points_and_leaves_out_what_is_none():
 
 @pytest.mark.parametrize("x", ["1e308", "-1e300", "1e7"])
 def test_a_link_that_is_nowhere_is_left_out(x):
-    made = html(sides(robot(x=x)))
-    assert "nan" not in made and "<svg" in made
+    markup = html(sides(robot(x=x)))
+    assert "nan" not in markup and "<svg" in markup
 
 
 def test_a_robot_without_a_body_has_its_frames():

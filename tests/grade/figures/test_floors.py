@@ -25,7 +25,7 @@ def test_the_cheapest_way_costs_what_the_prices_say():
     price = prices(costs, (0, 0))
     path = path_back(price, (8, 8))
     assert path[0] == (0, 0) and path[-1] == (8, 8)
-    assert sum(1 + costs[one] / 50 for one in path[1:]) == pytest.approx(price[8, 8])
+    assert sum(1 + costs[cell] / 50 for cell in path[1:]) == pytest.approx(price[8, 8])
 
 
 def test_a_cheapest_way_stands_alone_and_a_dearer_one_beside_the_cheapest():
@@ -39,7 +39,7 @@ def test_a_cheapest_way_stands_alone_and_a_dearer_one_beside_the_cheapest():
 
 def test_dearer_cells_have_darker_colours():
     cells = path_over_costs(np.array([[0, 1, 64, 127, 190, 252, 253]]), [], [(0, 0)], "a row").panels[0].shapes[0]
-    assert [cells.kinds[one] for one in cells.codes[0]] == ["free", "cost1", "cost2", "cost3", "cost4", "cost4", "wall"]
+    assert [cells.kinds[code] for code in cells.codes[0]] == ["free", "cost1", "cost2", "cost3", "cost4", "cost4", "wall"]
 
 
 def test_a_way_through_a_closed_wall_is_drawn_where_none_leads():
@@ -81,7 +81,7 @@ def test_where_two_robots_meet_is_marked_and_all_four_move():
 
     figure, passed = handed_out("ch09.q4", manage=meet)
     assert not passed and figure.panels[0].rings == [(2.5, 2.5)]
-    assert sum(isinstance(one, Mover) for one in figure.panels[0].shapes) == 4
+    assert sum(isinstance(shape, Mover) for shape in figure.panels[0].shapes) == 4
 
 
 def test_loads_that_stay_where_they_are_are_marked():
@@ -92,6 +92,6 @@ def test_loads_that_stay_where_they_are_are_marked():
 def test_a_robot_s_line_lies_beside_another_s_in_one_aisle():
     path = [(0, 0), (0, 1), (0, 2)]
     homes = {"robot1": (0, 0), "robot2": (0, 0)}
-    lines = [one for one in crew(np.ones((2, 4), bool), homes, [], dict.fromkeys(homes, path), "a").panels[0].shapes
-             if getattr(one, "label", "").startswith("robot")]  # fmt: skip
+    lines = [shape for shape in crew(np.ones((2, 4), bool), homes, [], dict.fromkeys(homes, path), "a").panels[0].shapes
+             if getattr(shape, "label", "").startswith("robot")]  # fmt: skip
     assert lines[0].points[0] != lines[1].points[0]

@@ -22,7 +22,7 @@ def model(before, behind):
 
 def test_of_a_good_model_nearly_all_walls_are_right():
     figure, passed = handed_out("ch08.q1", inverse_sensor_model=model(0.04, 0.04))
-    assert passed and [one.title for one in figure.panels] == ["your map", "beside the truth"]
+    assert passed and [panel.title for panel in figure.panels] == ["your map", "beside the truth"]
     assert count(figure, "truth") > 10 * (count(figure, "bad") + count(figure, "guess"))
 
 
@@ -49,9 +49,9 @@ def test_a_map_without_walls_is_drawn_all_the_same(cells):
 
 def test_the_way_leads_over_floor_from_goal_to_goal():
     world = Unseen(_world("robot_world"))
-    goals = [tuple(one) for one in np.argwhere(world.cells == FREE)[[10, 300, 700]].tolist()]
+    goals = [tuple(goal) for goal in np.argwhere(world.cells == FREE)[[10, 300, 700]].tolist()]
     path = world.path([world.here, *goals])
-    assert [one for one in path if one in goals] == goals and all(world.cells[one] == FREE for one in path)
+    assert [cell for cell in path if cell in goals] == goals and all(world.cells[cell] == FREE for cell in path)
     assert all(max(abs(a[0] - b[0]), abs(a[1] - b[1])) == 1 for a, b in pairwise(path))
 
 

@@ -14,12 +14,12 @@ from .seen import count, handed_out, labels
 
 
 def arrows(figure):
-    return {one.label: (one.x, one.y, one.heading) for one in figure.panels[0].shapes if isinstance(one, Arrow)}
+    return {shape.label: (shape.x, shape.y, shape.heading) for shape in figure.panels[0].shapes if isinstance(shape, Arrow)}
 
 
 def test_a_right_view_puts_the_other_where_it_is():
-    found = arrows(seen_by_me((1.0, 1.0, math.pi / 2), (1.0, 3.0, 0.0), (2.0, 0.0, -math.pi / 2)))
-    assert set(found) == {"me", "the other"}
+    arrow_by_label = arrows(seen_by_me((1.0, 1.0, math.pi / 2), (1.0, 3.0, 0.0), (2.0, 0.0, -math.pi / 2)))
+    assert set(arrow_by_label) == {"me", "the other"}
 
 
 def test_a_wrong_view_is_drawn_where_it_puts_the_other():
@@ -37,7 +37,7 @@ def test_a_robot_s_track_is_parted_where_it_takes_and_leaves_a_load():
     stages = [(6, 0.0), (0, 0.0), (1, 0.0), (1, 1.0), (2, 1.0), (3, 1.0), (4, 1.0), (4, 2.0), (5, 2.0), (6, 2.0), (0, 2.0)]
     told = [(stage, (x, 0.0, 0.0)) for stage, x in stages]
     figure = worked(told, [(1.0, 0.0, 0.0)] * 3, [(2.0, 0.0, 0.0)] * 3)
-    ways = {one.label: one.points for one in figure.panels[0].shapes if isinstance(one, Line)}
+    ways = {shape.label: shape.points for shape in figure.panels[0].shapes if isinstance(shape, Line)}
     assert ways == {"to a load": [(0.0, 0.0), (1.0, 0.0)], "with a load": [(1.0, 0.0), (2.0, 0.0)]}
     assert "2 loads begun" in figure.alt and {"a pickup", "a delivery", "its start"} <= labels(figure)
 
@@ -51,7 +51,7 @@ def test_the_table_has_a_strip_for_each_robot_and_what_it_reports():
 def test_four_robots_have_four_tracks_and_move():
     figure = four_robots([[(0.01 * k, float(n), 0.0) for k in range(100)] for n in range(4)])
     assert {f"robot{n}" for n in range(1, 5)} <= labels(figure) and "robot1 1.0 m" in figure.alt
-    assert sum(isinstance(one, Mover) for one in figure.panels[0].shapes) == 4
+    assert sum(isinstance(shape, Mover) for shape in figure.panels[0].shapes) == 4
 
 
 def plan(*places):
@@ -62,7 +62,7 @@ def test_a_round_is_drawn_with_its_stops_and_the_first_plan_to_each():
     plans = [plan((0, 0), STOPS[0]), plan((0.5, 0), STOPS[0]), plan(STOPS[0], STOPS[1]), {"poses": []}]
     poses = [{"pose": {"pose": {"position": {"x": x, "y": 0.1}}}} for x in (0.0, 1.2)]
     figure = driven(_course_map(), [(0.0, 0.0), (1.2, 0.0)], poses, plans, STOPS)
-    assert sum(getattr(one, "label", "") == "planned" for one in figure.panels[0].shapes) == 2
+    assert sum(getattr(shape, "label", "") == "planned" for shape in figure.panels[0].shapes) == 2
     assert {"driven, as amcl finds", "by odometry alone", "a stop", "her start"} <= labels(figure) and "1.2 m" in figure.alt
 
 
@@ -87,7 +87,7 @@ def views_of(*sides):
     from geometry_msgs.msg import Pose, PoseArray
 
     def views(outline):
-        made, corners = PoseArray(header=outline.header), [(one.x, one.y) for one in outline.polygon.points]
+        poses, corners = PoseArray(header=outline.header), [(point.x, point.y) for point in outline.polygon.points]
         for side in sides:
             (x, y), (to_x, to_y) = corners[side], corners[(side + 1) % len(corners)]
             along = math.hypot(to_x - x, to_y - y)
@@ -95,8 +95,8 @@ def views_of(*sides):
             pose.position.x = (x + to_x) / 2 + 1.6 * (to_y - y) / along
             pose.position.y = (y + to_y) / 2 - 1.6 * (to_x - x) / along
             pose.orientation.z, pose.orientation.w = math.sin(yaw / 2), math.cos(yaw / 2)
-            made.poses.append(pose)
-        return made
+            poses.poses.append(pose)
+        return poses
 
     return views
 

@@ -8,14 +8,14 @@ from .seen import handed_out, labels
 
 
 def cast(walls, x, y, angle, range_max=10.0, *, behind=False, nearest=True):
-    c, s, found = math.cos(angle), math.sin(angle), []
+    c, s, distances = math.cos(angle), math.sin(angle), []
     for x1, y1, x2, y2 in walls:
         across = c * (y2 - y1) - s * (x2 - x1)
         if abs(across) > 1e-12:
             t = ((x1 - x) * (y2 - y1) - (y1 - y) * (x2 - x1)) / across
             part = ((x1 - x) * s - (y1 - y) * c) / across
-            found += [t] if (behind or t >= 0) and t <= range_max and 0 <= part <= 1 else []
-    return (min if nearest else max)(found, default=math.inf)
+            distances += [t] if (behind or t >= 0) and t <= range_max and 0 <= part <= 1 else []
+    return (min if nearest else max)(distances, default=math.inf)
 
 
 def test_right_rays_are_drawn_in_the_room():
@@ -38,7 +38,7 @@ def test_a_wrong_ray_is_drawn_beside_the_right_one_and_its_end_is_marked(wrong, 
 
 def test_a_scan_that_stays_at_the_guess_is_marked_and_both_gaps_are_said():
     figure, passed = handed_out("ch08.q3", match=lambda points, gap, guess: guess)
-    assert not passed and [one.title for one in figure.panels] == ["before: at the guess", "after matching"]
+    assert not passed and [panel.title for panel in figure.panels] == ["before: at the guess", "after matching"]
     assert {"the scan at the guess", "where you put the scan"} <= labels(figure)
     before, after = figure.panels
     assert before.shapes[1].points == after.shapes[1].points and before.view == after.view

@@ -85,15 +85,15 @@ def outcomes(report: str) -> Results:
     >>> outcomes('<t><testcase classname="m.test_a" name="b"/></t>')
     {'test_a::b': 'passed'}
     """
-    found: Results = {}
+    result_by_case: Results = {}
     for case in ElementTree.fromstring(report).iter("testcase"):
         kinds = {child.tag for child in case}
         bad = kinds & BAD
         module = case.get("classname", "").rpartition(".")[2]
-        found[f"{module}::{case.get('name')}"] = (
+        result_by_case[f"{module}::{case.get('name')}"] = (
             "failed" if bad else "skipped" if "skipped" in kinds else "passed"
         )
-    return found
+    return result_by_case
 
 
 def failures(report: str) -> list[str]:

@@ -110,12 +110,12 @@ def world():
 
 @pytest.fixture
 def make_world():
-    made = []
+    worlds = []
 
     def make(*args, **kwargs):
-        made.append(World(*args, **kwargs))
-        return made[-1]
+        worlds.append(World(*args, **kwargs))
+        return worlds[-1]
 
     yield make
-    for world in made:
+    for world in worlds:
         world.close()

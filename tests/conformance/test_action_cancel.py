@@ -11,14 +11,14 @@ from unique_identifier_msgs.msg import UUID
 
 @pytest.fixture
 def setup(world):
-    made = []
+    setups = []
 
     def make(execute, **options):
-        made.append(Setup(world, execute, **options))
-        return made[-1]
+        setups.append(Setup(world, execute, **options))
+        return setups[-1]
 
     yield make
-    for each in made:
+    for each in setups:
         each.close()
 
 
@@ -29,48 +29,48 @@ def cancelled(handle):
 
 def test_an_accepted_goal_can_be_cancelled(setup):
     handles = []
-    made = setup(cancelled, **defer(handles))
-    client_handle = made.send()
-    made.world.spin_until(lambda: handles)
-    response = made.world.result(client_handle.cancel_goal_async())
+    action = setup(cancelled, **defer(handles))
+    client_handle = action.send()
+    action.world.spin_until(lambda: handles)
+    response = action.world.result(client_handle.cancel_goal_async())
     assert (response.return_code, len(response.goals_canceling)) == (0, 1)
     assert handles[0].is_cancel_requested
     handles[0].execute()
-    assert made.outcome(client_handle) == (GoalStatus.STATUS_CANCELED, [0])
+    assert action.outcome(client_handle) == (GoalStatus.STATUS_CANCELED, [0])
 
 
 @pytest.mark.parametrize("answer", [CancelResponse.REJECT, None, 1])
 def test_a_refused_cancel_leaves_the_goal(setup, answer):
     handles = []
     options = defer(handles) | {"cancel_callback": lambda handle: answer}
-    made = setup(succeed, **options)
-    client_handle = made.send()
-    made.world.spin_until(lambda: handles)
-    assert made.world.result(client_handle.cancel_goal_async()).goals_canceling == []
+    action = setup(succeed, **options)
+    client_handle = action.send()
+    action.world.spin_until(lambda: handles)
+    assert action.world.result(client_handle.cancel_goal_async()).goals_canceling == []
     assert not handles[0].is_cancel_requested
 
 
 def test_an_unknown_goal_is_not_cancelled(setup):
-    made = setup(succeed)
-    response = made.cancel(goal_id=UUID(uuid=[1] * 16))
+    action = setup(succeed)
+    response = action.cancel(goal_id=UUID(uuid=[1] * 16))
     assert response.return_code == CancelGoal.Response.ERROR_UNKNOWN_GOAL_ID
 
 
 def test_no_id_cancels_all(setup):
     handles = []
-    made = setup(cancelled, **defer(handles))
-    made.send()
-    made.send()
-    made.world.spin_until(lambda: len(handles) == 2)
-    assert len(made.cancel().goals_canceling) == 2
+    action = setup(cancelled, **defer(handles))
+    action.send()
+    action.send()
+    action.world.spin_until(lambda: len(handles) == 2)
+    assert len(action.cancel().goals_canceling) == 2
 
 
 def test_a_stamp_cancels_what_came_before(setup):
     handles = []
-    made = setup(cancelled, **defer(handles))
-    first = made.send()
-    between = made.node.get_clock().now().to_msg()
-    made.send()
-    made.world.spin_until(lambda: len(handles) == 2)
-    response = made.cancel(stamp=between)
+    action = setup(cancelled, **defer(handles))
+    first = action.send()
+    between = action.node.get_clock().now().to_msg()
+    action.send()
+    action.world.spin_until(lambda: len(handles) == 2)
+    response = action.cancel(stamp=between)
     assert [bytes(info.goal_id.uuid) for info in response.goals_canceling] == [bytes(first.goal_id.uuid)]

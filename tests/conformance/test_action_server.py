@@ -15,14 +15,14 @@ from unique_identifier_msgs.msg import UUID
 
 @pytest.fixture
 def setup(world):
-    made = []
+    setups = []
 
     def make(execute, **options):
-        made.append(Setup(world, execute, **options))
-        return made[-1]
+        setups.append(Setup(world, execute, **options))
+        return setups[-1]
 
     yield make
-    for each in made:
+    for each in setups:
         each.close()
 
 
@@ -44,8 +44,8 @@ def test_actions_are_found_in_the_graph(setup):
 
 
 def test_a_goal_succeeds(setup):
-    made = setup(succeed)
-    assert made.outcome(made.send(7)) == (GoalStatus.STATUS_SUCCEEDED, [7])
+    action = setup(succeed)
+    assert action.outcome(action.send(7)) == (GoalStatus.STATUS_SUCCEEDED, [7])
 
 
 def test_a_goal_may_be_aborted(setup):
@@ -53,23 +53,23 @@ def test_a_goal_may_be_aborted(setup):
         handle.abort()
         return Fibonacci.Result(sequence=[1])
 
-    made = setup(abort)
-    assert made.outcome(made.send()) == (GoalStatus.STATUS_ABORTED, [1])
+    action = setup(abort)
+    assert action.outcome(action.send()) == (GoalStatus.STATUS_ABORTED, [1])
 
 
 def test_an_exception_aborts(setup, capfd):
     def fail(handle):
         raise ValueError("broken arm")
 
-    made = setup(fail)
-    assert made.outcome(made.send()) == (GoalStatus.STATUS_ABORTED, [])
+    action = setup(fail)
+    assert action.outcome(action.send()) == (GoalStatus.STATUS_ABORTED, [])
     shown = capfd.readouterr().err
     assert "Error raised in execute callback: broken arm" in shown
 
 
 def test_no_terminal_state_aborts(setup, capfd):
-    made = setup(lambda handle: Fibonacci.Result())
-    assert made.outcome(made.send()) == (GoalStatus.STATUS_ABORTED, [])
+    action = setup(lambda handle: Fibonacci.Result())
+    assert action.outcome(action.send()) == (GoalStatus.STATUS_ABORTED, [])
     assert "Goal state not set, assuming aborted. Goal ID:" in capfd.readouterr().err
 
 
@@ -78,8 +78,8 @@ def test_a_coroutine_may_execute(setup):
         handle.succeed()
         return Fibonacci.Result(sequence=[3])
 
-    made = setup(later)
-    assert made.outcome(made.send()) == (GoalStatus.STATUS_SUCCEEDED, [3])
+    action = setup(later)
+    assert action.outcome(action.send()) == (GoalStatus.STATUS_SUCCEEDED, [3])
 
 
 @pytest.mark.parametrize("answer", [GoalResponse.REJECT, None, 1, True])
@@ -94,8 +94,8 @@ def test_the_goal_callback_sees_the_goal(setup):
         seen.append(goal)
         return GoalResponse.ACCEPT
 
-    made = setup(succeed, goal_callback=look)
-    assert made.send(4).accepted
+    action = setup(succeed, goal_callback=look)
+    assert action.send(4).accepted
     assert seen == [Fibonacci.Goal(order=4)]
 
 
@@ -103,42 +103,42 @@ def test_callbacks_may_be_coroutines(setup):
     async def accept(goal):
         return GoalResponse.ACCEPT
 
-    made = setup(succeed, goal_callback=accept)
-    assert made.outcome(made.send(2))[0] == GoalStatus.STATUS_SUCCEEDED
+    action = setup(succeed, goal_callback=accept)
+    assert action.outcome(action.send(2))[0] == GoalStatus.STATUS_SUCCEEDED
 
 
 def test_execution_can_be_deferred(setup):
     handles = []
-    made = setup(succeed, **defer(handles))
-    client_handle = made.send(6)
-    made.world.spin_until(lambda: handles)
+    action = setup(succeed, **defer(handles))
+    client_handle = action.send(6)
+    action.world.spin_until(lambda: handles)
     assert handles[0].status == GoalStatus.STATUS_ACCEPTED
     assert handles[0].is_active
     handles[0].execute()
-    assert made.outcome(client_handle) == (GoalStatus.STATUS_SUCCEEDED, [6])
+    assert action.outcome(client_handle) == (GoalStatus.STATUS_SUCCEEDED, [6])
     assert not handles[0].is_active
 
 
 def test_a_deferred_goal_may_have_its_own_callback(setup):
     handles = []
-    made = setup(succeed, **defer(handles))
-    client_handle = made.send()
+    action = setup(succeed, **defer(handles))
+    client_handle = action.send()
 
     def other(handle):
         handle.abort()
         return Fibonacci.Result(sequence=[8])
 
-    made.world.spin_until(lambda: handles)
+    action.world.spin_until(lambda: handles)
     handles[0].execute(other)
-    assert made.outcome(client_handle) == (GoalStatus.STATUS_ABORTED, [8])
+    assert action.outcome(client_handle) == (GoalStatus.STATUS_ABORTED, [8])
 
 
 @pytest.mark.parametrize("event", ["succeed", "abort", "canceled"])
 def test_a_goal_that_is_not_executed_does_not_end(setup, event):
     handles = []
-    made = setup(succeed, **defer(handles))
-    made.send()
-    made.world.spin_until(lambda: handles)
+    action = setup(succeed, **defer(handles))
+    action.send()
+    action.world.spin_until(lambda: handles)
     with pytest.raises(RuntimeError, match="attempted invalid transition from state ACCEPTED"):
         getattr(handles[0], event)()
 
@@ -154,8 +154,8 @@ def test_a_goal_ends_once(setup):
             errors.append(str(error))
         return Fibonacci.Result()
 
-    made = setup(twice)
-    assert made.outcome(made.send())[0] == GoalStatus.STATUS_SUCCEEDED
+    action = setup(twice)
+    assert action.outcome(action.send())[0] == GoalStatus.STATUS_SUCCEEDED
     assert "from state SUCCEEDED with event ABORT" in errors[0]
 
 
@@ -170,35 +170,35 @@ def test_only_a_goal_that_was_asked_to_is_canceled(setup):
         handle.succeed()
         return Fibonacci.Result()
 
-    made = setup(cancel)
-    made.outcome(made.send())
+    action = setup(cancel)
+    action.outcome(action.send())
     assert "from state EXECUTING with event CANCELED" in errors[0]
 
 
 def test_an_unknown_goal_has_no_result(setup):
-    made = setup(succeed)
+    action = setup(succeed)
     service = Fibonacci.Impl.GetResultService
-    client = made.node.create_client(service, "f/_action/get_result")
+    client = action.node.create_client(service, "f/_action/get_result")
     assert client.wait_for_service(timeout_sec=8.0)
     future = client.call_async(service.Request(goal_id=UUID(uuid=[1] * 16)))
-    assert made.world.result(future).status == GoalStatus.STATUS_UNKNOWN
+    assert action.world.result(future).status == GoalStatus.STATUS_UNKNOWN
 
 
 def test_results_expire(setup):
-    made = setup(succeed, result_timeout=1)
-    handle = made.send()
-    assert made.outcome(handle)[0] == GoalStatus.STATUS_SUCCEEDED
-    made.world.spin_for(1.6)
-    assert made.outcome(handle)[0] == GoalStatus.STATUS_UNKNOWN
+    action = setup(succeed, result_timeout=1)
+    handle = action.send()
+    assert action.outcome(handle)[0] == GoalStatus.STATUS_SUCCEEDED
+    action.world.spin_for(1.6)
+    assert action.outcome(handle)[0] == GoalStatus.STATUS_UNKNOWN
 
 
 def test_the_status_is_kept_for_late_joiners(setup):
-    made, heard = setup(succeed), []
-    made.outcome(made.send())
-    made.node.create_subscription(
+    action, heard = setup(succeed), []
+    action.outcome(action.send())
+    action.node.create_subscription(
         GoalStatusArray, "f/_action/status", heard.append, qos_profile_action_status_default
     )
-    made.world.spin_until(lambda: heard)
+    action.world.spin_until(lambda: heard)
     assert [each.status for each in heard[-1].status_list] == [GoalStatus.STATUS_SUCCEEDED]
 
 
@@ -214,19 +214,19 @@ def test_another_type_is_no_feedback(setup, other):
         handle.succeed()
         return Fibonacci.Result()
 
-    made = setup(execute)
-    made.outcome(made.send())
+    action = setup(execute)
+    action.outcome(action.send())
     assert errors
 
 
 def test_callbacks_can_be_changed(setup):
-    made = setup(succeed)
-    made.server.register_goal_callback(lambda goal: GoalResponse.REJECT)
-    assert not made.send().accepted
-    made.server.register_goal_callback(None)
-    assert made.send().accepted
+    action = setup(succeed)
+    action.server.register_goal_callback(lambda goal: GoalResponse.REJECT)
+    assert not action.send().accepted
+    action.server.register_goal_callback(None)
+    assert action.send().accepted
     with pytest.raises(TypeError, match="Failed to register goal execution callback: not callable"):
-        made.server.register_execute_callback("no")
+        action.server.register_execute_callback("no")
 
 
 def test_the_server_knows_its_type(setup):

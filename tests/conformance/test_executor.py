@@ -232,15 +232,15 @@ def test_who_awaits_a_task_goes_on_when_it_is_done(world):
     async def first():
         return "first"
 
-    one = world.executor.create_task(first)
+    first_task = world.executor.create_task(first)
 
     async def second():
-        return await one + " and second"
+        return await first_task + " and second"
 
     two = world.executor.create_task(second)
     world.executor.spin_once(timeout_sec=0)
     world.executor.spin_once(timeout_sec=0)
-    assert one.done()
+    assert first_task.done()
     world.executor.spin_once(timeout_sec=1)
     assert two.result() == "first and second"
 

@@ -86,19 +86,19 @@ def test_a_node_starts_unconfigured(managed):
 
 
 def test_the_whole_life(managed):
-    made, states = managed(), []
+    managed_node, states = managed(), []
     for number in (1, 3, 4, 2, 5):
-        assert made.change(number)
-        states.append(made.state[1])
+        assert managed_node.change(number)
+        states.append(managed_node.state[1])
     assert states == ["inactive", "active", "inactive", "unconfigured", "finalized"]
-    assert [call for call, _ in made.node.calls] == [
+    assert [call for call, _ in managed_node.node.calls] == [
         "configure",
         "activate",
         "deactivate",
         "cleanup",
         "shutdown",
     ]
-    assert [state for _, state in made.node.calls] == [
+    assert [state for _, state in managed_node.node.calls] == [
         "unconfigured",
         "inactive",
         "active",
@@ -108,17 +108,17 @@ def test_the_whole_life(managed):
 
 
 def test_labels_work_as_well(managed):
-    made = managed()
-    assert made.change(label="configure")
-    assert made.change(label="activate")
-    assert made.state == (3, "active")
+    managed_node = managed()
+    assert managed_node.change(label="configure")
+    assert managed_node.change(label="activate")
+    assert managed_node.state == (3, "active")
 
 
 @pytest.mark.parametrize(("number", "label"), [(3, ""), (99, ""), (0, "nonsense"), (4, ""), (2, "")])
 def test_what_is_not_possible_changes_nothing(managed, number, label):
-    made = managed()
-    assert not made.change(number, label)
-    assert made.state[1] == "unconfigured"
+    managed_node = managed()
+    assert not managed_node.change(number, label)
+    assert managed_node.state[1] == "unconfigured"
 
 
 def transitions(response):
@@ -135,10 +135,10 @@ def transitions(response):
     ],
 )
 def test_available_transitions(managed, path, available):
-    made = managed()
+    managed_node = managed()
     for number in path:
-        assert made.change(number)
-    assert transitions(made.ask(GetAvailableTransitions, "get_available_transitions")) == available
+        assert managed_node.change(number)
+    assert transitions(managed_node.ask(GetAvailableTransitions, "get_available_transitions")) == available
 
 
 def test_all_states_are_listed(managed):
@@ -174,17 +174,17 @@ def test_the_graph_is_told(managed):
 
 
 def test_changes_are_published(managed):
-    made, events = managed(), []
-    made.asker.create_subscription(
+    managed_node, events = managed(), []
+    managed_node.asker.create_subscription(
         TransitionEvent,
         "/lc/transition_event",
         lambda event: events.append((event.start_state.label, event.goal_state.label)),
         10,
     )
-    made.world.spin_until(lambda: made.asker.count_publishers("/lc/transition_event") >= 1)
-    made.world.spin_for(0.3)
-    assert made.change(1)
-    made.world.spin_until(lambda: len(events) == 2)
+    managed_node.world.spin_until(lambda: managed_node.asker.count_publishers("/lc/transition_event") >= 1)
+    managed_node.world.spin_for(0.3)
+    assert managed_node.change(1)
+    managed_node.world.spin_until(lambda: len(events) == 2)
     assert events == [("unconfigured", "configuring"), ("configuring", "inactive")]
 
 

@@ -253,10 +253,10 @@ def test_rcl_says_what_it_makes(make_world, capfd):
         node.create_client(Empty, "ask")
         node.create_service(Empty, "answer", print)
         node.create_timer(0.5, print)
-        said = [found[3] for found in LINE.finditer(capfd.readouterr().err) if found[2] == "rcl"]
+        said = [match[3] for match in LINE.finditer(capfd.readouterr().err) if match[2] == "rcl"]
     finally:
         rclpy.logging.set_logger_level("rcl", LoggingSeverity.UNSET)
-    lines = [one for one in said if one.startswith(SAID_BY_RCL) and not any(word in one for word in NOT_OF_THE_NODE)]
+    lines = [line for line in said if line.startswith(SAID_BY_RCL) and not any(word in line for word in NOT_OF_THE_NODE)]
     assert lines[0] == "Initializing node 'a' in namespace 'ns'" and lines[1].startswith("Using domain ID of '")
     assert lines[2:6] == [
         "Node initialized",
@@ -264,7 +264,7 @@ def test_rcl_says_what_it_makes(make_world, capfd):
         "Expanded and remapped topic name '/parameter_events'",
         "Publisher initialized",
     ]
-    services = [one for one in lines[6:] if one != "Service initialized"]
+    services = [line for line in lines[6:] if line != "Service initialized"]
     assert services == [
         "Initializing publisher for topic name 'chat'",
         "Expanded and remapped topic name '/ns/chat'",
@@ -290,7 +290,7 @@ def test_rcl_says_when_it_calls_a_timer(make_world, capfd):
     rclpy.logging.set_logger_level("rcl", LoggingSeverity.DEBUG)
     try:
         world.spin_until(lambda: called)
-        said = [found[3] for found in LINE.finditer(capfd.readouterr().err) if found[2] == "rcl"]
+        said = [match[3] for match in LINE.finditer(capfd.readouterr().err) if match[2] == "rcl"]
     finally:
         rclpy.logging.set_logger_level("rcl", LoggingSeverity.UNSET)
     assert said.count("Calling timer") == len(called)

@@ -63,7 +63,7 @@ def test_an_event_tells_its_parameters(heard):
     world.spin_until(lambda: events)
     (parameter,) = handler.get_parameters_from_event(events[0])
     assert parameter.name == "speed"
-    found = handler.get_parameter_from_event(events[0], "speed", "/ns/n")
-    assert found.value.integer_value == 3
+    speed = handler.get_parameter_from_event(events[0], "speed", "/ns/n")
+    assert speed.value.integer_value == 3
     assert handler.get_parameter_from_event(events[0], "absent", "/ns/n") is None
     assert handler.get_parameter_from_event(events[0], "speed", "/other") is None

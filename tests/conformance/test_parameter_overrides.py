@@ -71,8 +71,8 @@ def test_the_command_line_types_values(world, text, value):
         cli_args=["--ros-args", "-p", f"p:={text}"],
         automatically_declare_parameters_from_overrides=True,
     )
-    found = node.get_parameter("p").value
-    assert (list(found) if isinstance(value, list) else found) == value
+    stored = node.get_parameter("p").value
+    assert (list(stored) if isinstance(value, list) else stored) == value
 
 
 @pytest.mark.parametrize(

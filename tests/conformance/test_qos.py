@@ -40,9 +40,9 @@ def profile(**kwargs):
 
 
 def test_a_depth_alone_keeps_the_last():
-    made = QoSProfile(depth=5)
-    assert (made.history, made.depth) == (HistoryPolicy.KEEP_LAST, 5)
-    assert (made.reliability, made.durability) == (RELIABLE, DurabilityPolicy.VOLATILE)
+    qos = QoSProfile(depth=5)
+    assert (qos.history, qos.depth) == (HistoryPolicy.KEEP_LAST, 5)
+    assert (qos.reliability, qos.durability) == (RELIABLE, DurabilityPolicy.VOLATILE)
 
 
 def test_keep_all_needs_no_depth():
@@ -82,8 +82,8 @@ def test_an_unknown_argument_is_refused():
 
 
 def test_a_number_becomes_the_policy():
-    made = QoSProfile(depth=1, reliability=2)
-    assert made.reliability is BEST_EFFORT
+    qos = QoSProfile(depth=1, reliability=2)
+    assert qos.reliability is BEST_EFFORT
     with pytest.raises(ValueError):
         QoSProfile(depth=1, reliability=9)
 
@@ -95,12 +95,12 @@ def test_profiles_are_equal_by_value():
 
 
 def test_attributes_can_be_set():
-    made = QoSProfile(depth=1)
-    made.depth = 3
-    made.deadline = Duration(seconds=1)
-    assert (made.depth, made.deadline) == (3, Duration(seconds=1))
+    qos = QoSProfile(depth=1)
+    qos.depth = 3
+    qos.deadline = Duration(seconds=1)
+    assert (qos.depth, qos.deadline) == (3, Duration(seconds=1))
     with pytest.raises(AssertionError):
-        made.depth = "many"
+        qos.depth = "many"
 
 
 @pytest.mark.parametrize(
@@ -221,8 +221,8 @@ def test_presets_by_key():
     ],
 )
 def test_compatibility(publisher, subscription, verdict, reason):
-    found, text = qos_check_compatible(profile(**publisher), profile(**subscription))
-    assert (found, text) == (verdict, reason)
+    compatibility, text = qos_check_compatible(profile(**publisher), profile(**subscription))
+    assert (compatibility, text) == (verdict, reason)
 
 
 @pytest.mark.parametrize("kind", list(QoSPolicyKind))

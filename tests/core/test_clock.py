@@ -10,9 +10,9 @@ from coursekit.core.virtual_clock import START_NS, VirtualClock
 
 @pytest.fixture(params=[WallClock, VirtualClock])
 def clock(request):
-    made = request.param()
-    yield made
-    made.close()
+    tested_clock = request.param()
+    yield tested_clock
+    tested_clock.close()
 
 
 def test_a_set_event_does_not_wait(clock):

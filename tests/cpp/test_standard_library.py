@@ -34,7 +34,7 @@ def archive(*members):
 def test_hidden_global_names_are_seen_and_nothing_else_changes():
     others = [(LOCAL, HIDDEN), (GLOBAL, PROTECTED), (WEAK, INTERNAL)]
     there, wanted = [(GLOBAL, HIDDEN), (WEAK, HIDDEN)], [(GLOBAL, DEFAULT), (WEAK, DEFAULT)]
-    before, after = (elf([symbol(*one) for one in [*kinds, *others]]) for kinds in (there, wanted))
+    before, after = (elf([symbol(*kind) for kind in [*kinds, *others]]) for kinds in (there, wanted))
     assert visible_archive(archive(b"an index", before, b"odd", before)) == archive(b"an index", after, b"odd", after)
 
 

@@ -51,7 +51,7 @@ def _archive(path: Path) -> Any:
     from coursekit.grade.archives import Archive
 
     with Archive(io.BytesIO(path.read_bytes())) as opened:
-        return [opened.read(one) for one in opened.members()]
+        return [opened.read(member) for member in opened.members()]
 
 
 def _bundle(path: Path) -> Any:
@@ -62,11 +62,11 @@ def _bundle(path: Path) -> Any:
 
 @cache
 def _zip() -> bytes:
-    made = io.BytesIO()
-    with zipfile.ZipFile(made, "w", zipfile.ZIP_DEFLATED) as packed:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as packed:
         packed.writestr("02_topics.ipynb", json.dumps({"cells": [], "metadata": {}}))
         packed.writestr("a/b.txt", b"x" * 300)
-    return made.getvalue()
+    return buffer.getvalue()
 
 
 @cache

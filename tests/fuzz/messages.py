@@ -29,18 +29,18 @@ def _interface_faults() -> Faults:
 def _scan() -> Any:
     from sensor_msgs.msg import LaserScan
 
-    made = LaserScan(ranges=[1.0, 2.0], intensities=[3.0])
-    made.header.frame_id = "laser"
-    return made
+    scan = LaserScan(ranges=[1.0, 2.0], intensities=[3.0])
+    scan.header.frame_id = "laser"
+    return scan
 
 
 def _tf() -> Any:
     from geometry_msgs.msg import TransformStamped
     from tf2_msgs.msg import TFMessage
 
-    one = TransformStamped(child_frame_id="base")
-    one.header.frame_id = "map"
-    return TFMessage(transforms=[one, one])
+    transform = TransformStamped(child_frame_id="base")
+    transform.header.frame_id = "map"
+    return TFMessage(transforms=[transform, transform])
 
 
 def _serialized(make: Callable[[], Any]) -> Callable[[], bytes]:
@@ -78,7 +78,7 @@ def _bag(storage: str) -> dict[str, bytes]:
         for number in range(5):
             writer.write(Message(CHATTER.name, text_bytes(f"Hello {number}"), number * 10**9))
         writer.close()
-        return {one.name: one.read_bytes() for one in Path(folder, "talk").iterdir()}
+        return {path.name: path.read_bytes() for path in Path(folder, "talk").iterdir()}
 
 
 def _bag_read(storage: str) -> Callable[[Path], Any]:

@@ -45,7 +45,7 @@ def damage(data, way, at, count, noise, pieces):
         return before + data[max(0, at - 8 * count) :]
     if way == "swap":
         return after[:count] + before + after[count:]
-    skipped = next((k for k, one in enumerate(after) if chr(one).isdigit()), 0)
+    skipped = next((k for k, byte in enumerate(after) if chr(byte).isdigit()), 0)
     return before + after[:skipped] + NUMBERS[count % 4] + after[skipped:]
 
 
@@ -63,12 +63,12 @@ def read(format_, data):
             return None
 
 
-@pytest.mark.parametrize("format_", FORMATS, ids=[one.name for one in FORMATS])
+@pytest.mark.parametrize("format_", FORMATS, ids=[file_format.name for file_format in FORMATS])
 def test_a_sound_file_is_read(format_):
     assert read(format_, format_.sound()) is not None
 
 
-@pytest.mark.parametrize("format_", FORMATS, ids=[one.name for one in FORMATS])
+@pytest.mark.parametrize("format_", FORMATS, ids=[file_format.name for file_format in FORMATS])
 def test_a_damaged_file_is_read_or_refused(format_):
     @settings(max_examples=EXAMPLES, suppress_health_check=list(HealthCheck), derandomize=EXAMPLES <= 100)
     @given(DAMAGES)
@@ -78,7 +78,7 @@ def test_a_damaged_file_is_read_or_refused(format_):
     try_it()
 
 
-@pytest.mark.parametrize("format_", FORMATS, ids=[one.name for one in FORMATS])
+@pytest.mark.parametrize("format_", FORMATS, ids=[file_format.name for file_format in FORMATS])
 @pytest.mark.parametrize("data", [b"", b"\0", b"\xff\xfe", b"[" * 100_000, b"<a>" * 30_000, b"(" * 50_000, b"a: " * 20_000],
                          ids=["empty", "zero", "no UTF-8", "brackets", "elements", "parentheses", "keys"])  # fmt: skip
 def test_nonsense_is_read_or_refused(format_, data):

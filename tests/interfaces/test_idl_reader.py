@@ -102,7 +102,7 @@ def test_what_ros_does_not_understand_is_told(written, text, line, why):
 
 
 def test_a_file_in_idl_stands_for_one_of_ros(written):
-    made = definition_file(path := written("module a { module msg { struct Point { long x; }; }; };"))
-    assert is_translated(made) and not is_translated(path)
-    assert [field.name for field in parse_file("a", made).fields] == ["x"]
-    assert definition_file(made) == made
+    definition = definition_file(path := written("module a { module msg { struct Point { long x; }; }; };"))
+    assert is_translated(definition) and not is_translated(path)
+    assert [field.name for field in parse_file("a", definition).fields] == ["x"]
+    assert definition_file(definition) == definition

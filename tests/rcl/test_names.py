@@ -58,10 +58,10 @@ def test_an_unknown_substitution_is_named():
     ],
 )
 def test_a_bad_name_is_refused_with_reason_and_place(validate, text, reason, index):
-    found = validate(text)
-    assert found is not None
-    assert reason in found[0]
-    assert found[1] == index
+    problem = validate(text)
+    assert problem is not None
+    assert reason in problem[0]
+    assert problem[1] == index
 
 
 @given(st.text(alphabet="abz_/~{}019 ?", max_size=12))

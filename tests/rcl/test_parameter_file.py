@@ -22,9 +22,9 @@ MARK = "ros__parameters"
     ],
 )  # fmt: skip
 def test_a_value_has_the_type_that_rcl_gives(text, value):
-    found = parse_value(text)
-    assert found == value
-    assert type(found) is type(value)
+    parsed = parse_value(text)
+    assert parsed == value
+    assert type(parsed) is type(value)
 
 
 def test_not_a_number_is_read():

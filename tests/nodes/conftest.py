@@ -16,8 +16,8 @@ def pytest_runtest_call(item):
 
 @pytest.fixture
 def session():
-    with Session(virtual=True).use() as made:
-        yield made
+    with Session(virtual=True).use() as virtual_session:
+        yield virtual_session
 
 
 @pytest.fixture

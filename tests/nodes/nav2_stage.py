@@ -27,9 +27,9 @@ HEIGHT, CELL = 0.15, 0.05
 
 def true_map(world: str, cell: float = CELL, start: tuple[float, float] | None = None) -> GridMap:
     """The map of a world without what moves: walls as a LiDAR meets them, free where the floor of a start goes on."""
-    made = open_world(world).world
-    outline = Simulation(made).scene(HEIGHT).fixed
-    x0, y0, x1, y1 = (round(edge / cell) * cell for edge in made.bounds())
+    true_world = open_world(world).world
+    outline = Simulation(true_world).scene(HEIGHT).fixed
+    x0, y0, x1, y1 = (round(edge / cell) * cell for edge in true_world.bounds())
     x0, y0 = x0 - 10 * cell, y0 - 10 * cell
     rows, columns = round((y1 - y0) / cell) + 10, round((x1 - x0) / cell) + 10
     cells = np.zeros((rows, columns), np.int8)
@@ -41,7 +41,7 @@ def true_map(world: str, cell: float = CELL, start: tuple[float, float] | None =
     at = np.floor((np.concatenate(points) - (x0, y0)) / cell).astype(int)
     cells[at[:, 1], at[:, 0]] = 100
     areas, _ = ndimage.label(cells == 0)
-    x, y = start or (made.start.x, made.start.y)
+    x, y = start or (true_world.start.x, true_world.start.y)
     home = areas[int((y - y0) / cell), int((x - x0) / cell)]
     cells[(cells == 0) & (areas != home)] = -1
     return GridMap(cells, cell, (x0, y0, 0.0))
@@ -139,7 +139,7 @@ class Stage:
         """Whether something stands there that is not on the map, and that nobody takes away."""
         near = self.simulation.space.point_query((place.x, place.y), clearance, pymunk.ShapeFilter())
         stay = set(self.simulation.things) - {mover.name for mover in self.movers}
-        return any(one.shape.name in stay for one in near)
+        return any(hit.shape.name in stay for hit in near)
 
 
 class Mover:

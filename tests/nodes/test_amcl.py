@@ -30,9 +30,9 @@ def at(pose: Pose2D) -> tuple[str, ...]:
 
 @pytest.fixture
 def robot(session):
-    made = Robot(session)
-    yield made
-    made.close()
+    new_robot = Robot(session)
+    yield new_robot
+    new_robot.close()
 
 
 @pytest.fixture
@@ -71,11 +71,11 @@ def test_a_robot_is_followed_from_a_wrong_start(amcl, robot):
     end = robot.go([(3.0, 5.0), (9.0, 5.0), (9.0, 4.4)])
     assert "Received a" in process.output and "Setting pose (" in process.output
     assert robot.where_is(end) < 0.25
-    found = plane(poses[-1].pose.pose.position, poses[-1].pose.pose.orientation)
-    assert found.distance(end) < 0.3 and poses[-1].header.frame_id == "map"
+    estimate = plane(poses[-1].pose.pose.position, poses[-1].pose.pose.orientation)
+    assert estimate.distance(end) < 0.3 and poses[-1].header.frame_id == "map"
     assert 0 < poses[-1].pose.covariance[0] < 0.25 and poses[-1].pose.covariance[35] > 0
     assert 500 <= len(clouds[-1].particles) <= 2000
-    assert sum(one.weight for one in clouds[-1].particles) == pytest.approx(1.0, abs=0.01)
+    assert sum(particle.weight for particle in clouds[-1].particles) == pytest.approx(1.0, abs=0.01)
     process.interrupt()
     assert process.wait(5.0) == 0
 

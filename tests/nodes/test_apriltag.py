@@ -45,7 +45,7 @@ TILTED = (Rotation.from_rotvec(FACING) * Rotation.from_euler("xyz", [0.4, -0.3, 
 
 
 def test_the_library_s_first_tag_is_number_0_and_begins_at_its_lower_left():
-    bits = np.array([int(one) for one in f"{FIRST_36H11:036b}"], np.uint8).reshape(6, 6) * 255
+    bits = np.array([int(bit) for bit in f"{FIRST_36H11:036b}"], np.uint8).reshape(6, 6) * 255
     page = np.kron(np.pad(np.pad(bits, 1), 2, constant_values=255), np.ones((20, 20), np.uint8))
     (tag,) = Detector("36h11").find(page)
     assert (tag.id, tag.hamming) == (0, 0) and tag.margin > 100
@@ -56,9 +56,9 @@ def test_the_library_s_first_tag_is_number_0_and_begins_at_its_lower_left():
 @pytest.mark.parametrize("turn", [FACING, TILTED])
 def test_a_tag_is_where_it_is(turn):
     (tag,) = Detector("36h11").find(seen(7, turn, PLACE))
-    found, place = tag.pose(0.16, CAMERA)
+    rotation, place = tag.pose(0.16, CAMERA)
     assert tag.id == 7 and place == pytest.approx(PLACE, abs=0.006)
-    assert (Rotation.from_rotvec(found).inv() * Rotation.from_rotvec(turn)).magnitude() < 0.06
+    assert (Rotation.from_rotvec(rotation).inv() * Rotation.from_rotvec(turn)).magnitude() < 0.06
     middle = tag.homography @ [0.0, 0.0, 1.0]
     assert middle[:2] / middle[2] == pytest.approx((CAMERA @ PLACE)[:2] / PLACE[2], abs=1.5)
 
@@ -101,9 +101,9 @@ def look(run, friend):  # noqa: F811
 @pytest.mark.parametrize("compressed", [False, True])
 def test_a_tag_is_published_and_has_a_frame(look, compressed):
     transport = {"image_transport": "compressed"} if compressed else {}
-    found, buffer = look(seen(7, TILTED, PLACE), compressed=compressed, size=0.16, **transport)
-    (tag,) = found.detections
-    assert (tag.family, tag.id, tag.hamming, found.header.frame_id) == ("tag36h11", 7, 0, "camera")
+    detections, buffer = look(seen(7, TILTED, PLACE), compressed=compressed, size=0.16, **transport)
+    (tag,) = detections.detections
+    assert (tag.family, tag.id, tag.hamming, detections.header.frame_id) == ("tag36h11", 7, 0, "camera")
     assert (tag.centre.x, tag.centre.y) == pytest.approx((403.3, 198.3), abs=2.0)
     moved = buffer.lookup_transform("camera", "tag36h11:7", Time()).transform.translation
     assert (moved.x, moved.y, moved.z) == pytest.approx(PLACE, abs=0.006)
@@ -112,8 +112,8 @@ def test_a_tag_is_published_and_has_a_frame(look, compressed):
 def test_the_example_s_file_takes_its_tags_alone(look):
     file = Path(get_package_share_directory("apriltag_ros")) / "cfg" / "tags_36h11.yaml"
     both = np.minimum(seen(9, FACING, np.array([-0.15, 0.0, 0.8]), 0.162), seen(7, FACING, np.array([0.15, 0.0, 0.8])))
-    found, buffer = look(both, "--params-file", str(file))
-    assert [one.id for one in found.detections] == [9]
+    detections, buffer = look(both, "--params-file", str(file))
+    assert [detection.id for detection in detections.detections] == [9]
     assert buffer.lookup_transform("camera", "base", Time()).transform.translation.z == pytest.approx(0.8, abs=0.01)
 
 

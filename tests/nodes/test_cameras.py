@@ -140,8 +140,8 @@ def test_a_film_begins_again_at_its_end(run, heard, tmp_path):
         film.write(np.full((48, 64, 3), grey, np.uint8))
     film.release()
     run("image_publisher", "image_publisher_node", str(tmp_path / "film.avi"))
-    greys = [CvBridge().imgmsg_to_cv2(one).mean() for one in heard(Image, "image_raw")]
-    steps = np.diff([round(one / 100) for one in greys[:7]])
+    greys = [CvBridge().imgmsg_to_cv2(message).mean() for message in heard(Image, "image_raw")]
+    steps = np.diff([round(brightness / 100) for brightness in greys[:7]])
     assert len(greys) >= 9 and sorted(set(steps)) == [-2, 1], greys
 
 

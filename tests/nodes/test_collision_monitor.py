@@ -55,7 +55,7 @@ class Driver(Friend):
         self.speeds.clear()
         self.say("cmd_vel_raw", msg)
         self.spin(0.1)
-        return [(round(one.linear.x, 3), round(one.angular.z, 3)) for one in self.speeds]
+        return [(round(speed.linear.x, 3), round(speed.angular.z, 3)) for speed in self.speeds]
 
 
 @pytest.fixture
@@ -85,7 +85,7 @@ def test_speeds_go_through_are_halved_and_are_nothing_as_an_obstacle_comes_near(
     assert driver.wish(0.4) == [(0.0, 0.0)]
     driver.scan(5.0)
     assert driver.wish(0.4) == [(0.4, 0.0)]
-    assert [(one.action_type, one.polygon_name) for one in driver.states] == [(2, "Slow"), (1, "Stop"), (0, "")]
+    assert [(state.action_type, state.polygon_name) for state in driver.states] == [(2, "Slow"), (1, "Stop"), (0, "")]
     for words in ("Robot to slowdown for 50.000000 percents due to Slow polygon", "Robot to stop due to Stop polygon",
                   "Robot to continue normal operation"):  # fmt: skip
         assert words in process.output

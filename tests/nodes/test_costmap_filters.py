@@ -21,7 +21,7 @@ SPEED = {"plugin": "nav2_costmap_2d::SpeedFilter", "enabled": True, "filter_info
 @pytest.fixture
 def start(session, tmp_path):
     """start(name, type, base, multiplier, box, shade, filter) is a stage whose map has a mask in a box (x, y, x, y)."""
-    made = []
+    stages = []
 
     def stage(kind, base, multiplier, box, shade, one):
         given = yaml.safe_load((Path(get_package_share_directory("nav2_bringup")) / "params/nav2_params.yaml").read_text())
@@ -47,12 +47,12 @@ def start(session, tmp_path):
         manager = ["-p", "node_names:=[filter_mask_server, costmap_filter_info_server]", "-p", "autostart:=true"]
         argv = ["--ros-args", "-r", "__node:=lifecycle_manager_zones", *manager]
         session.start_executable(find("nav2_lifecycle_manager", "lifecycle_manager"), argv, name="lifecycle_manager")
-        made.append(Stage(session, tmp_path, "tec_warehouse", ROBOT, f"params_file:={file}"))
-        made[0].tell_pose(Pose2D(0.0, 0.0, 0.0))
-        return made[0]
+        stages.append(Stage(session, tmp_path, "tec_warehouse", ROBOT, f"params_file:={file}"))
+        stages[0].tell_pose(Pose2D(0.0, 0.0, 0.0))
+        return stages[0]
 
     yield stage
-    made[0].close()
+    stages[0].close()
 
 
 def drive(stage, there):

@@ -65,8 +65,8 @@ def seen(costmap):
     """seen(heights, *clouds) are the obstacles (x, y) of a costmap that took in clouds of points in turn, and its log."""
 
     def look(heights, *clouds):
-        made = (create_cloud_xyz32(Header(), points) for points in clouds)
-        return costmap(PARAMETERS % heights, "/camera/points", *made)
+        cloud_messages = (create_cloud_xyz32(Header(), points) for points in clouds)
+        return costmap(PARAMETERS % heights, "/camera/points", *cloud_messages)
 
     return look
 
@@ -100,16 +100,18 @@ def test_what_has_gone_is_cleared_by_points_behind_it(seen):
 
 
 def test_without_a_greatest_height_nothing_is_an_obstacle_and_that_is_told(seen):
-    found, said = seen("marking: true", [[1.05, 0.05, 0.0]])
-    assert found == [] and "voxel_layer.camera.max_obstacle_height is 0.0" in said and "max_obstacle_height: 2.0" in said
+    marked_cells, said = seen("marking: true", [[1.05, 0.05, 0.0]])
+    assert (
+        marked_cells == [] and "voxel_layer.camera.max_obstacle_height is 0.0" in said and "max_obstacle_height: 2.0" in said
+    )
 
 
 def test_a_cloud_without_coordinates_is_told_once(session, seen, run, monkeypatch):
     from tests.nodes import test_costmap_sensors
 
     monkeypatch.setattr(test_costmap_sensors, "create_cloud_xyz32", lambda header, points: PointCloud2(header=header))
-    found, said = seen("max_obstacle_height: 2.0", [[1.0, 0.0, 0.0]], [[1.0, 0.0, 0.0]])
-    assert found == [] and said.count("A cloud of /camera/points cannot be used") == 1
+    marked_cells, said = seen("max_obstacle_height: 2.0", [[1.0, 0.0, 0.0]], [[1.0, 0.0, 0.0]])
+    assert marked_cells == [] and said.count("A cloud of /camera/points cannot be used") == 1
 
 
 SCANS = PARAMETERS.replace("PointCloud2", "LaserScan").replace("/camera/points", "/scan")
@@ -121,16 +123,16 @@ def test_scans_count_between_the_heights(costmap):
 
 
 def test_scans_of_a_laser_above_the_greatest_height_do_not_count_and_that_is_told_once(costmap):
-    found, said = costmap(SCANS % "max_obstacle_height: 0.4", "/scan", SCAN, SCAN)
-    assert found == [] and said.count("the laser is 0.50 m above odom") == 1 and "max_obstacle_height: 2.0" in said
+    marked_cells, said = costmap(SCANS % "max_obstacle_height: 0.4", "/scan", SCAN, SCAN)
+    assert marked_cells == [] and said.count("the laser is 0.50 m above odom") == 1 and "max_obstacle_height: 2.0" in said
 
 
 def test_a_sonar_s_cone_ends_at_an_obstacle(costmap):
     text = PARAMETERS[: PARAMETERS.index("      plugins")] + RANGES
     sonar = {"field_of_view": 0.2, "min_range": 0.1, "max_range": 2.0}
     near, far = Range(range=1.05, **sonar), Range(range=2.0, **sonar)
-    found, _ = costmap(text % "false", "/sonar", near, far)
-    assert found == [(1.05, -0.15), (1.05, -0.05), (1.05, 0.05), (1.05, 0.15)]
+    marked_cells, _ = costmap(text % "false", "/sonar", near, far)
+    assert marked_cells == [(1.05, -0.15), (1.05, -0.05), (1.05, 0.05), (1.05, 0.15)]
 
 
 def test_a_sonar_that_hears_nothing_clears_where_that_is_wanted(costmap):

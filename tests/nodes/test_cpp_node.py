@@ -15,11 +15,13 @@ DEPTH = "qos_overrides./parameter_events.publisher.depth"
 def node():
     with Session(virtual=True).use():
         rclpy.init(args=[])
-        made = CppNode("node")
-        made.declare_parameter("red", 1, ParameterDescriptor(integer_range=[IntegerRange(to_value=255, step=1)]))
-        made.declare_parameter("speed", 1.0, ParameterDescriptor(floating_point_range=[FloatingPointRange(to_value=2.0)]))
-        yield made
-        made.destroy_node()
+        cpp_node = CppNode("node")
+        cpp_node.declare_parameter("red", 1, ParameterDescriptor(integer_range=[IntegerRange(to_value=255, step=1)]))
+        cpp_node.declare_parameter(
+            "speed", 1.0, ParameterDescriptor(floating_point_range=[FloatingPointRange(to_value=2.0)])
+        )
+        yield cpp_node
+        cpp_node.destroy_node()
         rclpy.try_shutdown()
 
 

@@ -42,8 +42,8 @@ def test_each_change_of_a_parameter_is_an_event(run, name):
     process = run("demo_nodes_cpp", name)
     assert process.wait(5) == 0
     names = ["foo", "bar", "baz", "foobar"]
-    expected = [EVENT.format(f"\n  {one}", "") for one in names]
-    expected += [EVENT.format("", f"\n  {one}") for one in [*names, "foo", "bar"]]
+    expected = [EVENT.format(f"\n  {parameter_name}", "") for parameter_name in names]
+    expected += [EVENT.format("", f"\n  {parameter_name}") for parameter_name in [*names, "foo", "bar"]]
     told = [text.rpartition("[INFO]")[0] or text for text in process.output.split("]: ")[1:]]
     assert [text.rstrip("\n") for text in told] == [text.rstrip("\n") for text in expected]
 
@@ -95,7 +95,9 @@ def test_only_emergencies_reach_the_listener(session, run):
 def test_numbers_and_texts_are_published_in_turn_and_heard_with_best_effort(session, run):
     talker, listener = run("demo_nodes_cpp", "talker_loaned_message"), run("demo_nodes_cpp", "listener_best_effort")
     session.clock.sleep(2.5)
-    first, second, *others = (f"Publishing: '{one}'" for one in ("1.000000", "Hello World: 2", "3.000000", "Hello World: 4"))
+    first, second, *others = (
+        f"Publishing: '{text}'" for text in ("1.000000", "Hello World: 2", "3.000000", "Hello World: 4")
+    )
     none_lent = "Currently used middleware can't loan messages. Local allocator will be used."
     assert said(talker) == [none_lent, first, none_lent, second, *others]
     assert said(listener) == ["I heard: [Hello World: 2]", "I heard: [Hello World: 4]"]

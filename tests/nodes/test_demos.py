@@ -108,7 +108,7 @@ def test_a_monitor_tells_when_topics_come_get_stale_and_go(session, run, ros2):
     assert "Subscribing to topic: /sensor_data_best_effort" in told and "/critical_data: 7" in told
     assert "/critical_data: -1" in told
     statuses = [line for line in told if line.startswith("/sensor_data_best_effort: ") and line[-1].isalpha()]
-    assert list(dict.fromkeys(statuses)) == [f"/sensor_data_best_effort: {one}" for one in ("Alive", "Stale")]
+    assert list(dict.fromkeys(statuses)) == [f"/sensor_data_best_effort: {word}" for word in ("Alive", "Stale")]
     assert "data: 0.0" in ros2("topic", "echo", "--once", "/reception_rate/critical_data")
 
 
@@ -218,7 +218,7 @@ def test_without_a_camera_it_is_said_what_stands_in(run, film, name):
 
 def test_a_large_image_comes_through_and_its_latency_is_told(session, run):
     run("quality_of_service_demo_cpp", "message_lost_talker", "-s", "64")
-    listeners = [run(f"quality_of_service_demo_{one}", "message_lost_listener") for one in ("cpp", "py")]
+    listeners = [run(f"quality_of_service_demo_{language}", "message_lost_listener") for language in ("cpp", "py")]
     session.clock.sleep(3.5)
     assert said(listeners[0]) == ["I heard an image. Message single trip latency: [0.000000]"]
     assert said(listeners[1]) == ["I heard an Image. Message single trip latency: [0]"]

@@ -25,10 +25,10 @@ def friend(session):
 
 def info(distortion=(), focus=FOCUS):
     cx, cy = CENTER
-    made = CameraInfo(width=WIDTH, height=HEIGHT, distortion_model="plumb_bob", d=list(distortion))
-    made.k, made.r = [focus, 0.0, cx, 0.0, focus, cy, 0.0, 0.0, 1.0], np.eye(3).ravel().tolist()
-    made.p = [focus, 0.0, cx, 0.0, 0.0, focus, cy, 0.0, 0.0, 0.0, 1.0, 0.0]
-    return made
+    camera_info = CameraInfo(width=WIDTH, height=HEIGHT, distortion_model="plumb_bob", d=list(distortion))
+    camera_info.k, camera_info.r = [focus, 0.0, cx, 0.0, focus, cy, 0.0, 0.0, 1.0], np.eye(3).ravel().tolist()
+    camera_info.p = [focus, 0.0, cx, 0.0, 0.0, focus, cy, 0.0, 0.0, 0.0, 1.0, 0.0]
+    return camera_info
 
 
 def image(array, encoding):
@@ -164,9 +164,12 @@ def test_a_resized_image_has_its_cameras_numbers_resized(run, friend, words, siz
     run("image_proc", "resize_node", "--ros-args", *(part for word in words for part in ("-p", word)))
     heard = heard_of(friend, ("/resize/image_raw", Image), ("/resize/camera_info", CameraInfo))
     send(friend, ("image/image_raw", image(RAMP, "mono8")), ("image/camera_info", info()))
-    made, told = heard["/resize/image_raw"][-1], heard["/resize/camera_info"][-1]
-    assert (made.width, made.height, made.encoding) == (*size, "mono8") and (told.width, told.height) == size
-    assert told.header == made.header and told.header.frame_id == "optical"
+    image_message, told = heard["/resize/image_raw"][-1], heard["/resize/camera_info"][-1]
+    assert (image_message.width, image_message.height, image_message.encoding) == (*size, "mono8") and (
+        told.width,
+        told.height,
+    ) == size
+    assert told.header == image_message.header and told.header.frame_id == "optical"
     assert [told.k[0], told.k[2], told.k[4], told.k[5]] == [
         FOCUS * scale[0], CENTER[0] * scale[0], FOCUS * scale[1], CENTER[1] * scale[1],
     ]  # fmt: skip
@@ -178,8 +181,11 @@ def test_a_cropped_image_says_where_it_was_cut_out(run, friend):
     run("image_proc", "crop_decimate_node", "--ros-args", *(part for word in words for part in ("-p", word)))
     heard = heard_of(friend, ("/out/image_raw", Image), ("/out/camera_info", CameraInfo))
     send(friend, ("in/image_raw", image(RAMP, "mono8")), ("in/camera_info", info()))
-    made, told = heard["/out/image_raw"][-1], heard["/out/camera_info"][-1]
-    assert np.frombuffer(made.data, np.uint8).reshape(made.height, made.width).tolist() == RAMP[1:, 2:6:2].tolist()
+    image_message, told = heard["/out/image_raw"][-1], heard["/out/camera_info"][-1]
+    assert (
+        np.frombuffer(image_message.data, np.uint8).reshape(image_message.height, image_message.width).tolist()
+        == RAMP[1:, 2:6:2].tolist()
+    )
     assert (told.binning_x, told.binning_y) == (2, 1) and told.k.tolist() == info().k.tolist()
     cut = told.roi
     assert (cut.x_offset, cut.y_offset, cut.width, cut.height, cut.do_rectify) == (2, 1, 4, HEIGHT - 1, True)

@@ -74,4 +74,4 @@ def test_help_names_every_parameter_and_makes_no_node(run, ros2, session, progra
     run("image_tools", program, *(["--ros-args", "-p", "burger_mode:=true"] if program == "cam2image" else []))
     session.clock.sleep(0.5)
     declared = set(ros2("param", "list", f"/{program}").split())
-    assert told == {one for one in declared if one != "use_sim_time" and not one.startswith("qos_overrides")}
+    assert told == {name for name in declared if name != "use_sim_time" and not name.startswith("qos_overrides")}

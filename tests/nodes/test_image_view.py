@@ -100,7 +100,7 @@ def test_the_right_button_saves_what_is_shown(friend, start, tmp_path):
 def test_every_image_goes_to_a_file(friend, start, tmp_path):
     saver = start("image_saver")
     show(friend, seconds=0.9)
-    assert [one.name for one in sorted(tmp_path.iterdir())] == [f"left000{k}.jpg" for k in range(4)]
+    assert [path.name for path in sorted(tmp_path.iterdir())] == [f"left000{k}.jpg" for k in range(4)]
     assert "[image_saver_node]: Saved image left0000.jpg" in saver.output
     assert cv2.imread(str(tmp_path / "left0003.jpg")).shape == (30, 40, 3)
 
@@ -110,11 +110,11 @@ def test_a_camera_that_tells_of_itself_has_its_calibration_saved_beside(friend, 
     info = CameraInfo(width=40, height=30, distortion_model="plumb_bob", d=[0.1, 0.0, 0.0, 0.0, 0.0])
     info.k = [20.0, 0.0, 19.5, 0.0, 20.0, 14.5, 0.0, 0.0, 1.0]
     show(friend, info=info, seconds=0.5)
-    assert sorted(one.name for one in tmp_path.iterdir()) == ["a0.ini", "a0.jpg", "a1.ini", "a1.jpg"]
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["a0.ini", "a0.jpg", "a1.ini", "a1.jpg"]
     told = (tmp_path / "a0.ini").read_text().split()
     assert told[told.index("width") + 1] == "40" and "[camera]" in told
     matrix = told[told.index("matrix") + 1 : told.index("distortion")]
-    assert [float(one) for one in matrix] == info.k.tolist()
+    assert [float(number) for number in matrix] == info.k.tolist()
 
 
 def test_one_image_is_saved_when_it_is_asked_for(friend, start, tmp_path):
@@ -123,7 +123,7 @@ def test_one_image_is_saved_when_it_is_asked_for(friend, start, tmp_path):
     assert not list(tmp_path.iterdir())
     friend.ask(Empty, "/save")
     show(friend)
-    assert [one.name for one in tmp_path.iterdir()] == ["left0000.jpg"]
+    assert [path.name for path in tmp_path.iterdir()] == ["left0000.jpg"]
 
 
 def test_images_between_start_and_end_are_saved(friend, start, tmp_path):

@@ -34,7 +34,7 @@ class Unit(Friend):
             self.say("imu/data_raw", msg)
             self.spin(0.01)
         q = self.found[-1].orientation if self.found else None
-        return q and [round(one, 2) for one in rpy_of((q.x, q.y, q.z, q.w))]
+        return q and [round(angle, 2) for angle in rpy_of((q.x, q.y, q.z, q.w))]
 
 
 @pytest.fixture
@@ -42,7 +42,7 @@ def start(session, run):
     """start((package, executable), parameter, ...) is a unit, and the filter's process."""
 
     def make(program, *parameters):
-        process = run(*program, "--ros-args", *(word for one in parameters for word in ("-p", one)))
+        process = run(*program, "--ros-args", *(word for parameter in parameters for word in ("-p", parameter)))
         unit = Unit(session)
         unit.spin(0.2)
         return unit, process

@@ -55,9 +55,9 @@ class Friend:
 
 @pytest.fixture
 def friend(session):
-    made = Friend(session)
-    yield made
-    rclpy.shutdown(context=made.context)
+    new_friend = Friend(session)
+    yield new_friend
+    rclpy.shutdown(context=new_friend.context)
 
 
 @pytest.fixture

@@ -49,9 +49,9 @@ def generate_launch_description():
 
 
 def pose(x, y):
-    made = PoseStamped()
-    made.header.frame_id, made.pose.position.x, made.pose.position.y, made.pose.orientation.w = "map", x, y, 1.0
-    return made
+    stamped = PoseStamped()
+    stamped.header.frame_id, stamped.pose.position.x, stamped.pose.position.y, stamped.pose.orientation.w = "map", x, y, 1.0
+    return stamped
 
 
 def across(namespace):
@@ -117,7 +117,7 @@ def test_the_map_is_that_of_the_world():
 
 def test_the_laser_of_gazebo_s_waffle_is_where_its_frame_is():
     driven = read_entity((BRINGUP / "worlds" / "waffle.model").read_text())
-    ray = next(one for one in driven.devices if isinstance(one, RayDevice))
+    ray = next(device for device in driven.devices if isinstance(device, RayDevice))
     drawn = load(BRINGUP / "urdf" / "turtlebot3_waffle.urdf")
     x, _, z = np.sum([drawn.joint(name).origin.xyz for name in ("base_joint", "scan_joint")], axis=0)
     assert (ray.frame, ray.lidar.mount.x) == ("base_scan", pytest.approx(x)) and ray.lidar.height == pytest.approx(

@@ -66,9 +66,9 @@ PLAN_AND_FOLLOW = """
 
 @pytest.fixture
 def stage(session, tmp_path):
-    made = Stage(session, tmp_path)
-    yield made
-    made.close()
+    new_stage = Stage(session, tmp_path)
+    yield new_stage
+    new_stage.close()
 
 
 def give(stage, client, pose):
@@ -184,9 +184,9 @@ def test_a_path_through_a_place_that_is_taken_goes_on_from_beside_it(stage):
     assert client.wait_for_server(timeout_sec=5.0)
     goals = [stage.stamped(Pose2D(1.9, 0.3, 0.0)), stage.stamped(Pose2D(3.5, 0.3, 0.0))]
     handle = stage.until(client.send_goal_async(ComputePathThroughPoses.Goal(goals=goals)))
-    path = [one.pose.position for one in stage.until(handle.get_result_async()).result.path.poses]
+    path = [pose.pose.position for pose in stage.until(handle.get_result_async()).result.path.poses]
     assert max(math.dist((a.x, a.y), (b.x, b.y)) for a, b in pairwise(path)) < 0.1
-    assert min(math.dist((one.x, one.y), (1.9, 0.3)) for one in path) > 0.15
+    assert min(math.dist((position.x, position.y), (1.9, 0.3)) for position in path) > 0.15
 
 
 def test_parameters_set_while_it_runs_are_obeyed(stage, ros2):

@@ -43,9 +43,9 @@ def test_what_does_not_match_is_told_to_both_and_nothing_is_heard(session, run, 
     demo = run(PACKAGE, "incompatible_qos", policy)
     assert demo.wait(10) == 0
     assert demo.output.splitlines()[1].startswith("Incompatibility condition: publisher ")
-    assert any(one.startswith("Offered incompatible qos - total 1 delta 1") for one in said(demo, "talker"))
-    assert any(one.startswith("Requested incompatible qos - total 1 delta 1") for one in said(demo, "listener"))
-    assert not any("heard" in one for one in said(demo, "listener"))
+    assert any(line.startswith("Offered incompatible qos - total 1 delta 1") for line in said(demo, "talker"))
+    assert any(line.startswith("Requested incompatible qos - total 1 delta 1") for line in said(demo, "listener"))
+    assert not any("heard" in line for line in said(demo, "listener"))
 
 
 @pytest.mark.parametrize("name", ["deadline", "lifespan", "liveliness", "incompatible_qos"])
@@ -85,7 +85,7 @@ def test_keys_steer_the_interactive_publisher_and_the_subscriber_tells(session, 
     mouth.write_stdin("Sp")
     session.clock.sleep(0.6)
     assert "start sending messages" in mouth.output and "asserting publisher liveliness" in mouth.output
-    for one in (mouth, ear):
-        one.write_stdin("qx")
-        assert one.wait(3) == 0
-        assert one.output.count("HISTORY POLICY: keep last (depth: 10)") == 2 and "exiting the demo..." in one.output
+    for process in (mouth, ear):
+        process.write_stdin("qx")
+        assert process.wait(3) == 0
+        assert process.output.count("HISTORY POLICY: keep last (depth: 10)") == 2 and "exiting the demo..." in process.output

@@ -69,7 +69,7 @@ def test_numbers_of_topics_are_kept_by_their_paths(session, sources):
     session.spawn(rclpy.spin, plot, None)
     session.clock.sleep(3.0)
     assert set(plot.curves.curves) == {"/speed/data", "/turtle1/pose/x", "/turtle1/pose/y"}
-    for (when, x), (_, y) in zip(*(plot.curves.curves[f"/turtle1/pose/{one}"].newer(0) for one in "xy"), strict=False):
+    for (when, x), (_, y) in zip(*(plot.curves.curves[f"/turtle1/pose/{axis}"].newer(0) for axis in "xy"), strict=False):
         assert y == 2 * x and 0 <= when <= 3.5
     plot.destroy_node()
 
@@ -95,7 +95,7 @@ def test_without_a_path_it_says_how(run, session):
 def test_paths_and_parts():
     assert paths(["/a/b/x:y;", ";", "c/d"]) == ["/a/b/x", "/a/b/y", "/c/d"]
     pose = Pose(x=1.0)
-    assert dict(numbers(pose, "/p")) == {f"/p/{one}": float(one == "x") for one in pose.get_fields_and_field_types()}
+    assert dict(numbers(pose, "/p")) == {f"/p/{field}": float(field == "x") for field in pose.get_fields_and_field_types()}
     assert part(pose, "x") == 1.0 and part(pose, "z/z") is None and part(pose, "") is pose
     state = JointState(position=[4.0, 5.0])
     assert part(state, "position[1]") == 5.0 and part(state, "position[7]") is None and part(state, "position[x]") is None

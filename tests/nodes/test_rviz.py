@@ -184,7 +184,7 @@ def test_it_logs_as_rviz2_whatever_its_node_is_called(words, node):
     with Session(virtual=True).use() as session:
         process = session.start_executable(find("rviz2", "rviz2"), words, name="rviz2")
         session.clock.sleep(1.0)
-        assert [one.full_name for one in session.graph(0).nodes] == [node]
+        assert [graph_node.full_name for graph_node in session.graph(0).nodes] == [node]
         process.interrupt()
         process.wait(2.0)
     assert "] [rviz2]: No notebook shows this window." in process.output

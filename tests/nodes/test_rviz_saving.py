@@ -13,7 +13,7 @@ from coursekit.nodes.rviz.properties import properties
 
 def other(property_, value):
     """Another value of a property, of a kind that a file keeps."""
-    choices = [one for one in property_.choices if one and one != value]
+    choices = [choice for choice in property_.choices if choice and choice != value]
     kinds = {"box": not value, "colour": [1, 2, 3], "choice": choices[0] if choices else value, "text": "other"}
     return kinds.get(property_.editor, 4 if property_.whole else 0.25)
 
@@ -21,7 +21,7 @@ def other(property_, value):
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_option_of_a_kind_is_read_back(kind, tmp_path):
     display = make_config(displays=[{"type": kind, "name": "mine", "enabled": False}]).displays[0]
-    display.options |= {one.key: other(one, display.options[one.key]) for one in properties(kind)}
+    display.options |= {property_.key: other(property_, display.options[property_.key]) for property_ in properties(kind)}
     if KINDS[kind].type:
         display.topic = "/elsewhere"
     if kind == "RobotModel":

@@ -148,8 +148,8 @@ def test_a_buffer_server_answers_clients(run, session):
         Thread(target=rclpy.spin, args=(node,), daemon=True).start()
         client = BufferClient(node, "tf2_buffer_server")
         assert client.action_client.wait_for_server(5.0)
-        found = client.lookup_transform("base_link", "laser", Time(), Duration(seconds=2.0))
-        answers.append(found.transform.translation.x)
+        transform = client.lookup_transform("base_link", "laser", Time(), Duration(seconds=2.0))
+        answers.append(transform.transform.translation.x)
         answers.append(client.can_transform("base_link", "laser", Time()))
         tight = BufferClient(node, "tf2_buffer_server", timeout_padding=0.0)
         try:
@@ -195,6 +195,6 @@ def test_points_with_time_and_frame_are_taken_into_another_turtles_frame(ros2, s
     session.clock.sleep(5.0)
     point = ros2("topic", "echo", "/turtle3/turtle_point_stamped", "--once")
     assert "frame_id: world" in point
-    one = ros2("topic", "echo", "/turtle3/pose", "--once").splitlines()
+    echoed = ros2("topic", "echo", "/turtle3/pose", "--once").splitlines()
     session.clock.sleep(1.0)
-    assert ros2("topic", "echo", "/turtle3/pose", "--once").splitlines()[:2] != one[:2], "it goes round"
+    assert ros2("topic", "echo", "/turtle3/pose", "--once").splitlines()[:2] != echoed[:2], "it goes round"

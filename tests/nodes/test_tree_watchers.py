@@ -15,10 +15,10 @@ from coursekit.nodes.nav2.trip import KINDS, load_tree
 @pytest.fixture
 def crew():
     topics = {}
-    made = SimpleNamespace(now=0.0, topics=topics, service=lambda *_: None, client=lambda *_: None)
-    made.seconds = lambda: made.now
-    made.listen = lambda topic, *_: topics.setdefault(topic, deque(maxlen=1))
-    return made
+    tree_crew = SimpleNamespace(now=0.0, topics=topics, service=lambda *_: None, client=lambda *_: None)
+    tree_crew.seconds = lambda: tree_crew.now
+    tree_crew.listen = lambda topic, *_: topics.setdefault(topic, deque(maxlen=1))
+    return tree_crew
 
 
 @pytest.fixture

@@ -58,10 +58,10 @@ def sim(run):
 
 @pytest.fixture
 def friend(session, sim):
-    made = Friend(session)
-    made.spin(0.1)
-    yield made
-    rclpy.shutdown(context=made.context)
+    new_friend = Friend(session)
+    new_friend.spin(0.1)
+    yield new_friend
+    rclpy.shutdown(context=new_friend.context)
 
 
 def test_it_says_what_the_real_one_says(session, sim):
@@ -75,7 +75,7 @@ def test_it_says_what_the_real_one_says(session, sim):
 
 def test_ctrl_c_ends_it_and_nobody_draws_it_any_more(session, sim):
     session.clock.sleep(0.5)
-    assert [one.full_name for one in simulators.running(session)] == ["/turtlesim"]
+    assert [node.full_name for node in simulators.running(session)] == ["/turtlesim"]
     sim.interrupt()
     assert sim.wait(5) == 0
     assert simulators.running(session) == []

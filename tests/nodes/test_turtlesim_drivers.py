@@ -43,7 +43,7 @@ def test_a_second_goal_aborts_the_first(session, run, world, turtle):
     key.write_stdin("g")
     session.clock.sleep(2.0)
     assert turtle.theta == pytest.approx(0.0, abs=0.03)
-    (sim,) = [one for one in session.processes if one.name == "turtlesim_node"]
+    (sim,) = [process for process in session.processes if process.name == "turtlesim_node"]
     assert "Rotation goal received before a previous goal finished. Aborting previous goal" in sim.output
     assert "Rotation goal completed successfully" in sim.output
 
@@ -124,7 +124,7 @@ def test_mimic_follows_in_another_window(run, session):
     key = run("turtlesim", "turtle_teleop_key", "--ros-args", "-r", "__ns:=/turtlesim1")
     key.write_stdin("\x1b[D")
     session.clock.sleep(2.0)
-    first, second = (one.world.turtles["turtle1"] for one in simulators.running(session))
+    first, second = (simulator.world.turtles["turtle1"] for simulator in simulators.running(session))
     assert first.theta == pytest.approx(2.0, abs=0.1)
     assert math.isclose(second.theta, first.theta, abs_tol=0.1)
 

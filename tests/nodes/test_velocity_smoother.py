@@ -10,7 +10,12 @@ PARAMETERS = ("max_velocity:=[0.5, 0.0, 1.0]", "max_accel:=[1.0, 0.0, 2.0]", "ma
 @pytest.fixture
 def driver(session, run, ros2):
     """driver(forward, seconds) wishes for a speed again and again; what came out meanwhile."""
-    run("nav2_velocity_smoother", "velocity_smoother", "--ros-args", *(word for one in PARAMETERS for word in ("-p", one)))
+    run(
+        "nav2_velocity_smoother",
+        "velocity_smoother",
+        "--ros-args",
+        *(word for parameter in PARAMETERS for word in ("-p", parameter)),
+    )
     session.clock.sleep(0.1)
     for state in ("configure", "activate"):
         assert "successful" in ros2("lifecycle", "set", "/velocity_smoother", state)

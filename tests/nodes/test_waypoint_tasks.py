@@ -23,14 +23,14 @@ PARAMETERS = """waypoint_follower:
 @pytest.fixture
 def friend(session):
     """A node that goes to any pose at once."""
-    made = Friend(session)
+    new_friend = Friend(session)
 
     def go(handle):
         handle.succeed()
         return NavigateToPose.Result()
 
-    made.server = ActionServer(made.node, NavigateToPose, "navigate_to_pose", go)
-    return made
+    new_friend.server = ActionServer(new_friend.node, NavigateToPose, "navigate_to_pose", go)
+    return new_friend
 
 
 @pytest.fixture
@@ -38,7 +38,7 @@ def follower(run, ros2, tmp_path):
     """follower("InputAtWaypoint", "timeout: 2.0") starts an active waypoint follower with this task."""
 
     def start(plugin, *settings, stops="false"):
-        text = PARAMETERS.format(plugin=plugin, settings="".join(f", {one}" for one in settings), stops=stops)
+        text = PARAMETERS.format(plugin=plugin, settings="".join(f", {setting}" for setting in settings), stops=stops)
         (tmp_path / "follower.yaml").write_text(text)
         files = ("--ros-args", "--params-file", str(tmp_path / "follower.yaml"))
         node = run("nav2_waypoint_follower", "waypoint_follower", *files)
@@ -97,7 +97,7 @@ def test_pictures_are_saved_in_their_colors(follower, friend, tmp_path):
     friend.node.create_timer(0.2, lambda: out.publish(picture))
     friend.spin(1.0)
     assert follow(friend, 2)[0] == SUCCEEDED
-    assert sorted(one.name for one in (tmp_path / "photos").iterdir()) == ["0_0.png", "1_0.png"]
+    assert sorted(path.name for path in (tmp_path / "photos").iterdir()) == ["0_0.png", "1_0.png"]
     assert cv2.imread(str(tmp_path / "photos/1_0.png"))[0, 0].tolist() == [0, 0, 255]
 
 

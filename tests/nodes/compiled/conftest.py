@@ -40,18 +40,18 @@ def cpp_library() -> Path:
 @pytest.fixture(scope="session")
 def build(cpp_library: Path, tmp_path_factory: pytest.TempPathFactory) -> Callable[..., Path]:
     """Compile a program's text under a name, once; more words are for the compiler."""
-    made: dict[tuple[str, str], Path] = {}
+    path_by_program: dict[tuple[str, str], Path] = {}
 
     def compiled(name: str, text: str, *words: str) -> Path:
-        if (name, text) not in made:
+        if (name, text) not in path_by_program:
             path = tmp_path_factory.mktemp("programs") / name
             source = path.with_suffix(".cpp")
             source.write_text(text, encoding="utf-8")
             archive = str(cpp_library / "lib" / "libcoursekit.a")
             library = ["-Wl,--whole-archive", archive, "-Wl,--no-whole-archive", "-ldl", "-lpthread"]
             _compile(cpp_library, *words, str(source), "-o", str(path), *library)
-            made[name, text] = path  # not before: what does not compile fails each of its tests
-        return made[name, text]
+            path_by_program[name, text] = path  # not before: what does not compile fails each of its tests
+        return path_by_program[name, text]
 
     return compiled
 

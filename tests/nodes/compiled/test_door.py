@@ -12,17 +12,17 @@ from tests.needs import posix
 
 @pytest.fixture
 def door():
-    made = LoopbackDoor()
-    yield made
-    made.close()
+    loopback_door = LoopbackDoor()
+    yield loopback_door
+    loopback_door.close()
 
 
 def connect(door, said):
     """A connection to a port that says this first, and no more."""
-    made = socket.create_connection(door.listening.getsockname(), timeout=10)
-    made.sendall(said)
-    made.shutdown(socket.SHUT_WR)
-    return made
+    connection = socket.create_connection(door.listening.getsockname(), timeout=10)
+    connection.sendall(said)
+    connection.shutdown(socket.SHUT_WR)
+    return connection
 
 
 def test_only_who_says_the_token_comes_in(door):
@@ -32,9 +32,9 @@ def test_only_who_says_the_token_comes_in(door):
     friend = connect(door, f"{token}M".encode())
     with door.accept() as accepted, friend:
         assert accepted.recv(10) == b"M"  # the strangers came before, and not in
-    for one in strangers:
-        with one:
-            assert one.recv(1) == b""
+    for stranger in strangers:
+        with stranger:
+            assert stranger.recv(1) == b""
 
 
 def test_doors_have_tokens_of_their_own(door):

@@ -41,15 +41,15 @@ FRAME = st.one_of(QUESTION, st.binary(min_size=1, max_size=40).filter(lambda dat
 
 def stand_in(session: Session) -> Any:
     """A host without a child."""
-    made = object.__new__(Host)
-    made.session, made.clock, made.node_clocks, made.stopping = session, session.clock, [], False
-    made.things, made.of_context, made.waiting = {}, {}, []
-    made.process = SimpleNamespace(on_signal=[], handlers={}, env={})
-    made.own_gids = set()
-    made.output = SimpleNamespace(drain=lambda: None)  # type: ignore[assignment]
-    made.blocked, made.threads, made.caught = {}, {}, set()
-    made._lock, made._workers = Lock(), Workers(session.clock, lambda: pytest.fail("there is no child"))
-    return made
+    host = object.__new__(Host)
+    host.session, host.clock, host.node_clocks, host.stopping = session, session.clock, [], False
+    host.things, host.of_context, host.waiting = {}, {}, []
+    host.process = SimpleNamespace(on_signal=[], handlers={}, env={})
+    host.own_gids = set()
+    host.output = SimpleNamespace(drain=lambda: None)  # type: ignore[assignment]
+    host.blocked, host.threads, host.caught = {}, {}, set()
+    host._lock, host._workers = Lock(), Workers(session.clock, lambda: pytest.fail("there is no child"))
+    return host
 
 
 def replies(data: bytes) -> list[bytes]:
@@ -86,15 +86,15 @@ def mutated(seed: int, count: int) -> bytes:
     chance = random.Random(seed)
     cloud = PointCloud2(fields=[PointField(name="x", count=1)] * 3, data=b"1234567")
     seeds = [serialize(cloud), serialize(ParameterEvent(node="/n")), packed(3, "text", 7, "more"), b""]
-    made = []
+    frames = []
     for _ in range(count):
         data = bytearray(chance.choice(seeds))
         for _ in range(chance.randrange(6)):
             if data:
                 data[chance.randrange(len(data))] = chance.choice([0, 1, 127, 255, chance.randrange(256)])
         data = data[: chance.randrange(len(data) + 1)] if chance.random() < 0.3 else data
-        made.append(struct.pack("<I", len(data)) + bytes(data))
-    return b"".join(made)
+        frames.append(struct.pack("<I", len(data)) + bytes(data))
+    return b"".join(frames)
 
 
 @pytest.mark.parametrize("seed", [1, 2])

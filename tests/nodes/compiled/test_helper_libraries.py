@@ -155,5 +155,5 @@ def test_diagnostics_are_told_each_period(session, build):
     assert len(reports) == 3
     pressure, level = reports[-1].status
     assert (pressure.name, pressure.hardware_id, pressure.message) == ("pump: pressure", "pump 3", "steady")
-    assert [(one.key, one.value) for one in pressure.values] == [("bar", "2.5"), ("raw", "0012"), ("open", "True")]
+    assert [(value.key, value.value) for value in pressure.values] == [("bar", "2.5"), ("raw", "0012"), ("open", "True")]
     assert (level.message, level.level) == ("falls", b"\x01")

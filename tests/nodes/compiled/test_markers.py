@@ -46,11 +46,11 @@ def test_a_marker_is_shown_dragged_and_its_menu_obeyed(session, build):
     shown = viewer.markers()
     [marker] = shown.markers
     assert (shown.sequence_number, marker.name, marker.description) == (1, "knob", "A knob")
-    entries = [(one.id, one.parent_id, one.title) for one in marker.menu_entries]
+    entries = [(entry.id, entry.parent_id, entry.title) for entry in marker.menu_entries]
     assert entries == [(1, 0, "[x] First"), (2, 1, "[ ] Below")]
 
     viewer.tell(InteractiveMarkerFeedback.POSE_UPDATE, x=1.5)
-    assert [(one.name, one.pose.position.x, one.header.frame_id) for one in viewer.updates[-1].poses] == [
+    assert [(pose.name, pose.pose.position.x, pose.header.frame_id) for pose in viewer.updates[-1].poses] == [
         ("knob", 1.5, "base_link")
     ]
     viewer.tell(InteractiveMarkerFeedback.POSE_UPDATE, client="another", x=9.0)  # not while the first one drags

@@ -18,4 +18,4 @@ def test_a_callback_computes_with_openmp_and_the_program_s_own_threads_keep_virt
     words, times = zip(*said[0], strict=True)
     assert words == ("499500 by 4 at", "slept until", "499500 by 4 at", "499500 by 4 at")
     assert [float(time) - float(times[0]) for time in times] == [0.0, 0.5, 1.0, 2.0]
-    assert [one for one, _ in said[1]] == list(words)
+    assert [word for word, _ in said[1]] == list(words)

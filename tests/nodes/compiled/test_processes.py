@@ -20,13 +20,13 @@ STARTS = int(os.environ.get("COURSEKIT_STARTS", "20"))
 
 @pytest.fixture
 def launch(build):
-    made = {}
+    path_by_name = {}
 
     def started(session, name, *words, env=None):
-        if name not in made:
-            made[name] = build(name, program(f"{name}.cpp"))
+        if name not in path_by_name:
+            path_by_name[name] = build(name, program(f"{name}.cpp"))
         env = {**os.environ, **(env or {})}
-        return session.launch(make_process(session, made[name], words, name=name, env=env))
+        return session.launch(make_process(session, path_by_name[name], words, name=name, env=env))
 
     return started
 

@@ -31,14 +31,14 @@ def test_a_topic_is_told_to_be_too_slow_and_too_late(session, build):
     second, last = reports[1], reports[-1]
     ticks = second["sonar: ticks topic status"]
     assert (ticks.level, ticks.message, ticks.hardware_id) == (b"\x00", "Desired frequency met", "sonar 1")
-    told_of = {one.key: one.value for one in ticks.values}
+    told_of = {value.key: value.value for value in ticks.values}
     assert told_of["Actual frequency (Hz)"].startswith("10.") or told_of["Actual frequency (Hz)"].startswith("9.")
     assert told_of["Minimum acceptable frequency (Hz)"] == "8.100000"
     assert told_of["Maximum acceptable frequency (Hz)"] == "12.100000"
     slow = second["sonar: /range topic status"]
     assert (slow.level, slow.message) == (b"\x01", "Frequency too low.")
-    assert {one.key: one.value for one in slow.values}["Target frequency (Hz)"] == "11.000000"
+    assert {value.key: value.value for value in slow.values}["Target frequency (Hz)"] == "11.000000"
     late = last["sonar: /range topic status"]
     assert (late.level, late.message) == (b"\x02", "Frequency too low.; Timestamps too far in past seen.")
-    assert {one.key: one.value for one in late.values}["Late diagnostic update count:"] == "2"
+    assert {value.key: value.value for value in late.values}["Late diagnostic update count:"] == "2"
     assert last["sonar: Heartbeat"].message == "Alive"

@@ -22,11 +22,11 @@ Result = FollowJointTrajectory.Result
 
 def trajectory(*points, joints=JOINTS):
     """Positions and times as a message."""
-    made = [
+    trajectory_points = [
         JointTrajectoryPoint(positions=list(map(float, positions)), time_from_start=Duration(sec=time))
         for positions, time in points
     ]
-    return JointTrajectory(joint_names=list(joints), points=made)
+    return JointTrajectory(joint_names=list(joints), points=trajectory_points)
 
 
 def send(friend, kind, name, goal, seconds=20.0):

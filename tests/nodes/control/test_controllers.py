@@ -118,7 +118,7 @@ def test_broadcasters_tell_what_their_parameters_name(cart, run, friend):
         (Imu, "/imu/imu"),
         (Range, "/sonar/range"),
     )
-    states, wrench, imu, sonar = (friend.hear(*one) for one in kinds)
+    states, wrench, imu, sonar = (friend.hear(*type_and_topic) for type_and_topic in kinds)
     friend.spin(0.5)
     assert list(states[-1].name) == ["right", "ghost"] and list(states[-1].position) == [0.0, 0.0]
     assert (wrench[-1].header.frame_id, imu[-1].header.frame_id) == ("tool0", "imu_link")
@@ -158,7 +158,9 @@ def test_controllers_are_loaded_from_python_and_from_launch_files(cart, run, fri
 
         rclpy.init()
         asking = rclpy.create_node("asking")
-        told["before"] = {one.name: one.state for one in list_controllers(asking, "/controller_manager").controller}
+        told["before"] = {
+            controller.name: controller.state for controller in list_controllers(asking, "/controller_manager").controller
+        }
         told["loaded"] = load_controller(asking, "/controller_manager", "wrench").ok
         told["switched"] = switch_controllers(asking, "/controller_manager", ["states"], [], True, True, 5.0).ok
         try:

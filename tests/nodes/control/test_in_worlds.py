@@ -62,7 +62,7 @@ def wheels(run, friend, tmp_path):
     from gazebo_msgs.srv import GetEntityState
 
     def start(kind, *commands):
-        words = "".join(f"<command_interface name='{one}'/>" for one in commands)
+        words = "".join(f"<command_interface name='{command}'/>" for command in commands)
         joint = "<joint name='{}_joint'>" + words + "<state_interface name='position'/></joint>"
         blocks = f"<ros2_control name='s' type='system'><hardware><plugin>{CLASSIC[0]}</plugin></hardware>"
         blocks += joint.format("left") + joint.format("right") + "</ros2_control>"

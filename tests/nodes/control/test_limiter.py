@@ -21,13 +21,13 @@ def test_a_speed_backwards_has_its_own_limit_or_that_of_forwards():
 
 
 def test_an_acceleration_is_limited_step_by_step():
-    one = limiter(has_acceleration_limits=True, max_acceleration=1.0, min_acceleration=-2.0)
-    assert [round(one.limit(wish, 0.1), 9) for wish in (0.25, 0.25, 0.25, 0.0, 0.0)] == [0.1, 0.2, 0.25, 0.05, 0.0]
+    ramped = limiter(has_acceleration_limits=True, max_acceleration=1.0, min_acceleration=-2.0)
+    assert [round(ramped.limit(wish, 0.1), 9) for wish in (0.25, 0.25, 0.25, 0.0, 0.0)] == [0.1, 0.2, 0.25, 0.05, 0.0]
 
 
 def test_a_jerk_is_limited_too():
-    one = limiter(has_jerk_limits=True, max_jerk=5.0)
-    assert [round(one.limit(9.0, 0.1), 9) for _ in range(3)] == [0.1, 0.3, 0.6]
+    jerk_limiter = limiter(has_jerk_limits=True, max_jerk=5.0)
+    assert [round(jerk_limiter.limit(9.0, 0.1), 9) for _ in range(3)] == [0.1, 0.3, 0.6]
 
 
 def test_a_limit_without_its_number_is_told():

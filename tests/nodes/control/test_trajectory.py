@@ -26,17 +26,17 @@ def test_a_spline_meets_all_that_both_points_tell_and_its_derivatives_are_its_ow
     for count in (1, 2, 3):
         one, other = point(0.0, *values[:count]), point(span, *values[3 : 3 + count])
         for at, wanted in ((0.0, values[:count]), (span, values[3 : 3 + count])):
-            made = between(one, other, at)
-            told = (made.positions, made.velocities, made.accelerations)[:count]
+            sampled = between(one, other, at)
+            told = (sampled.positions, sampled.velocities, sampled.accelerations)[:count]
             assert [float(each[0]) for each in told] == pytest.approx(wanted, abs=1e-6)
-        made = between(one, other, share * span)
-        assert float(made.velocities[0]) == pytest.approx(derivative(one, other, share * span, "positions"), abs=1e-4)
-        assert float(made.accelerations[0]) == pytest.approx(derivative(one, other, share * span, "velocities"), abs=1e-3)
+        sampled = between(one, other, share * span)
+        assert float(sampled.velocities[0]) == pytest.approx(derivative(one, other, share * span, "positions"), abs=1e-4)
+        assert float(sampled.accelerations[0]) == pytest.approx(derivative(one, other, share * span, "velocities"), abs=1e-3)
 
 
 def test_without_speeds_it_is_a_line_also_when_one_point_has_them():
-    made = between(point(0.0, 0.0, 5.0), point(2.0, 1.0), 1.0)
-    assert (made.positions[0], made.velocities[0]) == pytest.approx((0.5, 0.5))
+    halfway = between(point(0.0, 0.0, 5.0), point(2.0, 1.0), 1.0)
+    assert (halfway.positions[0], halfway.velocities[0]) == pytest.approx((0.5, 0.5))
 
 
 def test_before_the_first_point_it_comes_from_where_the_joints_were_and_after_the_last_it_stays():

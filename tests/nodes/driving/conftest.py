@@ -41,6 +41,6 @@ class Friend:
 
 @pytest.fixture
 def friend(session):
-    made = Friend(session)
-    yield made
-    rclpy.shutdown(context=made.context)
+    new_friend = Friend(session)
+    yield new_friend
+    rclpy.shutdown(context=new_friend.context)

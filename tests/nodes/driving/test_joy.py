@@ -125,7 +125,7 @@ def joy(*down, axes=(0.0, 1.0)):
 def test_a_held_button_drives_another_faster_and_letting_go_stops_once(friend, run):
     options = ["axis_linear.x:=1", "scale_linear.x:=0.5", "scale_linear_turbo.x:=2.0", "axis_angular.yaw:=0",
                "scale_angular.yaw:=0.4", "enable_button:=4", "enable_turbo_button:=5"]  # fmt: skip
-    process = run("teleop_twist_joy", "teleop_node", "--ros-args", *(word for one in options for word in ("-p", one)))
+    process = run("teleop_twist_joy", "teleop_node", "--ros-args", *(word for option in options for word in ("-p", option)))
     heard = friend.hear(Twist, "cmd_vel")
     friend.spin(0.2)
     assert "[TeleopTwistJoy]: Teleop enable button 4." in process.output

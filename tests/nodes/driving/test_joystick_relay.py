@@ -32,7 +32,7 @@ def deflect(friend, x=0.0, z=0.0):
     asked.linear.x, asked.angular.z = x, z
     friend.say("joy_vel_in", asked)
     friend.spin(0.2)
-    return [(round(one.linear.x, 6), round(one.angular.z, 6)) for one in friend.out]
+    return [(round(twist.linear.x, 6), round(twist.angular.z, 6)) for twist in friend.out]
 
 
 def do(friend, name, kind=JoyTurbo):
@@ -66,8 +66,8 @@ def test_without_priority_nothing_passes_and_taking_it_stops_the_robot(relay, fr
     friend.out.clear()
     do(friend, "joy_priority_action", JoyPriority)
     friend.spin(0.2)
-    assert [one.linear.x for one in friend.out] == [0.0]
-    assert [one.data for one in friend.kept][-2:] == [False, True]
+    assert [twist.linear.x for twist in friend.out] == [0.0]
+    assert [message.data for message in friend.kept][-2:] == [False, True]
 
 
 def test_what_no_gamepad_says_stops_and_is_told(relay, friend):
@@ -97,7 +97,7 @@ def test_with_priority_the_muxs_lock_lets_only_the_gamepad_drive(relay, run, fri
     for speed in (1.0, 0.1):
         friend.say("nav_vel", navigation)
         deflect(friend, 1.0)
-        assert [one.linear.x for one in out] == [speed]
+        assert [twist.linear.x for twist in out] == [speed]
         out.clear()
         friend.spin(1.0)
         do(friend, "joy_priority_action", JoyPriority)

@@ -85,7 +85,7 @@ def test_it_tells_who_is_masked(friend, mux):
     told = friend.hear(DiagnosticArray, "/diagnostics")
     mux()
     drive(friend, seconds=1.5, nav_vel=0.1)
-    values = {one.key: one.value for one in told[-1].status[0].values}
+    values = {value.key: value.value for value in told[-1].status[0].values}
     assert told[-1].status[0].name == "twist_mux: Twist mux status" and values["lock pause"].startswith(" free")
     assert values["velocity navigation"].startswith(" unmasked") and values["velocity joystick"].startswith(" masked")
 
@@ -120,4 +120,4 @@ def test_the_arrow_shows_velocities_with_a_stamp_where_that_is_asked_for(run, fr
     friend.spin(0.1)
     friend.say("twist", TwistStamped(twist=forward(0.5)))
     friend.spin(0.1)
-    assert [(one.points[1].x, one.points[1].y, one.points[1].z) for one in arrows] == [(0.5, 0.0, 2.0)]
+    assert [(arrow.points[1].x, arrow.points[1].y, arrow.points[1].z) for arrow in arrows] == [(0.5, 0.0, 2.0)]

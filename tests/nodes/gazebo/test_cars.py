@@ -28,11 +28,11 @@ def car(places):
 
 
 def test_a_car_goes_round_as_its_front_wheels_say():
-    made = read_entity(car(PLACES), "taxi")
-    device = next(one for one in made.devices if isinstance(one, OdometryDevice))
+    entity = read_entity(car(PLACES), "taxi")
+    device = next(candidate for candidate in entity.devices if isinstance(candidate, OdometryDevice))
     assert (device.topic, device.command_topic, device.base_frame) == ("/taxi/odom", "/taxi/cmd_vel", "base_link")
     simulation = Simulation(World("yard"))
-    robot = simulation.spawn(made.robot, "car")
+    robot = simulation.spawn(entity.robot, "car")
     robot.command(2.0, 9.9)
     radius = 2.5 / math.tan(0.5)
     simulation.advance(math.pi * radius / 2.0)

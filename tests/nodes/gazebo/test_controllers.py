@@ -111,9 +111,9 @@ def test_controllers_that_cannot_work_are_told(cart, old, new, says):
 def test_a_missing_parameter_file_is_told(cart, tmp_path):
     robot = cart()
     (tmp_path / "controllers.yaml").unlink()
-    made = read_entity(robot.read_text(), "", robot)
-    assert made.things and not made.devices, "the robot is there, and nobody controls it"
-    (note,) = made.notes
+    entity = read_entity(robot.read_text(), "", robot)
+    assert entity.things and not entity.devices, "the robot is there, and nobody controls it"
+    (note,) = entity.notes
     assert "nothing controls its joints" in note and "controllers.yaml" in note
 
 

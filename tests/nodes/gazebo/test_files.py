@@ -90,8 +90,8 @@ def test_models_are_included_from_the_model_path(world, tmp_path, monkeypatch):
     lonely = world(include + model("m", BOX.format("1 1 1"), "5 0 0.5 0 0 0"))
     assert "GAZEBO_MODEL_PATH" in lonely.notes[0] and ahead(lonely) == pytest.approx(4.5)
     monkeypatch.setenv("GAZEBO_MODEL_PATH", str(tmp_path / "shop"))
-    made = world(ground + include)
-    assert ahead(made) == pytest.approx(2.5) and list(made.models) == ["ground_plane", "sun", "a"]
+    loaded_world = world(ground + include)
+    assert ahead(loaded_world) == pytest.approx(2.5) and list(loaded_world.models) == ["ground_plane", "sun", "a"]
 
 
 def test_meshes_are_cut_at_the_lidar_s_height(world, tmp_path):
@@ -100,16 +100,18 @@ def test_meshes_are_cut_at_the_lidar_s_height(world, tmp_path):
     cone = trimesh.creation.cone(radius=1.0, height=2.0, sections=256)
     cone.export(tmp_path / "cone.stl")
     mesh = "<collision name='c'><geometry><mesh><uri>cone.stl</uri></mesh></geometry></collision>"
-    made = world(model("m", mesh, "3 0 0 0 0 0"))
-    assert ahead(made, 0.5) == pytest.approx(3 - 0.75, abs=1e-3) and ahead(made, 1.5) == pytest.approx(3 - 0.25, abs=1e-3)
-    assert math.isinf(ahead(made, 2.5))
+    loaded_world = world(model("m", mesh, "3 0 0 0 0 0"))
+    assert ahead(loaded_world, 0.5) == pytest.approx(3 - 0.75, abs=1e-3) and ahead(loaded_world, 1.5) == pytest.approx(
+        3 - 0.25, abs=1e-3
+    )
+    assert math.isinf(ahead(loaded_world, 2.5))
 
 
 def test_models_that_are_not_static_can_be_pushed(world):
-    made = world(
+    loaded_world = world(
         model("m", f"<inertial><mass>2</mass></inertial>{BOX.format('0.4 0.4 0.4')}", "1 0 0.2 0 0 0", static=False)
     )
-    assert made.thing("m").mass == 2.0 and Simulation(made).pose_of("m").x == 1.0
+    assert loaded_world.thing("m").mass == 2.0 and Simulation(loaded_world).pose_of("m").x == 1.0
 
 
 BURGER = """<sdf version='1.6'><model name='burger'><pose>0 0 0 0 0 0</pose><link name='base_footprint'/>
@@ -137,15 +139,16 @@ BURGER = """<sdf version='1.6'><model name='burger'><pose>0 0 0 0 0 0</pose><lin
 
 
 def test_a_robot_in_sdf_drives_and_senses():
-    made = read_entity(BURGER)
+    entity = read_entity(BURGER)
     ray, drive, truth = (
-        next(one for one in made.devices if isinstance(one, kind)) for kind in (RayDevice, OdometryDevice, TruthDevice)
+        next(device for device in entity.devices if isinstance(device, kind))
+        for kind in (RayDevice, OdometryDevice, TruthDevice)
     )
     assert (ray.topic, ray.frame, ray.rate, ray.lidar.beams, ray.lidar.range_max) == ("/scan", "base_scan", 5.0, 360, 3.5)
     assert ray.lidar.mount.x == pytest.approx(-0.032) and ray.lidar.height == pytest.approx(0.171, abs=0.011)
     assert (drive.topic, drive.command_topic, drive.exact) == ("/tb/odom", "/tb/cmd_vel", True)
-    assert made.robot.drive.separation == 0.16 and truth.topic == "/truth"
-    assert any("libstrange.so" in note for note in made.notes)
+    assert entity.robot.drive.separation == 0.16 and truth.topic == "/truth"
+    assert any("libstrange.so" in note for note in entity.notes)
 
 
 def test_a_namespace_of_the_spawner_wins():
@@ -156,7 +159,7 @@ def test_a_namespace_of_the_spawner_wins():
 def test_tf_goes_where_a_drive_remaps_it():
     moved = BURGER.replace("<ros><namespace>tb</namespace></ros>", "<ros><remapping>/tf:=tf</remapping></ros>")
     for text, topic in ((BURGER, "/tf"), (moved, "/r1/tf")):
-        drive = next(one for one in read_entity(text, "r1").devices if isinstance(one, OdometryDevice))
+        drive = next(device for device in read_entity(text, "r1").devices if isinstance(device, OdometryDevice))
         assert drive.tf_topic == topic
 
 
@@ -178,12 +181,12 @@ def test_urdf_blocks_give_planar_drives_joint_states_imus_and_cameras():
         "<plugin name='c' filename='libgazebo_ros_camera.so'/></sensor><sensor name='s' type='sonar'>"
         "<plugin name='s'/></sensor>"
     )
-    made = read_entity(URDF.format(rpy="0 0 0", sensor=sensor, plugin=plugin))
-    kinds = {type(device): device for device in made.devices}
-    assert made.robot.drive.kind == "planar" and kinds[OdometryDevice].command_topic == "/go"
+    entity = read_entity(URDF.format(rpy="0 0 0", sensor=sensor, plugin=plugin))
+    kinds = {type(device): device for device in entity.devices}
+    assert entity.robot.drive.kind == "planar" and kinds[OdometryDevice].command_topic == "/go"
     assert kinds[ImuDevice].topic == "/i/out" and kinds[ImuDevice].turn_noise == 0.01 and kinds[ImuDevice].rate == 50
     assert kinds[CameraDevice].topic == "/c/image_raw" and kinds[CameraDevice].frame == "eye"
-    assert kinds[JointDevice].joints == ("j",) and any("'sonar'" in note for note in made.notes)
+    assert kinds[JointDevice].joints == ("j",) and any("'sonar'" in note for note in entity.notes)
 
 
 def test_a_lidar_on_its_head_turns_the_other_way():
@@ -193,10 +196,10 @@ def test_a_lidar_on_its_head_turns_the_other_way():
         "</max></range></ray><plugin name='l' filename='x'/></sensor>"
     )
     for rpy, flipped in (("0 0 0", False), ("3.141592653589793 0 0", True)):
-        made = read_entity(URDF.format(rpy=rpy, sensor=sensor, plugin=""))
-        assert made.devices[0].lidar.upside_down is flipped
-        assert made.devices[0].lidar.height == pytest.approx(0.4)
-        assert isinstance(made.robot.parts[0], Disc) and made.robot.parts[0].low == 0.0
+        entity = read_entity(URDF.format(rpy=rpy, sensor=sensor, plugin=""))
+        assert entity.devices[0].lidar.upside_down is flipped
+        assert entity.devices[0].lidar.height == pytest.approx(0.4)
+        assert isinstance(entity.robot.parts[0], Disc) and entity.robot.parts[0].low == 0.0
 
 
 WRONG = {
@@ -241,8 +244,8 @@ def test_what_is_not_understood_is_listed(world):
 @given(st.integers(0, len(BURGER)), st.integers(0, 40), st.sampled_from(["", "<", "&", "nan", "-1", "'", "1e999", "<a>"]))
 def test_a_damaged_robot_never_does_worse_than_a_clear_error(start, length, other):
     try:
-        made = read_entity(BURGER[:start] + other + BURGER[start + length :])
+        entity = read_entity(BURGER[:start] + other + BURGER[start + length :])
     except (UrdfError, WorldError) as error:
         assert str(error)
     else:
-        assert np.isfinite(made.robot.mass) if made.robot else True
+        assert np.isfinite(entity.robot.mass) if entity.robot else True

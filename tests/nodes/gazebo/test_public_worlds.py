@@ -53,9 +53,9 @@ def test_a_collada_mesh_says_its_unit_and_is_found_where_gazebo_finds_it(shop, u
     (shop.put("wall", MESH.format(uri)) / "meshes" / "wall.dae").write_text(WALL)
     nested = "<model name='w'><pose>1 0 0 0 0 0</pose><include><uri>{}</uri></include></model>"
     for address in ("model://wall", "file://models/wall"):
-        made = shop(nested.format(address))
-        assert made.notes == () and ahead(made) == pytest.approx(1 + 2.54)
-        assert not made.thing("w").moves, "an included model that is static stays so"
+        loaded_world = shop(nested.format(address))
+        assert loaded_world.notes == () and ahead(loaded_world) == pytest.approx(1 + 2.54)
+        assert not loaded_world.thing("w").moves, "an included model that is static stays so"
 
 
 def test_a_package_exports_where_its_models_and_worlds_are(shop, tmp_path, monkeypatch):
@@ -78,22 +78,22 @@ def test_a_package_exports_where_its_models_and_worlds_are(shop, tmp_path, monke
 
 def test_a_model_that_is_nowhere_is_listed_and_the_rest_is_there(shop):
     shop.put("wall", BOX.format("3 0 0.5 0 0 0", "1 1 1"))
-    made = shop(
+    loaded_world = shop(
         "<include><uri>model://nowhere</uri></include><include><uri>model://wall</uri></include>"
         "<model name='nest'><include><uri>https://fuel.example.org/1.0/x/models/tree</uri></include></model>"
     )
-    assert ahead(made) == pytest.approx(2.5)
-    assert "nowhere" in made.notes[0] and "tree" in made.notes[1] and "shop.world:1" in made.notes[0]
+    assert ahead(loaded_world) == pytest.approx(2.5)
+    assert "nowhere" in loaded_world.notes[0] and "tree" in loaded_world.notes[1] and "shop.world:1" in loaded_world.notes[0]
 
 
 def test_robots_stand_on_floors_and_roll_over_sills(shop):
-    made = shop(
+    loaded_world = shop(
         f"<model name='slab'><static>1</static><link name='l'>{BOX.format('0 0 -0.01 0 0 0', '20 20 0.02')}</link></model>"
         f"<model name='stage'><static>1</static><link name='l'>{BOX.format('0 0 0.05 0 0 0', '9 9 0.1')}</link></model>"
         f"<model name='sill'><static>1</static><link name='l'>{BOX.format('0.6 0 0 0 0 0', '0.1 9 0.03')}</link></model>"
         f"<model name='kerb'><static>1</static><link name='l'>{BOX.format('2 0 0.05 0 0 0', '0.1 9 0.1')}</link></model>"
     )
-    simulation = Simulation(made)
+    simulation = Simulation(loaded_world)
     robot = simulation.spawn(RobotModel("robot"))
     robot.command(0.5)
     simulation.advance(6.0)
@@ -103,7 +103,7 @@ def test_robots_stand_on_floors_and_roll_over_sills(shop):
 
 
 def test_models_may_stand_relative_to_others_and_on_one_of_their_frames(shop):
-    made = shop(
+    loaded_world = shop(
         "<frame name='corner'><pose>0 0 0 0 0 1.5707963267948966</pose></frame>"
         f"<model name='a'><static>1</static><pose relative_to='corner'>3 0 0 0 0 0</pose><link name='l'>"
         f"{BOX.format('0 0 0.5 0 0 0', '1 1 1')}</link></model>"
@@ -111,28 +111,28 @@ def test_models_may_stand_relative_to_others_and_on_one_of_their_frames(shop):
         f"<frame name='end'><pose>1 0 0 0 0 0</pose></frame><link name='l'>{BOX.format('0 0 0.5 0 0 0', '1 1 1')}</link>"
         "</model>", "1.9"
     )  # fmt: skip
-    assert ahead(made, Pose2D(0, 0, math.pi / 2)) == pytest.approx(2.5)
-    assert ahead(made, Pose2D(0, 2)) == pytest.approx(3.5)
+    assert ahead(loaded_world, Pose2D(0, 0, math.pi / 2)) == pytest.approx(2.5)
+    assert ahead(loaded_world, Pose2D(0, 2)) == pytest.approx(3.5)
 
 
 def test_nests_in_nests_keep_links_of_the_same_name_apart(shop):
     shop.put("post", BOX.format("0 0 0.5 0 0 0", "0.2 0.2 1"))
     row = "<include><uri>model://post</uri><pose>{} 0 0 0 0 0</pose></include>"
-    made = shop(f"<model name='yard'><model name='row'>{row.format(2)}{row.format(4)}</model></model>")
-    assert ahead(made) == pytest.approx(1.9) and ahead(made, Pose2D(3, 0)) == pytest.approx(0.9)
+    loaded_world = shop(f"<model name='yard'><model name='row'>{row.format(2)}{row.format(4)}</model></model>")
+    assert ahead(loaded_world) == pytest.approx(1.9) and ahead(loaded_world, Pose2D(3, 0)) == pytest.approx(0.9)
 
 
 def test_loose_things_rest_on_the_floor_or_on_what_they_stand_on(shop):
     shape = BOX.format("0 0 0 0 0 0", "0.4 0.4 0.4")
     box = "<model name='{}'><pose>2 0 {} 0 0 0</pose><link name='l'>" + shape + "</link></model>"
     table = BOX.format("0 0 0.7 0 0 0", "1 1 0.04") + BOX.format("0.4 0.4 0.35 0 0 0", "0.05 0.05 0.7")
-    made = shop(
+    loaded_world = shop(
         box.format("upper", 0.6) + box.format("lower", 0.2) + box.format("flying", 3.0).replace("<pose>2 0", "<pose>6 0")
         + f"<model name='table'><static>1</static><pose>-2 0 0 0 0 0</pose><link name='l'>{table}</link></model>"
         + box.format("lunch", 0.93).replace("<pose>2 0", "<pose>-2 0")
     )  # fmt: skip
-    lows = {thing.name: round(thing.parts[0].low, 3) for thing in made.things}
+    lows = {thing.name: round(thing.parts[0].low, 3) for thing in loaded_world.things}
     assert lows == {"upper": 0.4, "lower": 0.0, "flying": 0.0, "table": 0.68, "lunch": 0.72}
-    simulation = Simulation(made)
+    simulation = Simulation(loaded_world)
     simulation.advance(1.0)
     assert simulation.pose_of("upper") == simulation.pose_of("lower"), "nothing is shoved aside"

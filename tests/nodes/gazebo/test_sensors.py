@@ -30,7 +30,7 @@ def watch(tmp_path, run, friend):
         heard = [friend.hear(kind, topic) for kind, topic in topics]
         watch.server = run("gazebo_ros", "gzserver", str(file))
         friend.spin(0.5)
-        return [one[-1] for one in heard]
+        return [message[-1] for message in heard]
 
     return watch
 

@@ -60,7 +60,7 @@ def test_a_robot_drives_turns_its_wheels_and_odometry_drifts(run, spawn, friend)
     assert joints[-1].position[0] == pytest.approx(1.0 / 0.0375, rel=0.02)
     assert odometry[-1].twist.twist.linear.x == 0.0
     numbers = (odometry[-1].pose.pose.position.x, odometry[-1].pose.pose.orientation.z, joints[-1].position[0])
-    assert {type(one) for one in numbers} == {float}, "what prints as a plain number"
+    assert {type(number) for number in numbers} == {float}, "what prints as a plain number"
 
 
 def test_services_tell_move_reset_pause_and_delete(run, spawn, friend):

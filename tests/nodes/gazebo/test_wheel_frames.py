@@ -35,7 +35,7 @@ def test_they_hang_on_the_link_that_fixed_joints_make_one_as_in_gazebo(run, frie
     assert run("gazebo_ros", "spawn_entity.py", "-file", cart(DRIVE.format(ros)), "-entity", "cart").wait(20) == 0
     heard = friend.hear(TFMessage, "/r1/tf")
     friend.spin(0.5)
-    pairs = {(one.header.frame_id, one.child_frame_id) for msg in heard for one in msg.transforms}
+    pairs = {(transform.header.frame_id, transform.child_frame_id) for msg in heard for transform in msg.transforms}
     assert pairs >= {("base_footprint", "left_wheel"), ("base_footprint", "right_wheel"), ("odom", "base_footprint")}
 
 

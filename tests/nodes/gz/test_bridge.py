@@ -102,20 +102,20 @@ def test_words_that_are_no_bridge_end_with_the_usage(run):
 )
 def test_a_file_with_faults_is_told_line_by_line(tmp_path, text, says):
     (tmp_path / "bridge.yaml").write_text(text)
-    made, faults = of_file(str(tmp_path / "bridge.yaml"))
-    assert not made and says in faults[0]
+    bridges, faults = of_file(str(tmp_path / "bridge.yaml"))
+    assert not bridges and says in faults[0]
 
 
 def test_a_file_names_one_topic_or_both(tmp_path):
     rows = ("topic_name: a", "ros_topic_name: a", "gz_topic_name: a", "ros_topic_name: a, gz_topic_name: b")
     (tmp_path / "b.yaml").write_text("".join(f"- {{{row}, ros_type_name: x, gz_type_name: y}}\n" for row in rows))
-    made, faults = of_file(str(tmp_path / "b.yaml"))
-    assert [(one.ros_topic, one.gz_topic) for one in made] == [("a", "a")] * 3 + [("a", "b")] and not faults
+    bridges, faults = of_file(str(tmp_path / "b.yaml"))
+    assert [(bridge.ros_topic, bridge.gz_topic) for bridge in bridges] == [("a", "a")] * 3 + [("a", "b")] and not faults
 
 
 def test_words_of_all_forms():
-    one = of_word("/ros@std_msgs/msg/String[gz.msgs.StringMsg@/gz")
-    assert (one.ros_topic, one.gz_topic, one.direction) == ("/ros", "/gz", "GZ_TO_ROS")
+    bridge = of_word("/ros@std_msgs/msg/String[gz.msgs.StringMsg@/gz")
+    assert (bridge.ros_topic, bridge.gz_topic, bridge.direction) == ("/ros", "/gz", "GZ_TO_ROS")
     assert of_word("/world/w/control@ros_gz_interfaces/srv/ControlWorld").is_service
     assert carried_by("std_msgs/String", "gz.msgs.StringMsg") == "std_msgs/msg/String"
 
@@ -155,8 +155,8 @@ def test_a_stamped_command_and_a_plain_pose_are_converted():
     for row in PAIRS.values():
         for kind in row[1:]:
             assert conversion(row[0], kind) is not None, (row[0], kind)
-    made = conversion("geometry_msgs/msg/TwistStamped", "geometry_msgs/msg/Twist")(TwistStamped())
-    assert type(made).__name__ == "Twist"
+    converted = conversion("geometry_msgs/msg/TwistStamped", "geometry_msgs/msg/Twist")(TwistStamped())
+    assert type(converted).__name__ == "Twist"
     assert type(conversion("geometry_msgs/msg/PoseStamped", "geometry_msgs/msg/Pose")(PoseStamped())).__name__ == "Pose"
 
 
@@ -197,7 +197,7 @@ def test_frames_and_times_are_overridden_on_the_way_into_ros_only(run, friend, g
 def test_a_file_may_name_services(tmp_path):
     row = "- service_name: /world/w/control\n  ros_type_name: ros_gz_interfaces/srv/ControlWorld\n"
     (tmp_path / "b.yaml").write_text(row + "  gz_req_type_name: gz.msgs.WorldControl\n  gz_rep_type_name: gz.msgs.Boolean\n")
-    (made,), faults = of_file(str(tmp_path / "b.yaml"))
-    assert (made.ros_topic, made.is_service, faults) == ("/world/w/control", True, [])
+    (bridge,), faults = of_file(str(tmp_path / "b.yaml"))
+    assert (bridge.ros_topic, bridge.is_service, faults) == ("/world/w/control", True, [])
     (tmp_path / "b.yaml").write_text("- service_name: /x\n  ros_type_name: std_msgs/msg/String\n")
     assert of_file(str(tmp_path / "b.yaml"))[1] == ["Could not parse entry: service_name needs a ros_type_name with /srv/"]

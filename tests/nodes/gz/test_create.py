@@ -42,10 +42,10 @@ def test_a_model_is_found_by_its_package(tmp_path, monkeypatch, beside):
 
 def test_the_sun_and_the_ground_of_the_web_are_there_and_others_of_it_are_told(tmp_path):
     web = "<include><uri>https://fuel.gazebosim.org/1.0/OpenRobotics/models/{}</uri></include>"
-    models = "".join(web.format(one) for one in ("Sun", "Ground Plane", "ground%20plane", "Urban Station"))
+    models = "".join(web.format(name) for name in ("Sun", "Ground Plane", "ground%20plane", "Urban Station"))
     (tmp_path / "w.sdf").write_text(WORLD.split("<model")[0] + models + "</world></sdf>")
     world = load_sdf(tmp_path / "w.sdf", newer=True)
-    assert [one.name for one in world.models] == ["sun", "ground_plane", "ground_plane_0"]
+    assert [model.name for model in world.models] == ["sun", "ground_plane", "ground_plane_0"]
     (note,) = world.world.notes
     assert "Urban Station' is on the web" in note
 

@@ -10,8 +10,8 @@ from coursekit.sim.globe import Globe, pressure
 from coursekit.urdf import UrdfError
 from tests.nodes.gz.conftest import DRIVE, WORLD
 
-SYSTEMS = "".join(f"<plugin filename='gz-sim-{one}-system' name='x'/>"
-                  for one in ("navsat", "altimeter", "magnetometer", "air-pressure"))  # fmt: skip
+SYSTEMS = "".join(f"<plugin filename='gz-sim-{system}-system' name='x'/>"
+                  for system in ("navsat", "altimeter", "magnetometer", "air-pressure"))  # fmt: skip
 EARTH = """<spherical_coordinates><surface_model>EARTH_WGS84</surface_model>
 <world_frame_orientation>ENU</world_frame_orientation>
 <latitude_deg>48.1</latitude_deg><longitude_deg>11.6</longitude_deg><elevation>500</elevation><heading_deg>0</heading_deg>
@@ -29,13 +29,15 @@ def heard(gz, run, friend, yard, cart):
     def start(earth=EARTH, systems=SYSTEMS, blocks=None):
         file = yard(systems + earth)
         server = gz("sim", "-r", file)
-        words = [f"/{one}@{kind.__module__.split('.')[0]}/msg/{kind.__name__}[gz.msgs.{gazebo}"
-                 for one, (kind, gazebo) in KINDS.items()]  # fmt: skip
+        words = [f"/{topic}@{kind.__module__.split('.')[0]}/msg/{kind.__name__}[gz.msgs.{gazebo}"
+                 for topic, (kind, gazebo) in KINDS.items()]  # fmt: skip
         run("ros_gz_bridge", "parameter_bridge", "/cmd_vel@geometry_msgs/msg/Twist]gz.msgs.Twist", *words)
         drive = DRIVE.format("gz-sim-diff-drive-system", "x")
-        made = cart(drive, *(blocks or [SENSOR.format(one, "") for one in KINDS]))
-        assert run("ros_gz_sim", "create", "-file", made, "-name", "cart", "-Y", "1.5707963").wait(20) == 0, server.output
-        got = {one: friend.hear(kind, f"/{one}") for one, (kind, _) in KINDS.items()}
+        cart_file = cart(drive, *(blocks or [SENSOR.format(sensor, "") for sensor in KINDS]))
+        assert run("ros_gz_sim", "create", "-file", cart_file, "-name", "cart", "-Y", "1.5707963").wait(20) == 0, (
+            server.output
+        )
+        got = {topic: friend.hear(kind, f"/{topic}") for topic, (kind, _) in KINDS.items()}
         friend.go(4.0, 0.5)
         return server, got
 
@@ -78,8 +80,8 @@ def test_noise_is_in_metres(heard):
     more = "<vertical><noise type='gaussian'><stddev>2.0</stddev></noise></vertical></position_sensing></navsat>"
     _, got = heard(blocks=[SENSOR.format("navsat", noise.format("0.5", more))])
     fixes = got["navsat"]
-    away = [abs(one.longitude - 11.6) * 74_000 for one in fixes]
-    assert 0.05 < sum(away) / len(away) < 2.0 and max(abs(one.altitude - 500.3) for one in fixes) > 0.5
+    away = [abs(fix.longitude - 11.6) * 74_000 for fix in fixes]
+    assert 0.05 < sum(away) / len(away) < 2.0 and max(abs(fix.altitude - 500.3) for fix in fixes) > 0.5
 
 
 def test_numbers_that_are_none_are_told(tmp_path):

@@ -39,10 +39,10 @@ def put(gz, run, yard, cart):
 def test_topics_and_frames_that_are_not_named_are_gazebo_s_own():
     scan = "<lidar><scan><horizontal><samples>9</samples><max_angle>1</max_angle></horizontal></scan></lidar>"
     block = SYSTEM.format("diff-drive", WHEELS) + SENSOR.format("gpu_lidar", scan)
-    made = read_entity(CART.format(blocks=block), "", None, "yard", "my_bot")
-    odometry, lidar, cloud = made.devices
+    entity = read_entity(CART.format(blocks=block), "", None, "yard", "my_bot")
+    odometry, lidar, cloud = entity.devices
     assert (odometry.topic, odometry.command_topic, odometry.tf_topic) == tuple(
-        f"/model/my_bot/{one}" for one in ("odometry", "cmd_vel", "tf")
+        f"/model/my_bot/{topic}" for topic in ("odometry", "cmd_vel", "tf")
     )
     assert (odometry.frame, odometry.base_frame) == ("my_bot/odom", "my_bot/base_footprint")
     usual = "/world/yard/model/my_bot/link/base_footprint/sensor/s/scan"
@@ -51,8 +51,8 @@ def test_topics_and_frames_that_are_not_named_are_gazebo_s_own():
 
 def test_a_joint_that_stays_a_joint_keeps_its_link():
     kept = "<gazebo reference='l'><preserveFixedJoint>true</preserveFixedJoint></gazebo>"
-    made = read_entity(CART.format(blocks=kept + SENSOR.format("imu", "")), "", None, "yard", "c")
-    assert made.devices[0].frame == "c/laser/s"
+    entity = read_entity(CART.format(blocks=kept + SENSOR.format("imu", "")), "", None, "yard", "c")
+    assert entity.devices[0].frame == "c/laser/s"
 
 
 @pytest.mark.parametrize(
@@ -130,10 +130,10 @@ FOLLOWED = (
 
 def way(*points, names=("left_joint", "right_joint")):
     """Positions of the joints, each with its time [s]."""
-    made = [
+    trajectory_points = [
         JointTrajectoryPoint(positions=list(map(float, at)), time_from_start=Duration(sec=time)) for at, time in points
     ]
-    return JointTrajectory(joint_names=list(names), points=made)
+    return JointTrajectory(joint_names=list(names), points=trajectory_points)
 
 
 def test_joints_follow_a_trajectory_point_by_point_and_progress_is_told(put, friend):
@@ -147,7 +147,7 @@ def test_joints_follow_a_trajectory_point_by_point_and_progress_is_told(put, fri
         friend.spin(seconds)
         at = dict(zip(states[-1].name, states[-1].position, strict=True))
         assert (at["left_joint"], at["right_joint"]) == pytest.approx(wanted)
-        assert [one.data for one in progress] == told
+        assert [message.data for message in progress] == told
     out.publish(way(([9.0], 1), names=["left_joint"]))
     friend.spin(0.5)
     assert dict(zip(states[-1].name, states[-1].position, strict=True))["left_joint"] == pytest.approx(9.0)
@@ -172,21 +172,21 @@ def test_a_pose_publisher_tells_model_and_links(put, friend):
         bridge=["/model/cart/pose@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V"], at="-1")  # fmt: skip
     poses = friend.hear(TFMessage, "/model/cart/pose")
     friend.spin(1.0)
-    found = {one.child_frame_id: one for one in poses[-1].transforms}
-    assert found["cart"].header.frame_id == "yard" and found["cart"].transform.translation.x == pytest.approx(-1.0)
-    turned = found["cart/left_wheel"].transform.rotation
-    assert found["cart/laser"].transform.translation.z == pytest.approx(0.3) and math.isfinite(turned.w)
+    frames = {transform.child_frame_id: transform for transform in poses[-1].transforms}
+    assert frames["cart"].header.frame_id == "yard" and frames["cart"].transform.translation.x == pytest.approx(-1.0)
+    turned = frames["cart/left_wheel"].transform.rotation
+    assert frames["cart/laser"].transform.translation.z == pytest.approx(0.3) and math.isfinite(turned.w)
 
 
 def test_what_never_moves_has_a_topic_of_its_own(put, friend):
     told = "<publish_link_pose>true</publish_link_pose><static_publisher>true</static_publisher>"
     kept = "<gazebo reference='l'><preserveFixedJoint>true</preserveFixedJoint></gazebo>"
-    words = [f"/model/cart/{one}@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V" for one in ("pose", "pose_static")]
+    words = [f"/model/cart/{topic}@tf2_msgs/msg/TFMessage[gz.msgs.Pose_V" for topic in ("pose", "pose_static")]
     put(SYSTEM.format("pose-publisher", told + "<static_update_frequency>2</static_update_frequency>"), kept, bridge=words)
     moving, static = friend.hear(TFMessage, "/model/cart/pose"), friend.hear(TFMessage, "/model/cart/pose_static")
     friend.spin(1.2)
-    found = [{one.child_frame_id for one in msgs[-1].transforms} for msgs in (moving, static)]
-    assert {"cart/left_wheel", "cart/right_wheel"} <= found[0] and "cart/laser" in found[1] and not found[0] & found[1]
+    frames = [{transform.child_frame_id for transform in msgs[-1].transforms} for msgs in (moving, static)]
+    assert {"cart/left_wheel", "cart/right_wheel"} <= frames[0] and "cart/laser" in frames[1] and not frames[0] & frames[1]
     assert len(moving) > 20 and len(static) in (2, 3)
 
 
@@ -207,8 +207,10 @@ def test_cameras_publish_where_gazebo_s_do(put, friend, run):
 
 def test_the_optical_frame_that_a_camera_names_is_that_of_its_pictures():
     told = "<gz_frame_id>laser</gz_frame_id><camera><optical_frame_id>eye_optical</optical_frame_id></camera>"
-    made = read_entity(CART.format(blocks=SENSOR.format("camera", told) + SENSOR.format("imu", told)), "", None, "yard", "c")
-    assert [one.frame for one in made.devices] == ["eye_optical", "laser"]
+    entity = read_entity(
+        CART.format(blocks=SENSOR.format("camera", told) + SENSOR.format("imu", told)), "", None, "yard", "c"
+    )
+    assert [device.frame for device in entity.devices] == ["eye_optical", "laser"]
 
 
 def test_a_contact_sensor_tells_what_is_touched(put, friend):

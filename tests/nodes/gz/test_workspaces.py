@@ -60,8 +60,8 @@ def test_a_cart_with_xacro_and_gz_ros2_control_drives(launch, friend):
     friend.spin(5.0)
     assert "Traceback" not in started.output and "process has died" not in started.output, started.output
     odometry, scans, joints = (
-        friend.hear(*one)
-        for one in ((Odometry, "/diff_cont/odom"), (LaserScan, "/scan"), (JointState, "/joint_states"))
+        friend.hear(*type_and_topic)
+        for type_and_topic in ((Odometry, "/diff_cont/odom"), (LaserScan, "/scan"), (JointState, "/joint_states"))
     )
     drive(friend, Twist, "/diff_cont/cmd_vel_unstamped")
     assert odometry[-1].pose.pose.position.x == pytest.approx(0.4, abs=0.08)
@@ -74,13 +74,13 @@ def test_a_robot_with_gazebo_s_drive_and_a_bridge_by_yaml(launch, friend):
     friend.spin(5.0)
     assert "Traceback" not in started.output and "process has died" not in started.output, started.output
     kinds = (Odometry, "/odom"), (LaserScan, "/scan"), (JointState, "/joint_states"), (Imu, "/imu"), (TFMessage, "/tf")
-    odometry, scans, joints, imu, tf = (friend.hear(*one) for one in kinds)
+    odometry, scans, joints, imu, tf = (friend.hear(*type_and_topic) for type_and_topic in kinds)
     pictures = friend.hear(Image, "/camera/image_raw")
     friend.spin(1.5)
     drive(friend, Twist, "/cmd_vel")
     assert odometry[-1].pose.pose.position.x == pytest.approx(0.4, abs=0.08), "odometry begins where it was spawned"
     assert (odometry[-1].header.frame_id, odometry[-1].child_frame_id) == ("scout/odom", "scout/base_footprint")
-    frames = {one.child_frame_id for msg in tf for one in msg.transforms}
+    frames = {transform.child_frame_id for msg in tf for transform in msg.transforms}
     assert {"scout/base_footprint", "left_wheel"} <= frames
     assert scans and joints and imu[-1].header.frame_id == "scout/base_footprint/imu"
     assert (pictures[-1].width, pictures[-1].header.frame_id) == (64, "camera_link")
@@ -91,7 +91,7 @@ def test_a_robot_that_is_a_model_in_a_folder_of_models(launch, friend):
     friend.spin(5.0)
     assert "Traceback" not in started.output and "process has died" not in started.output, started.output
     kinds = (Clock, "/clock"), (Odometry, "/odom"), (LaserScan, "/scan"), (JointState, "/joint_states")
-    clock, odometry, scans, joints = (friend.hear(*one) for one in kinds)
+    clock, odometry, scans, joints = (friend.hear(*type_and_topic) for type_and_topic in kinds)
     friend.node.destroy_publisher(friend.drive)  # of another type: a node has one for a topic
     drive(friend, TwistStamped, "/cmd_vel")
     assert odometry[-1].pose.pose.position.x == pytest.approx(0.4, abs=0.1) and clock

@@ -25,8 +25,10 @@ SPELLINGS = [
 def test_a_robot_of_the_newer_gazebo_drives_and_scans_over_the_bridge(gz, run, friend, yard, cart, words):
     gz("sim", "-r", yard())
     run("ros_gz_bridge", "parameter_bridge", *BRIDGE)
-    made = run("ros_gz_sim", "create", "-file", cart(DRIVE.format(*words), LIDAR.format("")), "-name", "cart", "-z", "0.1")
-    assert made.wait(20) == 0 and "OK creation of entity." in made.output
+    process = run(
+        "ros_gz_sim", "create", "-file", cart(DRIVE.format(*words), LIDAR.format("")), "-name", "cart", "-z", "0.1"
+    )
+    assert process.wait(20) == 0 and "OK creation of entity." in process.output
     clock, odometry, scans, tf = (
         friend.hear(kind, topic)
         for kind, topic in ((Clock, "/clock"), (Odometry, "/odom"), (LaserScan, "/scan"), (TFMessage, "/tf"))
@@ -81,7 +83,7 @@ def test_a_system_that_is_not_known_is_told_in_one_line_with_the_known_ones(gz, 
     server = gz("sim", "-r", yard())
     block = "<gazebo><plugin filename='gz-sim-magic-system' name='gz::sim::systems::Magic'/></gazebo>"
     assert run("ros_gz_sim", "create", "-file", cart(block), "-name", "cart").wait(20) == 0
-    line = next(one for one in server.output.splitlines() if "magic" in one)
+    line = next(printed for printed in server.output.splitlines() if "magic" in printed)
     assert "gz-sim-diff-drive-system" in line
 
 
@@ -101,6 +103,6 @@ def test_the_window_alone_is_no_second_world(gz, run, friend, yard):
     assert window.state == "running" and "viewer()" in window.output
     listed = gz("service", "-l")
     listed.wait(5)
-    assert {one.split("/")[2] for one in listed.output.split()} == {"yard"}
+    assert {word.split("/")[2] for word in listed.output.split()} == {"yard"}
     window.interrupt()
     assert window.wait(5) is not None

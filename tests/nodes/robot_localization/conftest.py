@@ -94,9 +94,9 @@ def rolled(pose, forward, turn):
 
 @pytest.fixture
 def robot(session):
-    made = Robot(session)
-    yield made
-    rclpy.shutdown(context=made.context)
+    new_robot = Robot(session)
+    yield new_robot
+    rclpy.shutdown(context=new_robot.context)
 
 
 def mask(*counted):

@@ -92,7 +92,7 @@ def test_a_differential_source_counts_by_its_changes_a_relative_one_from_its_fir
         robot.tell_odometry(0.0, 0.0, pose=(10.0 + 0.01 * k, -3.0, 0.0))
         robot.spin(0.02)
     ends = [msg.pose.pose.position for msg in robot.heard[-2:]]
-    assert all(one.x == pytest.approx(1.0, abs=0.1) and one.y == pytest.approx(0.0, abs=0.05) for one in ends)
+    assert all(end.x == pytest.approx(1.0, abs=0.1) and end.y == pytest.approx(0.0, abs=0.05) for end in ends)
 
 
 def test_what_is_too_far_off_is_rejected(robot, start):
@@ -156,12 +156,12 @@ def test_its_health_is_told_where_print_diagnostics_says_so(robot, start):
     robot.node.create_subscription(DiagnosticArray, "/diagnostics", told.append, 50)
     start(**BOTH, print_diagnostics="true")
     robot.drive(3.0)
-    states = {one.name: one.message for one in told[-1].status}
+    states = {status.name: status.message for status in told[-1].status}
     assert "functioning properly" in states["ekf_filter_node: Filter diagnostic updater"]
     assert states["ekf_filter_node: odometry/filtered topic status"] == "Desired frequency met"
     robot.tell_imu(0.0, frame="nowhere")
     robot.drive(1.0)
-    assert any(value.key == "imu0_transform" for array in told for one in array.status for value in one.values)
+    assert any(value.key == "imu0_transform" for array in told for status in array.status for value in status.values)
 
 
 def test_messages_of_time_zero_are_no_complaint_while_a_simulation_begins(robot, start):

@@ -71,8 +71,8 @@ def test_places_become_points_of_the_world_and_points_places(outdoors, start, as
     start(NODE, use_local_cartesian=local, zero_altitude="true")
     outdoors.drive(1.0)
     latitude, longitude, altitude = outdoors.globe.fix(30.0, -20.0)
-    found = ask(FromLL, "fromLL", ll_point=GeoPoint(latitude=latitude, longitude=longitude, altitude=altitude)).map_point
-    assert (found.x, found.y) == pytest.approx((30.0, -20.0), abs=0.03) and found.z == 0.0
+    point = ask(FromLL, "fromLL", ll_point=GeoPoint(latitude=latitude, longitude=longitude, altitude=altitude)).map_point
+    assert (point.x, point.y) == pytest.approx((30.0, -20.0), abs=0.03) and point.z == 0.0
     back = ask(ToLL, "toLL", map_point=Point(x=30.0, y=-20.0, z=0.0)).ll_point
     assert (back.latitude, back.longitude) == pytest.approx((latitude, longitude), abs=4e-7)
 
@@ -97,8 +97,8 @@ def test_the_heading_counts_and_what_the_parameters_add_to_it(robot, start, ask)
     start(NODE, yaw_offset=0.2, magnetic_declination_radians=0.1)
     outdoors.drive(1.0, yaw=math.pi / 2 - 0.3)
     latitude, longitude, altitude = outdoors.globe.fix(25.0, 10.0)
-    found = ask(FromLL, "fromLL", ll_point=GeoPoint(latitude=latitude, longitude=longitude, altitude=altitude)).map_point
-    assert (found.x, found.y) == pytest.approx((25.0, 10.0), abs=0.05)
+    point = ask(FromLL, "fromLL", ll_point=GeoPoint(latitude=latitude, longitude=longitude, altitude=altitude)).map_point
+    assert (point.x, point.y) == pytest.approx((25.0, 10.0), abs=0.05)
 
 
 def test_with_a_datum_the_world_begins_there(outdoors, start, ask):

@@ -57,10 +57,10 @@ def tour(space, slam):
     from nav2_simple_commander.robot_navigator import BasicNavigator
 
     def pose(x, y):
-        made = PoseStamped()
-        made.header.frame_id, made.pose.position.x, made.pose.position.y = "map", x, y
-        made.pose.orientation.w = 1.0
-        return made
+        stamped = PoseStamped()
+        stamped.header.frame_id, stamped.pose.position.x, stamped.pose.position.y = "map", x, y
+        stamped.pose.orientation.w = 1.0
+        return stamped
 
     rclpy.init()
     robot = BasicNavigator(namespace=space)

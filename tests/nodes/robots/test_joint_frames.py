@@ -34,11 +34,11 @@ def told(frames, names, positions):
 
 def test_a_joint_that_mimics_follows_also_over_two_joints(frames):
     for position in (0.2, -0.4, 0.2):
-        found = told(frames, ["shoulder"], [position])
-        assert angle(found["a"]) == pytest.approx(position)
-        assert angle(found["b"]) == pytest.approx(2 * position + 0.5)
-        assert found["c"].transform.translation.x == pytest.approx(0.1 * (2 * position + 0.5))
-        assert (found["a"].header.stamp.sec, found["a"].header.stamp.nanosec) == (1, 500_000_000)
+        transform_by_frame = told(frames, ["shoulder"], [position])
+        assert angle(transform_by_frame["a"]) == pytest.approx(position)
+        assert angle(transform_by_frame["b"]) == pytest.approx(2 * position + 0.5)
+        assert transform_by_frame["c"].transform.translation.x == pytest.approx(0.1 * (2 * position + 0.5))
+        assert (transform_by_frame["a"].header.stamp.sec, transform_by_frame["a"].header.stamp.nanosec) == (1, 500_000_000)
 
 
 def test_a_position_that_is_told_is_not_mimicked(frames):
@@ -46,14 +46,14 @@ def test_a_position_that_is_told_is_not_mimicked(frames):
 
 
 def test_the_last_of_equal_names_counts_and_unknown_ones_do_not(frames):
-    found = told(frames, ["shoulder", "nose", "shoulder"], [0.1, 9.0, 0.2])
-    assert angle(found["a"]) == pytest.approx(0.2) and len(found) == 3
+    transform_by_frame = told(frames, ["shoulder", "nose", "shoulder"], [0.1, 9.0, 0.2])
+    assert angle(transform_by_frame["a"]) == pytest.approx(0.2) and len(transform_by_frame) == 3
     assert told(frames, ["nose"], [1.0]) == {}
 
 
 def test_another_prefix_counts_from_the_next_message_on(frames):
     assert set(told(frames, ["elbow"], [0.0])) == {"b", "c"}
     frames.prefix = "left/"
-    found = told(frames, ["elbow"], [0.0])
-    assert set(found) == {"left/b", "left/c"} and found["left/b"].header.frame_id == "left/a"
+    transform_by_frame = told(frames, ["elbow"], [0.0])
+    assert set(transform_by_frame) == {"left/b", "left/c"} and transform_by_frame["left/b"].header.frame_id == "left/a"
     assert [(msg.child_frame_id, msg.transform.translation.z) for msg in frames.fixed(0)] == [("left/plate", 1.0)]

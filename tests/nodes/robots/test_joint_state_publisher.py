@@ -59,7 +59,7 @@ def start(run, tmp_path):
     def start_(text, *parameters):
         path = tmp_path / "robot.urdf"
         path.write_text(text)
-        words = [word for one in parameters for word in ("-p", one)]
+        words = [word for parameter in parameters for word in ("-p", parameter)]
         return run("joint_state_publisher", "joint_state_publisher", str(path), "--ros-args", *words)
 
     return start_
@@ -198,7 +198,7 @@ COLLADA = """<COLLADA version="1.5.0"><library_kinematics_models><kinematics_mod
 )
 def test_sdf_and_collada_have_joints_too(text, expected):
     model = read(text.format(least=-1), Options({}, {}))
-    assert {name: (one.least, one.greatest) for name, one in model.free.items()} == expected
+    assert {name: (joint.least, joint.greatest) for name, joint in model.free.items()} == expected
     assert model.names == list(expected)
 
 

@@ -62,9 +62,9 @@ class Friend:
 
 @pytest.fixture
 def friend(session):
-    made = Friend(session)
-    yield made
-    rclpy.shutdown(context=made.context)
+    new_friend = Friend(session)
+    yield new_friend
+    rclpy.shutdown(context=new_friend.context)
 
 
 @pytest.fixture
@@ -82,7 +82,7 @@ def publish(run, tmp_path):
 
 
 def frames(messages):
-    return {one.child_frame_id: one for message in messages for one in message.transforms}
+    return {transform.child_frame_id: transform for message in messages for transform in message.transforms}
 
 
 def test_it_says_what_the_real_one_says(session, publish):
@@ -101,10 +101,10 @@ def test_fixed_joints_are_static_and_stay_for_late_comers(session, publish, frie
     friend.spin(1.0)
     late = Friend(session)
     late.spin()
-    for one in (friend, late):
-        assert sorted(frames(one.static)) == ["base_link", "head_link"]
-        assert frames(one.static)["base_link"].transform.translation.z == 0.1
-        assert one.described[0].data.startswith("<?xml")
+    for listener in (friend, late):
+        assert sorted(frames(listener.static)) == ["base_link", "head_link"]
+        assert frames(listener.static)["base_link"].transform.translation.z == 0.1
+        assert listener.described[0].data.startswith("<?xml")
     assert friend.tf == []
     rclpy.shutdown(context=late.context)
 
@@ -114,11 +114,11 @@ def test_moving_joints_are_where_the_kinematics_has_them(publish, friend):
     friend.spin()
     friend.say(left_wheel_joint=0.5, right_wheel_joint=-1.0)
     poses = Kinematics(load(ROBOTS / "robot.urdf")).poses({"left_wheel_joint": 0.5, "right_wheel_joint": -1.0})
-    assert [one.child_frame_id for one in friend.tf[0].transforms] == ["left_wheel_link", "right_wheel_link"]
-    for one in friend.tf[0].transforms:
-        t, r = one.transform.translation, one.transform.rotation
-        found = compose(poses[one.header.frame_id], (t.x, t.y, t.z, r.x, r.y, r.z, r.w))
-        assert found == pytest.approx(poses[one.child_frame_id], abs=1e-12)
+    assert [transform.child_frame_id for transform in friend.tf[0].transforms] == ["left_wheel_link", "right_wheel_link"]
+    for transform in friend.tf[0].transforms:
+        t, r = transform.transform.translation, transform.transform.rotation
+        composed = compose(poses[transform.header.frame_id], (t.x, t.y, t.z, r.x, r.y, r.z, r.w))
+        assert composed == pytest.approx(poses[transform.child_frame_id], abs=1e-12)
 
 
 def test_a_follower_follows_unless_it_is_told(publish, friend):
@@ -159,9 +159,9 @@ def test_the_prefix_is_before_every_frame(publish, friend):
     publish(ROBOT, frame_prefix="robot1/")
     friend.spin()
     friend.say(left_wheel_joint=0.5)
-    found = frames(friend.static + friend.tf)
-    assert sorted(found) == ["robot1/base_link", "robot1/head_link", "robot1/left_wheel_link"]
-    assert all(one.header.frame_id.startswith("robot1/") for one in found.values())
+    transform_by_frame = frames(friend.static + friend.tf)
+    assert sorted(transform_by_frame) == ["robot1/base_link", "robot1/head_link", "robot1/left_wheel_link"]
+    assert all(transform.header.frame_id.startswith("robot1/") for transform in transform_by_frame.values())
 
 
 def test_without_static_frames_fixed_joints_are_repeated(publish, friend):

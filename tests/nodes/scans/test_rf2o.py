@@ -22,9 +22,9 @@ URDF = Path(__file__).parents[1] / "robot_localization" / "diff_drive.urdf"
 
 @pytest.fixture
 def friend(session):
-    made = Friend(session)
-    yield made
-    rclpy.shutdown(context=made.context)
+    new_friend = Friend(session)
+    yield new_friend
+    rclpy.shutdown(context=new_friend.context)
 
 
 @pytest.fixture
@@ -64,7 +64,7 @@ def test_it_follows_the_robot_and_tells_tf(session, friend, car):
     assert distance < 0.06 and angle < 0.05
     assert math.hypot(car.place.x - start[0], car.place.y - start[1]) > 0.8
     assert (last.header.frame_id, last.child_frame_id) == ("odom", "base_link")
-    assert max(one.twist.twist.linear.x for one in heard) == pytest.approx(0.2, abs=0.08)
+    assert max(odometry.twist.twist.linear.x for odometry in heard) == pytest.approx(0.2, abs=0.08)
     seat = of_transform(buffer.lookup_transform("odom", "base_link", Time.from_msg(last.header.stamp)))
     assert off(car.place, start, seat)[0] < 0.06
 

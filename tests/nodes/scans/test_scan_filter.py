@@ -24,8 +24,8 @@ def test_several_wait_on_one_buffer(node):
     filters = [ScanFilter(node, buffer, "odom", 5, way) for way in ways]
     scan = LaserScan()
     scan.header.frame_id = "laser"
-    for one in filters:
-        one.add(scan)
+    for scan_filter in filters:
+        scan_filter.add(scan)
     assert heard == []
     transform = TransformStamped(child_frame_id="laser")
     transform.header.frame_id = "odom"

@@ -48,7 +48,7 @@ def filtered(friend, run, tmp_path, text, msg):
 def test_a_cloud_becomes_a_scan_in_another_frame_while_somebody_listens(friend, run):
     mount(friend, "base_link", "camera", x=1.0, z=0.5)
     options = ["target_frame:=base_link", "min_height:=0.2", "max_height:=1.0", "range_max:=20.0", "range_min:=0.1"]
-    words = [word for one in options for word in ("-p", one)]
+    words = [word for option in options for word in ("-p", option)]
     process = run("pointcloud_to_laserscan", "pointcloud_to_laserscan_node", "--ros-args", *words)
     friend.spin(0.3)
     assert friend.node.count_subscribers("cloud_in") == 0
@@ -69,7 +69,7 @@ def test_a_scan_becomes_a_cloud(friend, run):
     friend.say("scan_in", scan([2.0, 3.0, math.inf]))
     friend.spin(0.2)
     points = read_points(heard[0], ["x", "y"])
-    assert [tuple(map(float, one)) for one in points][1] == pytest.approx((3.0, 0.0)) and len(points) == 2
+    assert [tuple(map(float, point)) for point in points][1] == pytest.approx((3.0, 0.0)) and len(points) == 2
 
 
 @pytest.mark.parametrize("encoding, wall", [("32FC1", 2.0), ("16UC1", 2000)])
@@ -94,9 +94,9 @@ def test_a_chain_of_filters_works_in_its_order(friend, run, tmp_path):
     filter1: {name: near, type: laser_filters/LaserScanRangeFilter, params: {lower_threshold: 0.5, upper_threshold: 5.0}}
     filter2: {name: front, type: laser_filters/LaserScanAngularBoundsFilter, params: {lower_angle: -0.6, upper_angle: 0.6}}
 """
-    made = filtered(friend, run, tmp_path, text, scan([1.0, 0.1, 2.0, 7.0, 3.0]))
-    assert made.angle_min == pytest.approx(-0.5) and made.angle_max == pytest.approx(0.5)
-    assert np.isnan(made.ranges).tolist() == [True, False, True] and made.ranges[1] == 2.0
+    filtered_scan = filtered(friend, run, tmp_path, text, scan([1.0, 0.1, 2.0, 7.0, 3.0]))
+    assert filtered_scan.angle_min == pytest.approx(-0.5) and filtered_scan.angle_max == pytest.approx(0.5)
+    assert np.isnan(filtered_scan.ranges).tolist() == [True, False, True] and filtered_scan.ranges[1] == 2.0
 
 
 def test_the_robot_itself_is_cut_out_by_a_box(friend, run, tmp_path):
@@ -107,8 +107,8 @@ def test_the_robot_itself_is_cut_out_by_a_box(friend, run, tmp_path):
       type: laser_filters/LaserScanBoxFilter
       params: {box_frame: base_link, min_x: -0.5, max_x: 0.8, min_y: -0.5, max_y: 0.5, min_z: -1.0, max_z: 1.0}
 """
-    made = filtered(friend, run, tmp_path, text, scan([2.0, 0.5, 0.7]))
-    assert np.isnan(made.ranges).tolist() == [False, True, False]
+    filtered_scan = filtered(friend, run, tmp_path, text, scan([2.0, 0.5, 0.7]))
+    assert np.isnan(filtered_scan.ranges).tolist() == [False, True, False]
 
 
 @pytest.mark.parametrize(
@@ -125,5 +125,5 @@ def test_the_projection_has_the_channels_that_are_asked_for():
     msg.intensities = [7.0, 8.0]
     option = LaserProjection.ChannelOption
     cloud = LaserProjection().projectLaser(msg, channel_options=option.INTENSITY | option.DISTANCE | option.INDEX)
-    assert [one.name for one in cloud.fields] == ["x", "y", "z", "intensity", "index", "distances"]
-    assert [tuple(one) for one in read_points(cloud, ["intensity", "distances"])] == [(7.0, 2.0), (8.0, 3.0)]
+    assert [field.name for field in cloud.fields] == ["x", "y", "z", "intensity", "index", "distances"]
+    assert [tuple(point) for point in read_points(cloud, ["intensity", "distances"])] == [(7.0, 2.0), (8.0, 3.0)]

@@ -10,15 +10,15 @@ from tests.slam.robot import Robot
 @pytest.fixture
 def robot(session):
     """robot(...) makes a robot that leaves when the test ends."""
-    made: list[Robot] = []
+    robots: list[Robot] = []
 
     def make(*args, **kwargs):
-        made.append(Robot(session, *args, **kwargs))
-        return made[-1]
+        robots.append(Robot(session, *args, **kwargs))
+        return robots[-1]
 
     yield make
-    for one in made:
-        one.close()
+    for running_robot in robots:
+        running_robot.close()
 
 
 @pytest.fixture

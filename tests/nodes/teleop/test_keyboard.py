@@ -36,7 +36,7 @@ def parts(twist):
 
 def test_keys_mean_what_they_mean_in_ros(drive):
     heard, _ = drive("i,jloum.kIJLUtb")
-    assert [parts(one) for one in heard[:-1]] == [
+    assert [parts(twist) for twist in heard[:-1]] == [
         (0.5, 0, 0, 0), (-0.5, 0, 0, 0), (0, 0, 0, 1), (0, 0, 0, -1), (0.5, 0, 0, -1), (0.5, 0, 0, 1), (-0.5, 0, 0, -1),
         (-0.5, 0, 0, 1), (0, 0, 0, 0), (0.5, 0, 0, 0), (0, 0.5, 0, 0), (0, -0.5, 0, 0), (0.5, 0.5, 0, 0), (0, 0, 0.5, 0),
         (0, 0, -0.5, 0),

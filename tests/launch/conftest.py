@@ -33,9 +33,9 @@ class Result:
 @pytest.fixture
 def session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Session]:
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
-    with Session(virtual=True).use() as made:
+    with Session(virtual=True).use() as virtual_session:
         reset()
-        yield made
+        yield virtual_session
 
 
 @pytest.fixture
@@ -54,22 +54,22 @@ def launch(session: Session) -> Callable[..., Result]:
         meanwhile: Callable[[LaunchService], None] | None = None,
         **options: Any,
     ) -> Result:
-        made: list[LaunchService] = []
+        services: list[LaunchService] = []
 
         def main() -> int:
             service = LaunchService(**options)
-            made.append(service)
+            services.append(service)
             service.include_launch_description(LaunchDescription(list(entities)))
             return service.run()
 
         process = session.start(main, name="launch")
         if meanwhile is not None:
-            session.spawn(lambda: meanwhile(made[0]))
+            session.spawn(lambda: meanwhile(services[0]))
         if interrupt_after is not None:
             session.clock.sleep(interrupt_after)
             process.interrupt()
         code = process.wait()
-        return Result(code, process.output.splitlines()[HEADER_LINES:], made[0] if made else None)
+        return Result(code, process.output.splitlines()[HEADER_LINES:], services[0] if services else None)
 
     return run
 

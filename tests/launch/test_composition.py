@@ -112,11 +112,13 @@ def test_a_request_holds_what_the_description_and_the_scope_say(context: LaunchC
     assert (request.package_name, request.plugin_name) == ("demo", "demo::Talker")
     assert (request.node_name, request.node_namespace) == ("tom", "/robot/arm")
     assert request.remap_rules == ["x:=y", "chatter:=chat"]
-    values = {one.name: one.value for one in request.parameters}
+    values = {parameter.name: parameter.value for parameter in request.parameters}
     assert (values["use_sim_time"].bool_value, values["a"].integer_value) == (True, 1)
     assert (values["b"].string_value, list(values["gains"].double_array_value)) == ("own", [1.0, 2.5])
     assert "c" not in values
-    assert [(one.name, one.value.bool_value) for one in request.extra_arguments] == [("use_intra_process_comms", True)]
+    assert [(argument.name, argument.value.bool_value) for argument in request.extra_arguments] == [
+        ("use_intra_process_comms", True)
+    ]
 
 
 def test_a_component_without_name_leaves_both_to_the_program(context: LaunchContext) -> None:

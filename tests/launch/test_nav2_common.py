@@ -32,9 +32,9 @@ def rewritten(source: str, **arguments: Any) -> Any:
 
 
 def test_a_key_is_rewritten_wherever_it_stands_and_only_there(source: str) -> None:
-    made = rewritten(source, param_rewrites={"use_sim_time": "True", "yaml_filename": LaunchConfiguration("map")})
-    assert made["amcl"]["ros__parameters"] == {"use_sim_time": True, "alpha1": 0.2, "frame": "<robot>/odom"}
-    assert made["map_server"]["ros__parameters"]["yaml_filename"] == "office.yaml"
+    parameters = rewritten(source, param_rewrites={"use_sim_time": "True", "yaml_filename": LaunchConfiguration("map")})
+    assert parameters["amcl"]["ros__parameters"] == {"use_sim_time": True, "alpha1": 0.2, "frame": "<robot>/odom"}
+    assert parameters["map_server"]["ros__parameters"]["yaml_filename"] == "office.yaml"
     assert yaml.safe_load(Path(source).read_text(encoding="utf-8")) == yaml.safe_load(SOURCE)
 
 
@@ -44,9 +44,9 @@ def test_nothing_to_rewrite_may_be_an_empty_text(source: str) -> None:
 
 
 def test_a_path_names_one_key(source: str) -> None:
-    made = rewritten(source, param_rewrites={"amcl.ros__parameters.use_sim_time": "true"})
-    assert made["amcl"]["ros__parameters"]["use_sim_time"] is True
-    assert made["map_server"]["ros__parameters"]["use_sim_time"] is False
+    parameters = rewritten(source, param_rewrites={"amcl.ros__parameters.use_sim_time": "true"})
+    assert parameters["amcl"]["ros__parameters"]["use_sim_time"] is True
+    assert parameters["map_server"]["ros__parameters"]["use_sim_time"] is False
 
 
 @pytest.mark.parametrize(
@@ -55,22 +55,22 @@ def test_a_path_names_one_key(source: str) -> None:
 )
 def test_types(source: str, text: str, as_they_are: Any, converted: Any) -> None:
     for convert, wanted in ((False, as_they_are), (True, converted)):
-        made = rewritten(source, param_rewrites={"radius": text}, convert_types=convert)
-        radius = made["map_server"]["ros__parameters"]["layers"]["inflation"]["radius"]
+        parameters = rewritten(source, param_rewrites={"radius": text}, convert_types=convert)
+        radius = parameters["map_server"]["ros__parameters"]["layers"]["inflation"]["radius"]
         assert radius == wanted and type(radius) is type(wanted)
 
 
 def test_a_root_key_and_renamed_keys(source: str) -> None:
-    made = rewritten(source, param_rewrites={}, root_key="robot1", key_rewrites={"amcl": "my_amcl"})
-    assert list(made) == ["robot1"]
-    assert set(made["robot1"]) == {"my_amcl", "map_server"}
+    parameters = rewritten(source, param_rewrites={}, root_key="robot1", key_rewrites={"amcl": "my_amcl"})
+    assert list(parameters) == ["robot1"]
+    assert set(parameters["robot1"]) == {"my_amcl", "map_server"}
     assert set(rewritten(source, param_rewrites={}, root_key="")) == {"amcl", "map_server"}
 
 
 def test_words_are_replaced_while_the_condition_holds(source: str) -> None:
     context = LaunchContext()
-    made = ReplaceString(source, {"<robot>": "robot1"}).perform(context)
-    assert "robot1/odom" in Path(made).read_text(encoding="utf-8")
+    path = ReplaceString(source, {"<robot>": "robot1"}).perform(context)
+    assert "robot1/odom" in Path(path).read_text(encoding="utf-8")
     assert ReplaceString(source, {"<robot>": "x"}, IfCondition("false")).perform(context) == source
 
 

@@ -89,8 +89,8 @@ def test_an_unknown_name_in_an_expression_is_a_name_error_too(context: LaunchCon
 
 
 def test_quotes_inside_quotes_are_characters(context: LaunchContext) -> None:
-    (found,) = parse_substitution("""$(env "a_$(env 'b' )" 'c')""")
-    assert found.name[1].name[0].perform(context) == "'b'"
+    (substitution,) = parse_substitution("""$(env "a_$(env 'b' )" 'c')""")
+    assert substitution.name[1].name[0].perform(context) == "'b'"
     with pytest.raises(ValueError, match="is not closed"):
         parse_substitution('$(env "$(env a" b)')
 

@@ -41,7 +41,11 @@ def test_a_component_is_asked_with_the_parameters_for_all_before_its_own() -> No
     SetParameter("b", "2").execute(context)
     component = ComposableNode(package="p", plugin="P", name="n", namespace="ns", parameters=[{"b": "3"}])
     request = get_composable_node_load_request(component, context)
-    assert [(one.name, one.value.string_value) for one in request.parameters] == [("a", "1"), ("b", "2"), ("b", "3")]
+    assert [(parameter.name, parameter.value.string_value) for parameter in request.parameters] == [
+        ("a", "1"),
+        ("b", "2"),
+        ("b", "3"),
+    ]
 
 
 def test_the_copy_of_a_parameter_file_is_deleted_by_cleanup(tmp_path: Path) -> None:
@@ -50,8 +54,8 @@ def test_the_copy_of_a_parameter_file_is_deleted_by_cleanup(tmp_path: Path) -> N
     copied, plain = ParameterFile(str(path), allow_substs=True), ParameterFile(str(path))
     copy = copied.evaluate(LaunchContext())
     assert copy != path and plain.evaluate(LaunchContext()) == path
-    for one in (copied, plain):
-        one.cleanup()
+    for parameter_file in (copied, plain):
+        parameter_file.cleanup()
     assert not copy.exists() and isinstance(copied.param_file, list)
     assert path.exists() and os.fspath(plain.param_file) == str(path)
 

@@ -40,9 +40,9 @@ def talker(**more):
 @pytest.fixture(autouse=True)
 def session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Session]:
     monkeypatch.setenv("ROS_LOG_DIR", str(tmp_path / "log"))
-    with Session(virtual=True).use() as made:
+    with Session(virtual=True).use() as virtual_session:
         reset()
-        yield made
+        yield virtual_session
 
 
 @dataclass
@@ -57,7 +57,7 @@ class Outcome:
     def cases(self) -> dict[str, list[str]]:
         """Each test and what became of it; an empty list is a success."""
         assert self.report is not None
-        return {case.attrib["name"]: [one.tag for one in case] for case in self.report.iter("testcase")}
+        return {case.attrib["name"]: [element.tag for element in case] for case in self.report.iter("testcase")}
 
 
 @pytest.fixture
@@ -82,8 +82,8 @@ def results() -> Callable[..., dict[str, Any]]:
     def carry_out(describe: Callable[..., Any], *classes: type, arguments: tuple[str, ...] = ()) -> dict[str, Any]:
         module = ModuleType("module")
         module.generate_test_description = describe  # type: ignore[attr-defined]
-        for one in classes:
-            setattr(module, one.__name__, one)
+        for class_ in classes:
+            setattr(module, class_.__name__, class_)
         runner = LaunchTestRunner(LoadTestsFromPythonModule(module), arguments)
         runner.validate()
         with contextlib.redirect_stderr(io.StringIO()), contextlib.redirect_stdout(io.StringIO()):

@@ -46,9 +46,9 @@ def test_a_parametrized_description_is_launched_once_for_each_value(results) -> 
         def test_not_three(self, number):
             assert number != 3
 
-    found = results(describe, Beside, After)
-    assert succeeded(found) == {"launch_tests[1]": True, "launch_tests[2]": False, "launch_tests[3]": False}
-    assert [case.id().split(".")[-1] for case in found["launch_tests[2]"].testCases] == [
+    result_by_run = results(describe, Beside, After)
+    assert succeeded(result_by_run) == {"launch_tests[1]": True, "launch_tests[2]": False, "launch_tests[3]": False}
+    assert [case.id().split(".")[-1] for case in result_by_run["launch_tests[2]"].testCases] == [
         "test_not_two[2]",
         "test_not_three[2]",
     ]
@@ -101,7 +101,7 @@ def test_a_failing_test_is_tried_again_and_sub_tests_count(results, session) -> 
 
     result = results(lambda: LaunchDescription([talker(), ReadyToTest()]), Beside)["launch_tests"]
     assert [case._testMethodName for case, _ in result.failures] == ["test_never"] and not result.errors
-    assert [Beside.tries.count(one) for one in ("third", "sub", "never")] == [3, 2, 2]
+    assert [Beside.tries.count(name) for name in ("third", "sub", "never")] == [3, 2, 2]
     assert session.clock.steady() >= 4e9
 
 

@@ -27,9 +27,9 @@ def talker() -> Node:
 
 
 def check(results, *classes, entities=()) -> None:
-    found = results(lambda: LaunchDescription([talker(), *entities, ReadyToTest()]), *classes)
-    failed = [text for result in found.values() for _, text in (*result.failures, *result.errors)]
-    assert not failed and all(result.testsRun for result in found.values()), "\n".join(failed)
+    result_by_run = results(lambda: LaunchDescription([talker(), *entities, ReadyToTest()]), *classes)
+    failed = [text for result in result_by_run.values() for _, text in (*result.failures, *result.errors)]
+    assert not failed and all(result.testsRun for result in result_by_run.values()), "\n".join(failed)
 
 
 def test_a_test_starts_commands_and_waits_for_what_they_print(results) -> None:
@@ -48,8 +48,8 @@ def test_a_test_starts_commands_and_waits_for_what_they_print(results) -> None:
         def test_output(self, launch_service, proc_info, proc_output):
             with self.start(launch_service, proc_info, proc_output, "topic", "echo", "/chatter") as command:
                 lines = [re.compile(r"data: 'Hello World: \d+'"), "---"]
-                found = command.wait_for_output(partial(expect_output, expected_lines=lines), timeout=10)
-                assert found, found
+                matched = command.wait_for_output(partial(expect_output, expected_lines=lines), timeout=10)
+                assert matched, matched
                 assert command.running and command.stderr == "" and command.stdout == command.output
                 in_vain = command.wait_for_output(lambda text: "never" in text, timeout=1)
                 assert not in_vain and repr(in_vain).startswith("<BoolWithText(False): \"data: 'Hello")

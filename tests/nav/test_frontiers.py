@@ -11,7 +11,7 @@ WORDS = {" ": 0, "#": 100, ".": -1}
 
 def grid(*rows):
     """A map of 1 m cells, the last row at y = 0."""
-    return GridMap(np.array([[WORDS[one] for one in row] for row in rows[::-1]], np.int8), 1.0, (0.0, 0.0, 0.0))
+    return GridMap(np.array([[WORDS[word] for word in row] for row in rows[::-1]], np.int8), 1.0, (0.0, 0.0, 0.0))
 
 
 ROOM = grid(
@@ -24,9 +24,9 @@ ROOM = grid(
 
 
 def test_unknown_cells_beside_free_ones_are_a_frontier():
-    (one,) = frontiers(ROOM, (1.5, 2.5), 1.0)
-    assert one.points.tolist() == [[5.5, 1.5], [5.5, 2.5], [5.5, 3.5]]
-    assert one.centroid == (5.5, 2.5) and one.distance == 4.0 and one.nearest == (5.5, 2.5)
+    (frontier,) = frontiers(ROOM, (1.5, 2.5), 1.0)
+    assert frontier.points.tolist() == [[5.5, 1.5], [5.5, 2.5], [5.5, 3.5]]
+    assert frontier.centroid == (5.5, 2.5) and frontier.distance == 4.0 and frontier.nearest == (5.5, 2.5)
 
 
 def test_what_is_all_seen_or_too_short_or_out_of_reach_has_none():
@@ -38,9 +38,9 @@ def test_what_is_all_seen_or_too_short_or_out_of_reach_has_none():
 
 def test_near_and_long_ones_come_first():
     wide = grid("..#....", "       ", "       ", "#######")
-    assert [len(one.points) for one in frontiers(wide, (6.5, 1.5), 0.5)] == [4, 2]
+    assert [len(frontier.points) for frontier in frontiers(wide, (6.5, 1.5), 0.5)] == [4, 2]
     near = frontiers(wide, (0.5, 1.5), 0.5, potential_scale=3.0, gain_scale=0.1)
-    assert [len(one.points) for one in near] == [2, 4]
+    assert [len(frontier.points) for frontier in near] == [2, 4]
 
 
 def test_a_robot_that_stands_on_a_wall_looks_from_the_nearest_free_cell():

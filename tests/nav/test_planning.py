@@ -15,14 +15,14 @@ from coursekit.nav.planner import PlanError, Planner, length
 
 def room(*blocks, size=6.0, inflated=True):
     """A room with blocks (x0, y0, x1, y1) [m] in it, and a wall around."""
-    made = Costmap.of_size(size, size, 0.05)
+    costmap = Costmap.of_size(size, size, 0.05)
     edge = size - 0.1
     walls = (0, 0, size, 0.1), (0, 0, 0.1, size), (edge, 0, size, size), (0, edge, size, size)
     for x0, y0, x1, y1 in (*blocks, *walls):
-        made.cells[round(y0 / 0.05) : round(y1 / 0.05), round(x0 / 0.05) : round(x1 / 0.05)] = LETHAL
+        costmap.cells[round(y0 / 0.05) : round(y1 / 0.05), round(x0 / 0.05) : round(x1 / 0.05)] = LETHAL
     if inflated:
-        Inflation(0.55, 3.0, 0.2, 0.05).spread(made.cells)
-    return made
+        Inflation(0.55, 3.0, 0.2, 0.05).spread(costmap.cells)
+    return costmap
 
 
 WALL = (2.9, 0.0, 3.1, 4.5)
@@ -52,8 +52,8 @@ def test_beside_a_goal_that_is_taken_paths_keep_to_one_side_while_scans_see_it_a
         path = Planner().plan(costs, (1.0, 3.0, 0.0), goal, before)
         before = path[-1, 0], path[-1, 1]
         ends.append(before)
-    assert max(math.dist(one, ends[0]) for one in ends) < 0.2
-    assert max(math.dist(one, goal[:2]) for one in ends) <= 0.5
+    assert max(math.dist(end, ends[0]) for end in ends) < 0.2
+    assert max(math.dist(end, goal[:2]) for end in ends) <= 0.5
     free = Planner().plan(room(), (1.0, 3.0, 0.0), goal, before)
     assert free[-1].tolist() == [3.0, 3.0, 0.0]
 

@@ -72,7 +72,7 @@ def test_a_switch_takes_the_case_of_its_variable(tree, board, mode, expected):
 )
 def test_parallel_counts_what_its_children_return(tree, ports, states, expected):
     words = {"s": SUCCESS, "f": FAILURE, "r": RUNNING}
-    children = "".join(f'<Told is="{words[one]}"/>' for one in states)
+    children = "".join(f'<Told is="{words[state]}"/>' for state in states)
     assert tree(f"<Parallel {ports}>{children}</Parallel>").tick() == expected
 
 

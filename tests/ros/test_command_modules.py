@@ -25,8 +25,8 @@ ros2launch.api ros2run.api ros2service.api ros2topic.api"""
 
 @pytest.fixture
 def session():
-    with Session(virtual=True).use() as made:
-        yield made
+    with Session(virtual=True).use() as virtual_session:
+        yield virtual_session
 
 
 @pytest.fixture
@@ -34,15 +34,15 @@ def node(session):
     """A node with one of everything."""
     context = rclpy.context.Context()
     rclpy.init(context=context)
-    made = rclpy.create_node("test_node", namespace="/test", context=context)
+    test_node = rclpy.create_node("test_node", namespace="/test", context=context)
     keeps_all = QoSProfile(history=HistoryPolicy.KEEP_ALL)
-    made.create_publisher(test_msgs.msg.Empty, "/test/topic", keeps_all)
-    made.create_subscription(test_msgs.msg.Empty, "/test/topic", print, 8)
-    made.create_service(test_msgs.srv.Empty, "/test/service", print)
-    made.create_client(test_msgs.srv.Empty, "/test/service")
-    rclpy.action.ActionServer(made, test_msgs.action.Fibonacci, "/test/action", print)
-    rclpy.action.ActionClient(made, test_msgs.action.Fibonacci, "/test/action")
-    yield made
+    test_node.create_publisher(test_msgs.msg.Empty, "/test/topic", keeps_all)
+    test_node.create_subscription(test_msgs.msg.Empty, "/test/topic", print, 8)
+    test_node.create_service(test_msgs.srv.Empty, "/test/service", print)
+    test_node.create_client(test_msgs.srv.Empty, "/test/service")
+    rclpy.action.ActionServer(test_node, test_msgs.action.Fibonacci, "/test/action", print)
+    rclpy.action.ActionClient(test_node, test_msgs.action.Fibonacci, "/test/action")
+    yield test_node
     rclpy.shutdown(context=context)
 
 
@@ -55,19 +55,19 @@ def test_the_daemon_is_stopped_and_started(session):
     assert is_daemon_running([]) and not spawn_daemon([])
     assert shutdown_daemon([], timeout=5.0) and not is_daemon_running([]) and not shutdown_daemon([])
     assert spawn_daemon([], timeout=5.0) and is_daemon_running([])
-    assert [one.name.startswith("_ros2cli_daemon_0_") for one in session.graph(0).nodes] == [True]
+    assert [daemon_node.name.startswith("_ros2cli_daemon_0_") for daemon_node in session.graph(0).nodes] == [True]
     assert shutdown_daemon([]) and not session.graph(0).nodes
 
 
 def test_the_strategy_takes_the_daemon_where_one_runs(session):
     shutdown_daemon([])
-    with NodeStrategy([]) as one:
-        assert one._daemon_node is None and one._direct_node is not None
+    with NodeStrategy([]) as strategy:
+        assert strategy._daemon_node is None and strategy._direct_node is not None
     assert is_daemon_running([])  # for the next command
-    with NodeStrategy([]) as one:
-        assert one._daemon_node is not None and one._direct_node is None
-    with NodeStrategy(argparse.Namespace(no_daemon=True)) as one:
-        assert one._daemon_node is None and one._direct_node is not None
+    with NodeStrategy([]) as strategy:
+        assert strategy._daemon_node is not None and strategy._direct_node is None
+    with NodeStrategy(argparse.Namespace(no_daemon=True)) as strategy:
+        assert strategy._daemon_node is None and strategy._direct_node is not None
     assert not rclpy.ok()
 
 
@@ -80,8 +80,8 @@ def test_the_daemon_answers_in_lists(node):
         assert ["test_node", "/test"] in daemon.get_node_names_and_namespaces()
         assert ["test_node", "/test", "/"] in daemon.get_node_names_and_namespaces_with_enclaves()
         assert topic in daemon.get_topic_names_and_types() and service in daemon.get_service_names_and_types()
-        for kind, found in (("publisher", topic), ("subscriber", topic), ("service", service), ("client", service)):
-            assert found in getattr(daemon, f"get_{kind}_names_and_types_by_node")("test_node", "/test")
+        for kind, expected in (("publisher", topic), ("subscriber", topic), ("service", service), ("client", service)):
+            assert expected in getattr(daemon, f"get_{kind}_names_and_types_by_node")("test_node", "/test")
         for kind in ("server", "client"):
             assert action in getattr(daemon, f"get_action_{kind}_names_and_types_by_node")("test_node", "/test")
         (info,) = daemon.get_publishers_info_by_topic("/test/topic")
@@ -97,11 +97,11 @@ def test_topics_with_one_end_only_are_warned_of(session):
     assert TopicReport().report().items == [("topic", "none"), ("publisher count", 0), ("subscriber count", 0)]
     context = rclpy.context.Context()
     rclpy.init(context=context)
-    made = rclpy.create_node("one_sided", context=context)
-    made.create_publisher(test_msgs.msg.Empty, "/alone", 1)
+    one_sided = rclpy.create_node("one_sided", context=context)
+    one_sided.create_publisher(test_msgs.msg.Empty, "/alone", 1)
     assert TopicReport().report().items == [("topic", "/alone"), ("publisher count", 1), ("subscriber count", 0)]
-    found = TopicCheck().check()
-    assert (found.error, found.warning) == (0, 1)
+    report = TopicCheck().check()
+    assert (report.error, report.warning) == (0, 1)
     rclpy.shutdown(context=context)
 
 
@@ -192,13 +192,13 @@ def test_managed_nodes_are_asked_and_led(session):
 
     def ask():
         with DirectNode([]) as asking:
-            assert [one.full_name for one in api.get_node_names(node=asking)] == ["/robot"]
+            assert [node_name.full_name for node_name in api.get_node_names(node=asking)] == ["/robot"]
             assert api.call_get_states(node=asking, node_names=["/robot", "/none"])["/none"] is None
             transition = Transition(id=Transition.TRANSITION_CONFIGURE)
             assert api.call_change_states(node=asking, transitions={"/robot": transition}) == {"/robot": True}
             assert api.call_get_states(node=asking, node_names=["/robot"])["/robot"].label == "inactive"
-            found = api.call_get_available_transitions(node=asking, states={"/robot": None})["/robot"]
-            assert {one.transition.label for one in found} == {"cleanup", "activate", "shutdown"}
+            transitions = api.call_get_available_transitions(node=asking, states={"/robot": None})["/robot"]
+            assert {description.transition.label for description in transitions} == {"cleanup", "activate", "shutdown"}
 
     robot = session.start(main, name="robot")
     session.clock.sleep(1.0)

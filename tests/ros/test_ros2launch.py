@@ -35,9 +35,9 @@ def share(tmp_path, monkeypatch):
 
 
 def test_a_file_is_found_in_its_package(share):
-    found = get_share_file_path_from_package(package_name="greeter", file_name="greet_launch.xml")
-    assert found == str(share / "launch/greet_launch.xml") and is_launch_file(found) and is_launch_file(path=found)
-    assert get_launch_file_paths(path=str(share)) == [found]
+    path = get_share_file_path_from_package(package_name="greeter", file_name="greet_launch.xml")
+    assert path == str(share / "launch/greet_launch.xml") and is_launch_file(path) and is_launch_file(path=path)
+    assert get_launch_file_paths(path=str(share)) == [path]
     assert LaunchFileNameCompleter()("", Namespace(package_name="greeter")) == ["greet_launch.xml"]
     assert LaunchFileNameCompleter()("", Namespace(package_name="nobody")) == []
 

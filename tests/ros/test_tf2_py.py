@@ -17,10 +17,10 @@ def stamped(parent, child, seconds=0.0, x=2.0):
 
 @pytest.fixture
 def core():
-    made = BufferCore()
-    assert made.set_transform(stamped("bar", "foo", 1.0), "unittest") is None
-    made.set_transform(stamped("bar", "foo", 2.0, 4.0), "unittest")
-    return made
+    buffer_core = BufferCore()
+    assert buffer_core.set_transform(stamped("bar", "foo", 1.0), "unittest") is None
+    buffer_core.set_transform(stamped("bar", "foo", 2.0, 4.0), "unittest")
+    return buffer_core
 
 
 def test_a_lookup_gives_what_was_set(core):
@@ -52,8 +52,8 @@ def test_static_transforms_hold_at_all_times():
 
 
 def test_the_full_lookup_joins_two_times(core):
-    found = core.lookup_transform_full_core("foo", Time(seconds=2), "foo", Time(seconds=1), "bar")
-    assert found.transform.translation.x == -2.0 and found.header.stamp.sec == 2
+    transform = core.lookup_transform_full_core("foo", Time(seconds=2), "foo", Time(seconds=1), "bar")
+    assert transform.transform.translation.x == -2.0 and transform.header.stamp.sec == 2
 
 
 def test_exceptions_have_tf2s_names(core):

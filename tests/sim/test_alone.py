@@ -10,9 +10,9 @@ from coursekit.sim import RobotModel, Simulation, World
 
 @pytest.fixture
 def world():
-    made = Simulation(World("plain"))
-    made.spawn(RobotModel("cart"))
-    return made
+    simulation = Simulation(World("plain"))
+    simulation.spawn(RobotModel("cart"))
+    return simulation
 
 
 def another_thread_may_come_in(simulation):

@@ -37,15 +37,15 @@ def test_the_picture_moves():
 def test_a_ball_can_be_tracked_by_its_colour(colour, t):
     hsv = cv2.cvtColor(SCENE.render(t), cv2.COLOR_BGR2HSV)
     moments = cv2.moments(cv2.inRange(hsv, *map(np.array, HSV[colour])), binaryImage=True)
-    found = (moments["m10"] / moments["m00"], moments["m01"] / moments["m00"])
-    (ball,) = [one for one in SCENE.balls(t) if one.colour == colour]
-    assert found == pytest.approx(SCENE.pixel(ball.centre), abs=4.0)
+    centre = (moments["m10"] / moments["m00"], moments["m01"] / moments["m00"])
+    (ball,) = [candidate for candidate in SCENE.balls(t) if candidate.colour == colour]
+    assert centre == pytest.approx(SCENE.pixel(ball.centre), abs=4.0)
 
 
 def test_the_wall_s_marker_is_always_seen_and_the_robot_s_nearly_so():
     seen = [markers(SCENE.render(t)) for t in np.arange(0.0, 12.0, 0.5)]
-    assert all(WALL_MARKER in one for one in seen)
-    assert sum(ROBOT_MARKER in one for one in seen) > 0.8 * len(seen)
+    assert all(WALL_MARKER in seen_markers for seen_markers in seen)
+    assert sum(ROBOT_MARKER in seen_markers for seen_markers in seen) > 0.8 * len(seen)
 
 
 def test_the_robot_s_marker_is_where_the_robot_is():

@@ -15,7 +15,7 @@ FAR = np.inf
 
 def by_hand(cut, place, angles, reach):
     """Each beam with each edge and circle, by solving two equations; no bearings, no intervals."""
-    found = np.full(len(angles), FAR)
+    ranges = np.full(len(angles), FAR)
     for k, angle in enumerate(angles):
         d = np.array([math.cos(place.theta + angle), math.sin(place.theta + angle)])
         o = np.array(place[:2])
@@ -25,13 +25,13 @@ def by_hand(cut, place, angles, reach):
                 continue
             t, u = np.linalg.solve(matrix, np.array([x1, y1]) - o)
             if t >= 0 and 0 <= u <= 1:
-                found[k] = min(found[k], t)
+                ranges[k] = min(ranges[k], t)
         for x, y, r in cut.circles:
             roots = np.roots([1.0, -2 * d @ (np.array([x, y]) - o), (x - o[0]) ** 2 + (y - o[1]) ** 2 - r * r])
             real = [root.real for root in roots if abs(root.imag) < 1e-12 and root.real >= 0]
-            found[k] = min([found[k], *real])
-    found[found > reach] = FAR
-    return found
+            ranges[k] = min([ranges[k], *real])
+    ranges[ranges > reach] = FAR
+    return ranges
 
 
 def scene(seed, edges=40, circles=5):

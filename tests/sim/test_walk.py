@@ -33,8 +33,8 @@ def test_each_pose_is_reached_at_its_time_in_each_round(steps, loop, delay):
 def test_the_way_is_smooth_and_turns_the_short_way_round():
     walk = Walk((0.0, 1.0, 2.0), (Pose2D(0, 0, 3.0), Pose2D(1, 0, -3.0), Pose2D(1, 1, -2.0)), loop=False)
     places = [walk.at(0.01 * step) for step in range(201)]
-    moved = [math.dist(one[:2], after[:2]) for one, after in pairwise(places)]
-    turned = [abs(wrap(after.theta - one.theta)) for one, after in pairwise(places)]
+    moved = [math.dist(before[:2], after[:2]) for before, after in pairwise(places)]
+    turned = [abs(wrap(after.theta - before.theta)) for before, after in pairwise(places)]
     assert max(moved) < 0.02 and max(turned) < 0.02
 
 

@@ -62,7 +62,7 @@ def cast(walls: np.ndarray, origin: Pose2D, angles: np.ndarray) -> np.ndarray:
 def drawn(walls: np.ndarray, cell: float = 0.05) -> GridMap:
     """Walls as a map: cells that a wall runs through."""
     size = (np.ceil(walls[:, [1, 3]].max() / cell) + 20, np.ceil(walls[:, [0, 2]].max() / cell) + 20)
-    cells = np.zeros([int(one) for one in size], dtype=np.int8)
+    cells = np.zeros([int(length) for length in size], dtype=np.int8)
     for x1, y1, x2, y2 in walls:
         parts = np.linspace(0, 1, 2 + int(math.hypot(x2 - x1, y2 - y1) / cell * 3))
         columns, rows = ((a + parts * (b - a)) / cell + 10 for a, b in ((x1, x2), (y1, y2)))

@@ -127,14 +127,16 @@ RAW = "RAWLASER1 0 -1.570796 3.141593 0.017453 8.0 0.01 0 3 1.0 2.0 8.1 0 {} hos
 def test_scans_without_a_pose_take_it_from_the_odometry_s_own_lines(tmp_path: Path, line: str) -> None:
     text = "SYNC tag\nTRUEPOS 0 0 0 0 0 0 1 h 1\n" + line.format(1.25) + line.format(9.0)
     log = read(tmp_path, text + "".join(ODOM.format(k) for k in (3, 1, 2)))
-    assert [one.odometry.x for one in log.readings if one.odometry] == pytest.approx([1.25, 3.0]) and log.has_odometry
+    assert [reading.odometry.x for reading in log.readings if reading.odometry] == pytest.approx(
+        [1.25, 3.0]
+    ) and log.has_odometry
     assert log.lasers()[0].angle_min == pytest.approx(-math.pi / 2)
     assert not read(tmp_path, text).has_odometry
 
 
 def test_raw_scans_beside_those_of_the_robot_are_not_taken_twice(tmp_path: Path) -> None:
     log = read(tmp_path, RAW.format(99.2) + ROBOT + RAW.format(99.3) + ROBOT)
-    assert [one.kind for one in log.readings] == ["ROBOTLASER1"] * 2
+    assert [reading.kind for reading in log.readings] == ["ROBOTLASER1"] * 2
 
 
 def test_many_bad_lines_are_counted_not_listed(tmp_path: Path) -> None:

@@ -31,10 +31,10 @@ def scan_at(pose: Pose2D, seed: int = 0, laser: Laser = LASER, walls: np.ndarray
 @pytest.fixture(scope="module")
 def submap() -> Submap:
     """The office as seen from one place."""
-    made = Submap(PARAMS)
+    new_submap = Submap(PARAMS)
     for k in range(4):
-        made.insert(scan_at(HERE @ Pose2D(0.1 * k, 0, 0), k), Pose2D(0.1 * k, 0.0, 0.0))
-    return made
+        new_submap.insert(scan_at(HERE @ Pose2D(0.1 * k, 0, 0), k), Pose2D(0.1 * k, 0.0, 0.0))
+    return new_submap
 
 
 def brute_force(
@@ -93,32 +93,32 @@ def test_matching_and_refinement_find_the_true_pose(submap: Submap, seed: int) -
     truth = Pose2D.of(rng.uniform(-0.25, 0.25, 3))
     points = scan_at(HERE @ truth, seed + 20).points
     rough, score = match(points, submap, Pose2D(), 0.3, math.radians(20), (0.3, 0.3))
-    found = refine(points, submap, rough, rough, np.zeros((3, 3)))
-    assert score > 0.7 and found.inliers > 0.7
-    assert found.pose.distance(truth) < 0.015 and abs(found.pose.theta - truth.theta) < 0.005
+    refined = refine(points, submap, rough, rough, np.zeros((3, 3)))
+    assert score > 0.7 and refined.inliers > 0.7
+    assert refined.pose.distance(truth) < 0.015 and abs(refined.pose.theta - truth.theta) < 0.005
 
 
 def test_the_information_of_a_match_tells_its_scatter(submap: Submap) -> None:
     errors, predicted = [], []
     for seed in range(30):
         points = scan_at(HERE @ Pose2D(0.05, 0.02, 0.0), 100 + seed).points
-        found = refine(points, submap, Pose2D(0.05, 0.02, 0.0), Pose2D(), np.zeros((3, 3)))
-        errors.append([found.pose.x, found.pose.y, found.pose.theta])
-        predicted.append(np.sqrt(np.diag(np.linalg.inv(found.information))))
+        refined = refine(points, submap, Pose2D(0.05, 0.02, 0.0), Pose2D(), np.zeros((3, 3)))
+        errors.append([refined.pose.x, refined.pose.y, refined.pose.theta])
+        predicted.append(np.sqrt(np.diag(np.linalg.inv(refined.information))))
     ratio = np.std(errors, axis=0) / np.mean(predicted, axis=0)
     assert (ratio < 2).all() and (ratio > 0.05).all()
 
 
 def test_a_bare_corridor_is_degenerate_and_the_guess_decides_along_it() -> None:
     corridor = np.array([[-50.0, -1.0, 50.0, -1.0], [-50.0, 1.0, 50.0, 1.0]])
-    made = Submap(PARAMS)
-    made.insert(scan_at(Pose2D(), walls=corridor), Pose2D())
+    corridor_submap = Submap(PARAMS)
+    corridor_submap.insert(scan_at(Pose2D(), walls=corridor), Pose2D())
     guess = Pose2D(0.12, 0.0, 0.0)
     points = scan_at(Pose2D(0.3, 0.05, 0.02), 1, walls=corridor).points
-    rough, _ = match(points, made, guess, 0.3, math.radians(20), (0.03, 0.03))
-    found = refine(points, made, rough, guess, np.diag([1e3, 1e3, 1e3]))
-    assert found.degeneracy > 0.6
-    assert abs(found.pose.x - guess.x) < 0.05 and abs(found.pose.y - 0.05) < 0.02
+    rough, _ = match(points, corridor_submap, guess, 0.3, math.radians(20), (0.03, 0.03))
+    refined = refine(points, corridor_submap, rough, guess, np.diag([1e3, 1e3, 1e3]))
+    assert refined.degeneracy > 0.6
+    assert abs(refined.pose.x - guess.x) < 0.05 and abs(refined.pose.y - 0.05) < 0.02
     room = Submap(PARAMS)
     room.insert(scan_at(HERE), Pose2D())
     assert refine(scan_at(HERE).points, room, Pose2D(), Pose2D(), np.zeros((3, 3))).degeneracy < 0.5
@@ -128,8 +128,8 @@ def test_a_loop_field_finds_a_scan_with_any_heading(submap: Submap) -> None:
     field = LoopField(submap.points[: submap.count], 0.1)
     truth = Pose2D(0.6, -0.4, 2.0)
     points = scan_at(HERE @ truth, 5).points
-    found, score = field.find(points[::3].copy(), Pose2D(), 2.0, math.pi, math.radians(1.2), 0.4)
-    assert score > 0.6 and found.distance(truth) < 0.2 and abs(found.theta - truth.theta) < 0.05
+    pose, score = field.find(points[::3].copy(), Pose2D(), 2.0, math.pi, math.radians(1.2), 0.4)
+    assert score > 0.6 and pose.distance(truth) < 0.2 and abs(pose.theta - truth.theta) < 0.05
 
 
 def test_a_loop_field_agrees_with_looking_at_every_pose(submap: Submap) -> None:
@@ -164,5 +164,5 @@ def test_merged_points_are_averaged_and_a_restored_submap_is_the_same(submap: Su
     assert not copy.nearest.size
     copy.restore()
     assert np.array_equal(copy.points[: copy.count], submap.points[: submap.count])
-    found = refine(scan_at(HERE).points, copy, Pose2D(), Pose2D(), np.zeros((3, 3)))
-    assert found.pose.distance(Pose2D()) < 0.01
+    refined = refine(scan_at(HERE).points, copy, Pose2D(), Pose2D(), np.zeros((3, 3)))
+    assert refined.pose.distance(Pose2D()) < 0.01

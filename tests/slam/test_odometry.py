@@ -21,8 +21,8 @@ def test_most_of_what_is_wrong_is_learnt_on_the_way(scale: float, turn: float, p
         told = Pose2D(0.1, 0.0, rng.normal(0, 0.15))
         true = Pose2D(scale * told.x, 0.0, turn * told.theta + pull * told.x)
         wheels.learn(told, Pose2D(true.x + rng.normal(0, 0.003), 0.0, true.theta + rng.normal(0, 0.003)))
-    for found, real, plain in ((wheels.scale, scale, 1), (wheels.turn_scale, turn, 1), (wheels.pull, pull, 0)):
-        assert abs(found - real) < 0.35 * abs(plain - real) + 0.02
+    for learnt, real, plain in ((wheels.scale, scale, 1), (wheels.turn_scale, turn, 1), (wheels.pull, pull, 0)):
+        assert abs(learnt - real) < 0.35 * abs(plain - real) + 0.02
 
 
 def test_a_standing_robot_and_absurd_motions_teach_nothing_absurd() -> None:

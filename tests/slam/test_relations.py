@@ -18,16 +18,16 @@ TRUE = np.column_stack([PAIRS, between(poses_at(PATH, PAIRS[:, 0]), poses_at(PAT
 
 def test_the_true_trajectory_has_no_error_wherever_it_begins() -> None:
     moved = np.column_stack([PATH[:, 0], compose(np.array([4.0, -2.0, 1.3]), PATH[:, 1:])])
-    found = errors(moved, TRUE)
-    assert found.translation < 1e-9 and found.rotation < 1e-6 and found.used == 40
+    error = errors(moved, TRUE)
+    assert error.translation < 1e-9 and error.rotation < 1e-6 and error.used == 40
 
 
 def test_a_known_fault_has_a_known_size() -> None:
     wrong = TRUE.copy()
     wrong[:, 2:] = compose(TRUE[:, 2:], np.array([0.3, 0.4, math.radians(2)]))
-    found = errors(PATH, wrong)
-    assert found.translation == pytest.approx(0.5) and found.rotation == pytest.approx(2.0)
-    assert found.translation_std == pytest.approx(0.0, abs=1e-9)
+    error = errors(PATH, wrong)
+    assert error.translation == pytest.approx(0.5) and error.rotation == pytest.approx(2.0)
+    assert error.translation_std == pytest.approx(0.0, abs=1e-9)
 
 
 def test_rows_may_come_in_any_order() -> None:

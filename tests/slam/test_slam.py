@@ -56,8 +56,8 @@ class Drive:
     @property
     def errors(self) -> np.ndarray:
         """Metres off, for each scan."""
-        found = self.slam.trajectory()[:, 1:3]
-        return np.hypot(*(found - np.array(self.truth)[:, :2]).T)
+        estimated = self.slam.trajectory()[:, 1:3]
+        return np.hypot(*(estimated - np.array(self.truth)[:, :2]).T)
 
 
 @functools.cache
@@ -163,8 +163,8 @@ def test_a_long_way_without_a_scan_is_bridged_by_the_odometry() -> None:
     way, slam, off = list(drive(ROUND, 0.1)), Slam(), []
     for number, (pose, ranges) in enumerate(zip(way, seen(FULL, 360, 1, 0.1), strict=True)):
         if not 60 <= number < 140:
-            found = slam.add_ranges(0.1 * number, ranges, FULL, pose).pose
-            off.append(found.distance(way[0].to(pose)))
+            estimate = slam.add_ranges(0.1 * number, ranges, FULL, pose).pose
+            off.append(estimate.distance(way[0].to(pose)))
     assert way[59].distance(way[140]) > 6.0 and max(off) < 0.2
 
 

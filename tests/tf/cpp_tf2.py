@@ -37,11 +37,11 @@ def answer(core, target, source, time):
     import tf2_py
 
     try:
-        found = core.lookup_transform_core(target, source, genpy.Time(0, time))
+        transform = core.lookup_transform_core(target, source, genpy.Time(0, time))
     except tf2_py.TransformException as error:
         return [type(error).__name__, str(error)]
-    t, r = found.transform.translation, found.transform.rotation
-    return [[t.x, t.y, t.z, r.x, r.y, r.z, r.w], found.header.stamp.to_nsec()]
+    t, r = transform.transform.translation, transform.transform.rotation
+    return [[t.x, t.y, t.z, r.x, r.y, r.z, r.w], transform.header.stamp.to_nsec()]
 
 
 def duration(core, target, source, time):

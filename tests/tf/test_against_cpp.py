@@ -62,11 +62,11 @@ def test_lookups_of_random_trees_are_those_of_cpp_tf2():
         jobs.append({"data": data, "questions": questions})
     poses = 0
     for job, expected in zip(jobs, theirs(jobs), strict=True):
-        for question, one, other in zip(job["questions"], ours(**job), expected, strict=True):
+        for question, our_answer, other in zip(job["questions"], ours(**job), expected, strict=True):
             if isinstance(other[0], str):
-                assert one[0] == other[0] and words(one[1]) == words(other[1]), question
+                assert our_answer[0] == other[0] and words(our_answer[1]) == words(other[1]), question
             else:
                 expected_pose = canonical(tuple(other[0]))  # ROS 2 gives one of the two signs, ROS 1 either
-                assert one[1] == other[1] and one[0] == pytest.approx(list(expected_pose), abs=1e-9), question
+                assert our_answer[1] == other[1] and our_answer[0] == pytest.approx(list(expected_pose), abs=1e-9), question
                 poses += 1
     assert poses > 5000

@@ -82,8 +82,8 @@ def test_who_asks_again_and_again_gets_what_one_gets_who_asks_once(seed):
         told.append((parent, f"f{frame + 1}", stamp, random_pose(dice)))
         asked.set(*told[-1])
         fresh = FrameBuffer(report=lambda _level, _text: None)
-        for one in told:
-            fresh.set(*one)
+        for sample in told:
+            fresh.set(*sample)
         middle = now - dice.randrange(11 * S)
         for time in (middle, middle + 1000, middle + 2000, middle):
             ours, expected = answer(asked, time), answer(fresh, time)
@@ -135,8 +135,8 @@ def test_time_travel_goes_by_the_fixed_frame(buffer):
     for second in (1, 2, 3):
         buffer.set("world", "turtle1", second * S, at(float(second)))
         buffer.set("world", "turtle2", second * S, at(0.0, float(second)))
-    found = buffer.lookup_full("turtle2", 3 * S, "turtle1", 1 * S, "world")
-    assert (found.pose[:3], found.stamp) == ((1.0, -3.0, 0.0), 3 * S)
+    transform = buffer.lookup_full("turtle2", 3 * S, "turtle1", 1 * S, "world")
+    assert (transform.pose[:3], transform.stamp) == ((1.0, -3.0, 0.0), 3 * S)
     assert buffer.can_full("turtle2", 3 * S, "turtle1", 1 * S, "world") == (True, "")
     can, why = buffer.can_full("turtle2", 9 * S, "turtle1", 1 * S, "world")
     assert not can and "into the future" in why

@@ -24,8 +24,8 @@ def test_many_samples_at_once_are_taken_as_one_after_the_other(seed):
     for _ in range(12):
         samples = sorted([sample(dice) for _ in range(dice.randrange(6))], key=lambda one: one[2])
         together.extend(samples)
-        for one in samples:
-            single.set(*one)
+        for arguments in samples:
+            single.set(*arguments)
     held = [
         {name: (cache.stamps, cache.poses, cache.parents) for name, cache in buffer.frames.items() if cache}
         for buffer in (together, single)

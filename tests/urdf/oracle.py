@@ -32,18 +32,18 @@ def random_positions(robot: Robot, seed: int) -> dict[str, float]:
 
 def all_positions(robot: Robot, positions: dict[str, float]) -> dict[str, float]:
     """The positions with those of the followers worked out by hand."""
-    found = dict(positions)
+    position_by_joint = dict(positions)
 
     def of(name: str) -> float:
         mimic = robot.joints[name].mimic
-        if name not in found:
-            found[name] = 0.0 if mimic is None else mimic.multiplier * of(mimic.joint) + mimic.offset
-        return found[name]
+        if name not in position_by_joint:
+            position_by_joint[name] = 0.0 if mimic is None else mimic.multiplier * of(mimic.joint) + mimic.offset
+        return position_by_joint[name]
 
     for joint in robot.joints.values():
         if joint.moves:
             of(joint.name)
-    return found
+    return position_by_joint
 
 
 def pinocchio_matrices(text: str, robot: Robot, positions: dict[str, float]) -> dict[str, np.ndarray]:
@@ -64,6 +64,8 @@ def pinocchio_matrices(text: str, robot: Robot, positions: dict[str, float]) -> 
 
 def public_robots() -> list[Path]:
     """The URDF files that installed packages carry, such as example-robot-data's."""
-    files = [one for found in metadata.distributions() for one in found.files or () if one.suffix == ".urdf"]
-    paths = {Path(str(one.locate())) for one in files}
+    files = [
+        file for distribution in metadata.distributions() for file in distribution.files or () if file.suffix == ".urdf"
+    ]
+    paths = {Path(str(file.locate())) for file in files}
     return sorted(path for path in paths if path.is_file() and ROBOTS.parents[2] not in path.parents)

@@ -43,7 +43,7 @@ def test_what_urdfdom_says_nothing_of_is_a_warning():
     robot = parse(f'<robot name="r">{links("a", "b", "c")}{limit}{mimic}</robot>')
     assert "joint 'j' has its lower limit above the upper one" in robot.warnings[0] + robot.warnings[1]
     fixed = parse(f'<robot name="r">{links("a", "b", "c")}{joint(type_="fixed")}{mimic}</robot>')
-    assert any("'k' mimics 'j', which is fixed" in one for one in fixed.warnings)
+    assert any("'k' mimics 'j', which is fixed" in warning for warning in fixed.warnings)
     assert fixed.joints["k"].mimic is None
 
 

@@ -88,7 +88,7 @@ def arm(seed: int, links: int = 16) -> str:
 
 def by_matrices(robot: Robot, positions: dict[str, float]) -> dict[str, np.ndarray]:
     """The same, joint by joint, with Rodrigues' formula."""
-    found = {robot.root: np.eye(4)}
+    pose_by_link = {robot.root: np.eye(4)}
     for _, link in robot.walk():
         joint = robot.joint_above(link.name)
         if joint is None:
@@ -104,8 +104,8 @@ def by_matrices(robot: Robot, positions: dict[str, float]) -> dict[str, np.ndarr
                 cross = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
                 motion[:3, :3] += math.sin(value) * cross + (1 - math.cos(value)) * cross @ cross
             local = local @ motion
-        found[link.name] = found[joint.parent] @ local
-    return found
+        pose_by_link[link.name] = pose_by_link[joint.parent] @ local
+    return pose_by_link
 
 
 @pytest.mark.parametrize("seed", range(20))

@@ -70,7 +70,7 @@ def model(tmp_path):
 def test_a_texture_is_found_where_gazebo_finds_it(model, capfd, monkeypatch, tmp_path, texture, lies, emission):
     monkeypatch.setenv("GZ_SIM_RESOURCE_PATH", str(tmp_path))
     mesh = model(texture, lies, emission)
-    assert [one.colour for one in surfaces_of(mesh)] == [RED] and not notes_of(mesh)
+    assert [surface.colour for surface in surfaces_of(mesh)] == [RED] and not notes_of(mesh)
     assert "Traceback" not in "".join(capfd.readouterr())
 
 
@@ -161,7 +161,7 @@ def test_a_damaged_file_is_a_mesh_or_an_error(tmp_path, capfd, kind, data):
     file = tmp_path / f"x{abs(hash(bytes(sound)))}.{kind}"
     file.write_bytes(sound[: data.draw(st.integers(0, len(sound)))])
     try:
-        assert all(np.isfinite(one.vertices).all() for one in surfaces_of(Mesh(str(file))))
+        assert all(np.isfinite(surface.vertices).all() for surface in surfaces_of(Mesh(str(file))))
     except MeshError as error:
         assert file.name in str(error)
     finally:

@@ -15,10 +15,12 @@ def made(tmp_path_factory):
     return folder
 
 
-@pytest.mark.parametrize("name", [*(f"{one}.stl" for one in maker.SOLIDS), *(f"{one}.dae" for one in maker.PAINTED)])
+@pytest.mark.parametrize(
+    "name", [*(f"{solid}.stl" for solid in maker.SOLIDS), *(f"{painted}.dae" for painted in maker.PAINTED)]
+)
 def test_a_mesh_file_is_what_the_script_makes(made, name):
     kept, new = (trimesh.load_mesh(folder / name) for folder in (ROBOTS.parent / "meshes", made))
-    kept, new = (one.to_mesh() if isinstance(one, trimesh.Scene) else one for one in (kept, new))
+    kept, new = (mesh.to_mesh() if isinstance(mesh, trimesh.Scene) else mesh for mesh in (kept, new))
     np.testing.assert_allclose(kept.bounds, new.bounds, atol=1e-5)
     assert kept.area == pytest.approx(new.area, rel=1e-3)
 

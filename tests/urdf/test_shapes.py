@@ -67,7 +67,7 @@ def test_the_course_robot_has_its_parts():
     assert [joint.name for joint in robot.moving_joints()] == wheels
     assert all(robot.joints[name].axis == (0.0, 1.0, 0.0) and robot.joints[name].type == "continuous" for name in wheels)
     assert {"laser_link", "camera_link", "camera_2_link", "imu_link"} <= robot.links.keys()
-    lidar = next(one for one in robot.gazebo if one.get("reference") == "laser_link").first("sensor")
+    lidar = next(block for block in robot.gazebo if block.get("reference") == "laser_link").first("sensor")
     assert lidar.tell("ray/scan/horizontal/samples") == "360"
     assert (lidar.tell("update_rate"), lidar.tell("ray/range/min"), lidar.tell("ray/range/max")) == ("10", "0.12", "10.0")
 
@@ -89,8 +89,8 @@ def test_a_dae_file_whose_texture_is_missing_is_drawn_without_it(tmp_path):
     text = find_file("package://coursekit_robots/meshes/rdk_x3/camera.dae").read_text()
     broken = tmp_path / "camera.dae"
     broken.write_text(re.sub(r'(<instance_effect url=")[^"]*', r"\1#gone", text))
-    whole = sum(len(one.faces) for one in surfaces_of(Mesh("package://coursekit_robots/meshes/rdk_x3/camera.dae")))
-    assert sum(len(one.faces) for one in surfaces_of(Mesh(str(broken)))) == whole
+    whole = sum(len(surface.faces) for surface in surfaces_of(Mesh("package://coursekit_robots/meshes/rdk_x3/camera.dae")))
+    assert sum(len(surface.faces) for surface in surfaces_of(Mesh(str(broken)))) == whole
 
 
 def test_the_material_of_the_visual_wins():
@@ -108,7 +108,7 @@ def test_a_package_that_is_not_there_tells_where_it_was_looked_for(folder):
         find_file("package://part/meshes/block.stl")
     text = str(caught.value)
     assert "package 'part' not found" in text and "Did you mean 'parts'?" in text
-    assert all(str(one) in text for one in package_paths())
+    assert all(str(path) in text for path in package_paths())
     assert "add_package_path" in text
 
 

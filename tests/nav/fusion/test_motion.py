@@ -16,14 +16,16 @@ STATES = st.lists(st.floats(-1.2, 1.2), min_size=SIZE, max_size=SIZE).map(np.arr
 @given(STATES, st.floats(0.001, 0.5))
 def test_the_jacobian_is_the_slope_of_the_step(state, seconds):
     tiny = 1e-6
-    slopes = [(step(state + tiny * one, seconds) - step(state - tiny * one, seconds)) / (2 * tiny) for one in np.eye(SIZE)]
+    slopes = [
+        (step(state + tiny * axis, seconds) - step(state - tiny * axis, seconds)) / (2 * tiny) for axis in np.eye(SIZE)
+    ]
     assert jacobian(state, seconds) == pytest.approx(np.array(slopes).T, abs=1e-6)
 
 
 @given(*[st.floats(-3.0, 3.0)] * 3)
 def test_rotations_keep_lengths_and_hands(roll, pitch, yaw):
-    made = rotation(roll, pitch, yaw)
-    assert made @ made.T == pytest.approx(np.eye(3), abs=1e-12) and np.linalg.det(made) == pytest.approx(1.0)
+    matrix = rotation(roll, pitch, yaw)
+    assert matrix @ matrix.T == pytest.approx(np.eye(3), abs=1e-12) and np.linalg.det(matrix) == pytest.approx(1.0)
 
 
 def test_a_circle_closes():
@@ -41,5 +43,5 @@ def test_no_time_changes_nothing():
 
 @given(st.floats(-1000, 1000))
 def test_a_wrapped_angle_points_the_same_way(angle):
-    made = float(wrap(np.array([angle]))[0])
-    assert -math.pi <= made <= math.pi and math.cos(made) == pytest.approx(math.cos(angle), abs=1e-9)
+    wrapped = float(wrap(np.array([angle]))[0])
+    assert -math.pi <= wrapped <= math.pi and math.cos(wrapped) == pytest.approx(math.cos(angle), abs=1e-9)

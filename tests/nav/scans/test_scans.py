@@ -39,8 +39,8 @@ def test_a_wall_in_a_depth_image_is_a_straight_line_in_the_scan():
 def test_what_stands_left_in_the_image_has_a_positive_angle():
     depth = np.full((5, 100), NAN)
     depth[:, :10] = 1.0
-    found = np.flatnonzero(np.isfinite(of_depth(depth, 100.0, 49.5, 1, 2.0, (0.1, 10.0))))
-    assert found.min() > 80
+    beams = np.flatnonzero(np.isfinite(of_depth(depth, 100.0, 49.5, 1, 2.0, (0.1, 10.0))))
+    assert beams.min() > 80
 
 
 @given(RANGES, st.floats(0.0, 5.0), st.floats(6.0, 20.0))

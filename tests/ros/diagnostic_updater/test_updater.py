@@ -44,9 +44,9 @@ def stage():
 
 
 def status(level, message):
-    made = DiagnosticStatusWrapper()
-    made.summary(level, message)
-    return made
+    new_status = DiagnosticStatusWrapper()
+    new_status.summary(level, message)
+    return new_status
 
 
 @pytest.mark.parametrize(
@@ -55,9 +55,9 @@ def status(level, message):
      ((WARN, "a"), (ERROR, "b"), (ERROR, "a; b"))],
 )  # fmt: skip
 def test_of_two_the_worse_counts_and_equals_are_both_told(first, second, merged):
-    made = status(*first)
-    made.mergeSummary(status(*second))
-    assert (made.level, made.message) == merged
+    merged_status = status(*first)
+    merged_status.mergeSummary(status(*second))
+    assert (merged_status.level, merged_status.message) == merged
 
 
 def test_tasks_are_asked_once_a_second_under_the_nodes_name(stage):
@@ -70,10 +70,10 @@ def test_tasks_are_asked_once_a_second_under_the_nodes_name(stage):
     stage.updater.add(Heartbeat())
     stage.spin(3.05)
     starting, periodic = stage.told[:2], stage.told[2:]
-    assert [one.status[0].message for one in starting] == ["Node starting up"] * 2 and len(periodic) == 3
+    assert [array.status[0].message for array in starting] == ["Node starting up"] * 2 and len(periodic) == 3
     engine, alive = periodic[0].status
     assert (engine.name, engine.level, engine.message, engine.hardware_id) == ("device: Engine", WARN, "hot", "none")
-    assert [(one.key, one.value) for one in engine.values] == [("temperature", "81.5")]
+    assert [(value.key, value.value) for value in engine.values] == [("temperature", "81.5")]
     assert (alive.name, alive.message) == ("device: Heartbeat", "Alive")
 
 
@@ -84,7 +84,9 @@ def test_a_task_without_words_and_a_task_that_was_removed(stage):
     stage.told.clear()
     stage.spin(1.05)
     last = stage.told[-1].status
-    assert [(one.name, one.message) for one in last] == [("device: silent", "No message was set")]
+    assert [(device_status.name, device_status.message) for device_status in last] == [
+        ("device: silent", "No message was set")
+    ]
 
 
 def test_a_composite_task_is_as_ill_as_its_worst(stage):
@@ -104,7 +106,7 @@ def test_the_period_can_be_changed_and_all_can_be_told_at_once(stage):
     assert 15 <= len(stage.told) <= 21
     stage.updater.broadcast(WARN, "going down")
     stage.spin(0.01)
-    assert any(one.status[0].message == "going down" for one in stage.told)
+    assert any(array.status[0].message == "going down" for array in stage.told)
 
 
 @pytest.mark.parametrize("gap, expected", [(0.1, "Desired frequency met"), (0.5, "too low."), (0.02, "too high.")])

@@ -58,20 +58,20 @@ def marker(name, frame="map"):
 
 
 def pose(x):
-    made = Pose()
-    made.position.x = x
-    return made
+    new_pose = Pose()
+    new_pose.position.x = x
+    return new_pose
 
 
 def test_changes_count_when_they_are_applied_and_a_new_client_gets_all(stage):
     server, client = stage
     server.insert(marker("ball"))
-    assert [one.name for one in client.all().markers] == ["box"] and server.get("ball").name == "ball"
+    assert [shown_marker.name for shown_marker in client.all().markers] == ["box"] and server.get("ball").name == "ball"
     server.applyChanges()
     answer = client.all()
-    assert [one.name for one in answer.markers] == ["box", "ball"]
+    assert [shown_marker.name for shown_marker in answer.markers] == ["box", "ball"]
     assert answer.sequence_number == client.updates[-1].seq_num == 2
-    assert [one.name for one in client.updates[-1].markers] == ["ball"]
+    assert [shown_marker.name for shown_marker in client.updates[-1].markers] == ["ball"]
     server.applyChanges()
     client.spin()
     assert len(client.updates) == 2, "nothing has changed"
@@ -140,7 +140,7 @@ def test_a_menu_calls_what_was_chosen_and_shows_its_boxes(stage):
     assert menu.apply(server, "box") and not menu.apply(server, "nobody")
     server.applyChanges()
     entries = client.all().markers[0].menu_entries
-    assert [(one.title, one.parent_id, one.command_type) for one in entries] == [
+    assert [(entry.title, entry.parent_id, entry.command_type) for entry in entries] == [
         ("Drive", 0, MenuEntry.FEEDBACK), ("[ ] Fast", top, MenuEntry.FEEDBACK)
     ]  # fmt: skip
     client.send("box", Feedback.MENU_SELECT, entry=fast)

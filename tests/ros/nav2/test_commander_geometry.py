@@ -43,12 +43,12 @@ def test_a_costmap_message_is_understood_like_a_map():
 
 @pytest.mark.parametrize("line", [(0, 0, 0, 3), (3, 1, 0, 1), (0, 0, 3, -2), (0.0, 0.0, 1.0, 3.0)])
 def test_a_line_goes_from_its_first_point_to_its_last(line):
-    points, one = [], LineIterator(*line, 0.5)
-    while one.isValid():
-        points.append((one.getX(), one.getY()))
-        one.advance()
+    points, iterator = [], LineIterator(*line, 0.5)
+    while iterator.isValid():
+        points.append((iterator.getX(), iterator.getY()))
+        iterator.advance()
     assert points[0] == line[:2] and points[-1] == pytest.approx(line[2:])
-    assert one.get_line_length() == pytest.approx(math.dist(line[:2], line[2:]))
+    assert iterator.get_line_length() == pytest.approx(math.dist(line[:2], line[2:]))
 
 
 def test_lines_that_are_none_are_refused():

@@ -10,8 +10,8 @@ from coursekit.processes.session import Session
 
 @pytest.fixture
 def session():
-    with Session(virtual=True).use() as made:
-        yield made
+    with Session(virtual=True).use() as virtual_session:
+        yield virtual_session
 
 
 def talks(session, *argv, seconds=2.5, **env):

@@ -23,10 +23,10 @@ HUMBLES = {
 @pytest.fixture
 def context():
     with Session(virtual=True).use() as session:
-        made = rclpy.Context()
-        rclpy.init(context=made)
-        yield session, made
-        rclpy.shutdown(context=made)
+        own_context = rclpy.Context()
+        rclpy.init(context=own_context)
+        yield session, own_context
+        rclpy.shutdown(context=own_context)
 
 
 def private(names):
@@ -76,8 +76,8 @@ class Busy(Node):
 
 
 def test_a_node_that_uses_such_names_works(context):
-    session, made = context
-    node, executor = Busy(made), rclpy.executors.SingleThreadedExecutor(context=made)
+    session, own_context = context
+    node, executor = Busy(own_context), rclpy.executors.SingleThreadedExecutor(context=own_context)
     executor.add_node(node)
     until = session.clock.steady() + 10**9
     while session.clock.steady() < until:

@@ -18,16 +18,16 @@ def info(base=0.0, d=(), **more):
 
 
 def camera(**how):
-    made = PinholeCameraModel()
-    made.fromCameraInfo(info(**how))
-    return made
+    model = PinholeCameraModel()
+    model.fromCameraInfo(info(**how))
+    return model
 
 
 @given(st.floats(0, 640), st.floats(0, 480), st.floats(0.1, 50))
 def test_a_point_on_a_pixels_ray_is_seen_at_that_pixel(u, v, far):
     ray = camera().projectPixelTo3dRay((u, v))
     assert math.hypot(*ray) == pytest.approx(1.0)
-    assert camera().project3dToPixel([far * one for one in ray]) == pytest.approx((u, v), abs=1e-6)
+    assert camera().project3dToPixel([far * number for number in ray]) == pytest.approx((u, v), abs=1e-6)
 
 
 def test_what_lies_in_the_cameras_plane_is_seen_nowhere():
@@ -37,9 +37,9 @@ def test_what_lies_in_the_cameras_plane_is_seen_nowhere():
 def test_binning_and_region_move_and_shrink_the_image():
     msg = info(binning_x=2, binning_y=2)
     msg.roi.x_offset, msg.roi.y_offset = 100, 40
-    made = PinholeCameraModel()
-    made.fromCameraInfo(msg)
-    assert (made.fx(), made.cx(), made.cy()) == (250.0, 110.0, 100.0) and made.fullIntrinsicMatrix()[0, 0] == 500.0
+    model = PinholeCameraModel()
+    model.fromCameraInfo(msg)
+    assert (model.fx(), model.cx(), model.cy()) == (250.0, 110.0, 100.0) and model.fullIntrinsicMatrix()[0, 0] == 500.0
 
 
 def test_a_distorted_point_is_set_right_as_opencv_distorts_it():
@@ -51,9 +51,9 @@ def test_a_distorted_point_is_set_right_as_opencv_distorts_it():
 
 def test_an_image_of_a_good_lens_stays_as_it_is():
     raw = np.random.default_rng(1).integers(0, 255, (480, 640), np.uint8)
-    made = np.zeros_like(raw)
-    camera(d=(0.0,) * 5).rectifyImage(raw, made)
-    assert (made == raw).all()
+    rectified = np.zeros_like(raw)
+    camera(d=(0.0,) * 5).rectifyImage(raw, rectified)
+    assert (rectified == raw).all()
 
 
 @given(st.floats(0.5, 20), st.floats(-1, 1), st.floats(-1, 1))
@@ -62,11 +62,11 @@ def test_two_cameras_see_how_far_away_a_point_is(z, x, y):
     pair.fromCameraInfo(info(), info(base=0.12))
     left, right = pair.project3dToPixel((x, y, z))
     assert pair.getDisparity(z) == pytest.approx(left[0] - right[0]) and pair.getZ(left[0] - right[0]) == pytest.approx(z)
-    found = pair.projectPixelTo3d(left, left[0] - right[0])
-    assert (found[0], found[2]) == pytest.approx((x, z), abs=1e-6)
+    point = pair.projectPixelTo3d(left, left[0] - right[0])
+    assert (point[0], point[2]) == pytest.approx((x, z), abs=1e-6)
 
 
 def test_sizes_and_angles_of_view():
-    made = camera()
-    assert made.getDeltaX(made.getDeltaU(0.3, 2.0), 2.0) == pytest.approx(0.3)
-    assert made.fovX() == pytest.approx(2 * math.atan(0.64)) and made.getDeltaV(1.0, 0.0) == math.inf
+    model = camera()
+    assert model.getDeltaX(model.getDeltaU(0.3, 2.0), 2.0) == pytest.approx(0.3)
+    assert model.fovX() == pytest.approx(2 * math.atan(0.64)) and model.getDeltaV(1.0, 0.0) == math.inf

@@ -66,7 +66,7 @@ def test_the_tutorials_recorder_leaves_a_whole_bag_when_it_is_interrupted(
         recorder.wait(5)
     reader = rosbag2_py.SequentialReader()
     reader.open(rosbag2_py.StorageOptions("my_bag"), rosbag2_py.ConverterOptions("", ""))
-    kinds = {one.name: get_message(one.type) for one in reader.get_all_topics_and_types()}
+    kinds = {topic_info.name: get_message(topic_info.type) for topic_info in reader.get_all_topics_and_types()}
     said = []
     while reader.has_next():
         topic, data, stamp = reader.read_next()
@@ -98,11 +98,11 @@ def opened(bag: str, **options: Any) -> rosbag2_py.SequentialReader:
 
 def rest(reader: rosbag2_py.SequentialReader) -> list[tuple[str, int]]:
     """Topics and times of what is left."""
-    found = []
+    records = []
     while reader.has_next():
         topic, _, stamp = reader.read_next()
-        found.append((topic, stamp))
-    return found
+        records.append((topic, stamp))
+    return records
 
 
 def test_a_filter_holds_from_the_next_message_on_until_it_is_reset(bag: str) -> None:
@@ -125,12 +125,12 @@ def test_the_facts_of_a_bag_come_in_rclpys_types(bag: str) -> None:
     facts = rosbag2_py.Info().read_metadata(bag, "sqlite3")
     assert (facts.message_count, facts.duration, facts.starting_time) == (15, Duration(nanoseconds=901), Time())
     assert facts.files[0].duration == Duration(nanoseconds=901) and facts.files[0].path == "bag_0.db3"
-    assert [one.message_count for one in facts.topics_with_message_count] == [10, 5]
+    assert [topic.message_count for topic in facts.topics_with_message_count] == [10, 5]
     assert facts.storage_identifier == "sqlite3" and facts.version == 5
-    made = rosbag2_py.BagMetadata(duration=Duration(seconds=1), starting_time=Time(seconds=2))
-    assert made.version == 6 and "Duration:          1.000000000s\nStart:             Jan  1 1970 " in repr(made)
-    made.duration = Duration(nanoseconds=7)
-    assert made.duration_ns == 7
+    metadata = rosbag2_py.BagMetadata(duration=Duration(seconds=1), starting_time=Time(seconds=2))
+    assert metadata.version == 6 and "Duration:          1.000000000s\nStart:             Jan  1 1970 " in repr(metadata)
+    metadata.duration = Duration(nanoseconds=7)
+    assert metadata.duration_ns == 7
     assert opened(bag).get_metadata().bag_size == facts.bag_size > 20_000
 
 
@@ -164,9 +164,9 @@ def test_names_and_registers_are_there() -> None:
         assert getattr(rosbag2_py, name) is not None
     with pytest.raises(AttributeError, match="module 'rosbag2_py' has no attribute 'Rekorder'"):
         rosbag2_py.Rekorder  # noqa: B018
-    one = rosbag2_py.TopicMetadata("/a", "t", "cdr", "- depth: 1")
+    metadata = rosbag2_py.TopicMetadata("/a", "t", "cdr", "- depth: 1")
     same = {"name": "/a", "type": "t", "serialization_format": "cdr", "offered_qos_profiles": "- depth: 1"}
-    assert one.equals(rosbag2_py.TopicMetadata(**same))
+    assert metadata.equals(rosbag2_py.TopicMetadata(**same))
 
 
 def test_what_is_done_in_the_wrong_order_is_told(tmp_path: Path, bag: str) -> None:

@@ -28,8 +28,8 @@ from coursekit.processes.session import Session
 def session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Session]:
     """A session on the virtual clock, in a folder of its own."""
     monkeypatch.chdir(tmp_path)
-    with Session(virtual=True).use() as made:
-        yield made
+    with Session(virtual=True).use() as virtual_session:
+        yield virtual_session
 
 
 def all_topics() -> rosbag2_py.RecordOptions:
@@ -66,7 +66,7 @@ def test_a_recorder_in_a_thread_is_ended_by_cancel_and_leaves_the_programs_rclpy
     other.interrupt()
     assert other.wait(1) == 0
     facts = rosbag2_py.Info().read_metadata("bag", "")
-    assert {one.topic_metadata.name: one.message_count for one in facts.topics_with_message_count}["/chatter"] == 4
+    assert {topic.topic_metadata.name: topic.message_count for topic in facts.topics_with_message_count}["/chatter"] == 4
 
 
 def test_a_player_plays_where_it_is_called(session: Session) -> None:

@@ -16,14 +16,14 @@ def pytest_runtest_call(item):
 
 @pytest.fixture
 def session():
-    with Session(virtual=True).use() as made:
-        yield made
+    with Session(virtual=True).use() as virtual_session:
+        yield virtual_session
 
 
 @pytest.fixture
 def node(session):
     rclpy.init()
-    made = rclpy.create_node("tester")
-    yield made
-    made.destroy_node()
+    tester = rclpy.create_node("tester")
+    yield tester
+    tester.destroy_node()
     rclpy.try_shutdown()

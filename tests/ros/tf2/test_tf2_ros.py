@@ -73,8 +73,8 @@ def test_a_listener_may_spin_by_itself(node):
     buffer = Buffer()
     listener = TransformListener(buffer, node, spin_thread=True)
     StaticTransformBroadcaster(node).sendTransform(stamped("a", "b", Time(seconds=1)))
-    found = buffer.lookup_transform("a", "b", Time(), timeout=Duration(seconds=1.0))
-    assert found.transform.translation.x == 42.0
+    transform = buffer.lookup_transform("a", "b", Time(), timeout=Duration(seconds=1.0))
+    assert transform.transform.translation.x == 42.0
     listener.unregister()
 
 
@@ -161,18 +161,18 @@ def test_a_cancelled_future_is_forgotten():
 
 
 def test_a_node_waits_in_a_coroutine_of_its_own(node):
-    buffer, found = Buffer(), []
+    buffer, transforms = Buffer(), []
     listener = TransformListener(buffer, node)
 
     async def look():
-        found.append(await buffer.lookup_transform_async("a", "b", Time()))
+        transforms.append(await buffer.lookup_transform_async("a", "b", Time()))
 
     executor = SingleThreadedExecutor()
     executor.add_node(node)
     task = executor.create_task(look)
     TransformBroadcaster(node).sendTransform(stamped("a", "b", Time(seconds=1)))
     executor.spin_until_future_complete(task, timeout_sec=2.0)
-    assert found[0].transform.translation.x == 42.0
+    assert transforms[0].transform.translation.x == 42.0
     listener.unregister()
 
 
@@ -239,8 +239,8 @@ def test_another_time_empties_the_buffer_but_for_static_frames(node, session):
 def test_the_names_that_tutorials_take_from_them_are_there(module, names):
     import importlib
 
-    found = importlib.import_module(module)
-    assert [name for name in names.split() if not hasattr(found, name)] == []
+    loaded_module = importlib.import_module(module)
+    assert [name for name in names.split() if not hasattr(loaded_module, name)] == []
 
 
 def test_a_destroyed_buffer_client_leaves_the_graph():

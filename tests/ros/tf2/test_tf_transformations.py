@@ -111,8 +111,8 @@ def test_projections_come_back():
     point, normal, direct, eye = np.random.default_rng(3).random((4, 3)) + 0.2
     for options in ({}, {"direction": direct}, {"perspective": eye}, {"perspective": eye, "pseudo": True}):
         matrix = tf.projection_matrix(point, normal, **options)
-        found = tf.projection_from_matrix(matrix, pseudo=options.get("pseudo", False))
-        assert tf.is_same_transform(tf.projection_matrix(*found), matrix)
+        projection = tf.projection_from_matrix(matrix, pseudo=options.get("pseudo", False))
+        assert tf.is_same_transform(tf.projection_matrix(*projection), matrix)
     flat = tf.projection_matrix(point, normal) @ tf.projection_matrix(point, normal, perspective=eye, pseudo=True)
     assert tf.is_same_transform(flat, tf.projection_matrix(point, normal, perspective=eye))
 

@@ -47,7 +47,7 @@ class Film:
     def write(self, path):
         """Keep them as a GIF that begins anew at its end; one palette for all, so that nothing flickers."""
         palette = self._frames[-1].quantize(128, dither=Image.Dither.NONE)
-        first, *others = [one.quantize(palette=palette, dither=Image.Dither.NONE) for one in self._frames]
+        first, *others = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in self._frames]
         durations = [round(1000 * (after - before) / SPEED) for before, after in pairwise(self._times)] + [1000]
         first.save(path, save_all=True, append_images=others, duration=durations, loop=0, optimize=True)
 

@@ -29,20 +29,20 @@ RULES = {"runOnly": {"type": "tag", "values": ["wcag2a", "wcag2aa", "wcag21a", "
 
 @pytest.fixture
 def opened(notebook):
-    made = notebook(LAB, START, *PANELS.values(), width=1366, height=6500)
-    made.run()
-    made.page.wait_for_selector(".ck-world[data-messages]")
-    return made
+    open_notebook = notebook(LAB, START, *PANELS.values(), width=1366, height=6500)
+    open_notebook.run()
+    open_notebook.page.wait_for_selector(".ck-world[data-messages]")
+    return open_notebook
 
 
 def faults_of(axe, page):
     """What axe says against what stands below the cells, a line for each element."""
-    found = axe.run(page, context={"include": [[".jp-OutputArea-output"]]}, options=RULES).response
-    assert len(found["passes"]) > 5, "it looked at something"
+    audit = axe.run(page, context={"include": [[".jp-OutputArea-output"]]}, options=RULES).response
+    assert len(audit["passes"]) > 5, "it looked at something"
     return [
-        f"{one['id']}: {node['html'][:120]} {' '.join(node['failureSummary'].split())[:240]}"
-        for one in found["violations"]
-        for node in one["nodes"]
+        f"{violation['id']}: {node['html'][:120]} {' '.join(node['failureSummary'].split())[:240]}"
+        for violation in audit["violations"]
+        for node in violation["nodes"]
     ]
 
 

@@ -24,9 +24,9 @@ RULES = {"runOnly": {"type": "tag", "values": ["wcag2a", "wcag2aa", "wcag21a", "
 
 @pytest.fixture
 def opened(notebook):
-    made = notebook(LAB, INFLATION, 'check("ch09.q1")', STEP_OUT, 'check("ch09.q4")', width=1366, height=1500)
-    made.run()
-    return made
+    open_notebook = notebook(LAB, INFLATION, 'check("ch09.q1")', STEP_OUT, 'check("ch09.q4")', width=1366, height=1500)
+    open_notebook.run()
+    return open_notebook
 
 
 def test_a_picture_is_there_after_a_reload(opened):
@@ -67,5 +67,5 @@ def test_pictures_have_no_fault_for_axe(opened):
     axe = pytest.importorskip("axe_playwright_python.sync_playwright").Axe()
     for light in (True, False):
         set_theme(opened.page, light=light)
-        found = axe.run(opened.page, context={"include": [[".ck-drawn"]]}, options=RULES).response
-        assert found["passes"] and not found["violations"], found["violations"]
+        audit = axe.run(opened.page, context={"include": [[".ck-drawn"]]}, options=RULES).response
+        assert audit["passes"] and not audit["violations"], audit["violations"]

@@ -17,10 +17,10 @@ LIVE = ".jupyterlab-sidecar .ck-viewer[data-messages]"
 @pytest.fixture
 def opened(notebook):
     """A notebook with a desk, at the size of a small laptop."""
-    made = notebook(*CELLS, width=1366, height=768)
-    made.run()
-    made.page.wait_for_selector(LIVE)
-    return made
+    open_notebook = notebook(*CELLS, width=1366, height=768)
+    open_notebook.run()
+    open_notebook.page.wait_for_selector(LIVE)
+    return open_notebook
 
 
 def desks(page):

@@ -16,8 +16,8 @@ SERVER = "%ros2 run demo_nodes_py add_two_ints_server &"
 
 def terminal(page, title, last=True):
     """The panel of that title: the one in the newest output."""
-    found = page.locator(".ck-terminal").filter(has=page.locator(f'.ck-title:text-is("{title}")'))
-    return found.last if last else found.first
+    terminals = page.locator(".ck-terminal").filter(has=page.locator(f'.ck-title:text-is("{title}")'))
+    return terminals.last if last else terminals.first
 
 
 def reads(page, selector, text, timeout=30_000):

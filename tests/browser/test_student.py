@@ -65,6 +65,6 @@ def test_a_student_solves_one_fails_one_and_hands_in(chapter, picture):
     file = next(opened.lab.folder.rglob("VeraCourse_00_start_here.zip"))
     assert bundle_faults(file.read_bytes()) == [] and zipfile.is_zipfile(file)
     manifest, _ = read_bundle(file.read_bytes())
-    points = {one["name"]: one["points"] for one in manifest["verdicts"]}
+    points = {verdict["name"]: verdict["points"] for verdict in manifest["verdicts"]}
     assert (points["ch00.q1"], points["ch00.q3"]) == (1, 0)
     assert f"({sum(points.values()):g} of 4 points in a clean run)" in done.inner_text()

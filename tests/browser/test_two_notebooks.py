@@ -37,9 +37,9 @@ def test_terminals_follow_the_chapter_in_which_a_cell_was_run_last(chapter, pict
     picture(zero.page, "chapter-0-first-words")
     zero.page.evaluate(RUN, TURTLE)
     zero.eventually("print(terminal('turtlesim_node').state)", "running")
-    one = chapter("01_first_nodes.ipynb")
-    one.ask("%ros2 run demo_nodes_py talker &")
-    one.eventually("print(terminal('talker').state)", "running")
+    first_nodes = chapter("01_first_nodes.ipynb")
+    first_nodes.ask("%ros2 run demo_nodes_py talker &")
+    first_nodes.eventually("print(terminal('talker').state)", "running")
 
     page = zero.page
     page.evaluate(TERMINAL)
@@ -51,7 +51,7 @@ def test_terminals_follow_the_chapter_in_which_a_cell_was_run_last(chapter, pict
     page.keyboard.type("ros2 topic list\n")
     page.wait_for_timeout(3000)
     picture(page, "terminal-says-which")
-    one.ask("reset()")
+    first_nodes.ask("reset()")
     typed(page, folder, "ros2 node list", [])
     page.evaluate(TO_NOTEBOOK)
     page.wait_for_timeout(500)

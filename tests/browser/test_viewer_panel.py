@@ -55,12 +55,12 @@ def panel(notebook):
     """The viewer of a notebook whose picture is drawn; with `panel.opened`."""
     opened = notebook(LAB, TALK, VIEWER, width=1366, height=768)
     opened.run()
-    found = opened.page.locator(".ck-viewer")
-    found.scroll_into_view_if_needed()
+    viewer = opened.page.locator(".ck-viewer")
+    viewer.scroll_into_view_if_needed()
     all_there = f"() => ({OBJECTS})() === 5"  # the grid, the axes of two frames, an arrow and the cube
     opened.page.wait_for_function(all_there, timeout=60_000)
-    found.opened = opened
-    return found
+    viewer.opened = opened
+    return viewer
 
 
 def click_floor(panel, x, y):

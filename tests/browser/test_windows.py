@@ -72,7 +72,7 @@ def course(tmp_path_factory, browser):
 def solutions(name):
     """The solved exercises of a chapter by their names."""
     cells = nbformat.read(wine.ROOT / "notebooks" / name, as_version=4).cells
-    return {one.metadata.nbgrader.grade_id: one.source for one in cells if "nbgrader" in one.metadata}
+    return {cell.metadata.nbgrader.grade_id: cell.source for cell in cells if "nbgrader" in cell.metadata}
 
 
 def take(opened, page_of, picture, *stops):
@@ -95,8 +95,8 @@ def faults(cells):
     """Cells with an error that was not meant, and checks without all their points."""
     said = []
     for cell in cells:
-        text = PLAIN.sub("", "\n".join("".join(one.get("text", "")) for one in cell["outputs"]))
-        errors = [one["error"] for one in cell["outputs"] if "error" in one]
+        text = PLAIN.sub("", "\n".join("".join(output.get("text", "")) for output in cell["outputs"]))
+        errors = [output["error"] for output in cell["outputs"] if "error" in output]
         if errors and not cell["wanted"]:
             said.append(f"{cell['source'][:200]}\n{PLAIN.sub('', errors[0])[-1500:]}")
         if cell["source"].startswith("check(") and not re.search(r": (\d+) of \1 points?", text):
@@ -117,13 +117,13 @@ def test_a_chapter_is_taken_to_its_end(chapter, picture, name):
     began = time.monotonic()
     cells = take(chapter(name), name, picture, *CHAPTERS[name])
     print(f"{name}: {len(cells)} cells in {time.monotonic() - began:.0f} s")
-    assert not (found := faults(cells)), "\n----\n".join(found)
+    assert not (problems := faults(cells)), "\n----\n".join(problems)
     assert all(cell["outputs"] is not None for cell in cells) and len(cells) > 20
 
 
 def test_the_package_and_the_map_of_the_chapters_are_files_of_windows(course):
     """Built by setuptools as on Windows, and saved by the map's own program."""
-    [workspace] = [one for one in course.folder.rglob("ros2_ws") if one.is_dir()]
+    [workspace] = [folder for folder in course.folder.rglob("ros2_ws") if folder.is_dir()]
     [program] = workspace.glob("install/s2_py_pubsub/[Ll]ib/s2_py_pubsub/publisher_exe.exe")  # one folder to Windows
     assert program.is_file()
     told = (workspace / "warehouse.yaml").read_text(encoding="utf-8")

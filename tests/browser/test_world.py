@@ -25,11 +25,11 @@ WHERE = """(name) => {
 @pytest.fixture
 def opened(notebook):
     """A notebook with a world, a robot, and the view of it, from above."""
-    made = notebook(LAB, WORLD, SPAWN, VIEW, width=1366, height=900)
-    made.run()
-    made.page.wait_for_function(HAS, arg="runner")
-    made.page.locator(".ck-world").scroll_into_view_if_needed()
-    return made
+    open_notebook = notebook(LAB, WORLD, SPAWN, VIEW, width=1366, height=900)
+    open_notebook.run()
+    open_notebook.page.wait_for_function(HAS, arg="runner")
+    open_notebook.page.locator(".ck-world").scroll_into_view_if_needed()
+    return open_notebook
 
 
 def moved(page, name, before):
@@ -84,18 +84,20 @@ def test_it_is_paused_stepped_and_goes_on(opened):
 
 def test_gzclient_opens_it(notebook):
     start = "%ros2 launch gazebo_ros gazebo.launch.py world:=office &"
-    made = notebook(LAB, start, "%ros2 run gazebo_ros gzclient &", height=900)
-    made.run()
-    made.page.wait_for_selector(".ck-world[data-messages]")
-    made.page.wait_for_function("() => !document.querySelector('.ck-world .ck-nothing:not([hidden])')")
+    open_notebook = notebook(LAB, start, "%ros2 run gazebo_ros gzclient &", height=900)
+    open_notebook.run()
+    open_notebook.page.wait_for_selector(".ck-world[data-messages]")
+    open_notebook.page.wait_for_function("() => !document.querySelector('.ck-world .ck-nothing:not([hidden])')")
 
 
 def test_it_fills_the_desk(notebook, picture):
-    made = notebook(LAB, WORLD, "world = world_view()\ndesk(world, pad())", width=1366, height=768)
-    made.run()
-    made.page.wait_for_selector(".jupyterlab-sidecar .ck-world[data-messages]")
-    made.page.wait_for_function(HAS, arg="house")
-    assert "beside this notebook: world view, pad" in made.text()
-    sizes = {name: made.page.locator(f".jupyterlab-sidecar {name}").bounding_box() for name in (".ck-world", ".ck-pad")}
+    open_notebook = notebook(LAB, WORLD, "world = world_view()\ndesk(world, pad())", width=1366, height=768)
+    open_notebook.run()
+    open_notebook.page.wait_for_selector(".jupyterlab-sidecar .ck-world[data-messages]")
+    open_notebook.page.wait_for_function(HAS, arg="house")
+    assert "beside this notebook: world view, pad" in open_notebook.text()
+    sizes = {
+        name: open_notebook.page.locator(f".jupyterlab-sidecar {name}").bounding_box() for name in (".ck-world", ".ck-pad")
+    }
     assert sizes[".ck-world"]["height"] > 380 and sizes[".ck-pad"]["y"] + sizes[".ck-pad"]["height"] <= 768
-    picture(made.page, "world-desk")
+    picture(open_notebook.page, "world-desk")

@@ -113,7 +113,7 @@ def test_nodes_that_come_and_go_do_so_on_both_sides(pair):
     left, right = pair.graphs
     pair.join()
     node = left.add_node("short", "/")
-    until(right, lambda: [one.full_name for one in right.nodes] == ["/short"])
+    until(right, lambda: [remote_node.full_name for remote_node in right.nodes] == ["/short"])
     node.close()
     until(right, lambda: not right.nodes)
 
@@ -129,7 +129,7 @@ def test_who_hangs_up_takes_its_nodes_along(pair, orderly):
         link.end()
     else:
         link.peer.shutdown(socket.SHUT_RDWR)  # as when it is killed
-    until(right, lambda: [one.full_name for one in right.nodes] == ["/listener"])
+    until(right, lambda: [node.full_name for node in right.nodes] == ["/listener"])
     assert right.publishers == {}
 
 

@@ -15,7 +15,7 @@ from coursekit.joined.mirror import Mirror
 @pytest.fixture
 def sides():
     graphs = [Graph(VirtualClock()), Graph(VirtualClock())]
-    return [*graphs, *(Mirror(one) for one in graphs)]
+    return [*graphs, *(Mirror(graph) for graph in graphs)]
 
 
 def meet(one, other):
@@ -54,7 +54,7 @@ def test_messages_cross_once_to_each_subscription(sides):
     meet(ours, theirs)
     publisher.publish(String(data="hello"))
     meet(ours, theirs)
-    assert [one.take()[0] for one in heard] == [String(data="hello")] * 2
+    assert [subscription.take()[0] for subscription in heard] == [String(data="hello")] * 2
     assert not deaf.queue and not heard[0].queue
 
 
@@ -76,14 +76,14 @@ def test_requests_and_responses_find_their_way(sides):
     clients = [right.add_node(name, "/").client("/add", AddTwoInts, Qos()) for name in ("a", "b")]
     meet(ours, theirs)
     assert clients[0].server_is_ready()
-    numbers = [one.send(AddTwoInts.Request(a=1, b=place)) for place, one in enumerate(clients)]
+    numbers = [client.send(AddTwoInts.Request(a=1, b=place)) for place, client in enumerate(clients)]
     meet(ours, theirs)
     for _ in clients:
         request, number = server.take()
         server.respond(number, AddTwoInts.Response(sum=request.a + request.b))
     meet(ours, theirs)
     wanted = [(number, AddTwoInts.Response(sum=place + 1)) for place, number in enumerate(numbers)]
-    assert [one.take() for one in clients] == wanted
+    assert [client.take() for client in clients] == wanted
 
 
 WORD = st.sampled_from(["node", "endpoint", "gone", "message", "request", "response", "publisher", "subscription", "server",

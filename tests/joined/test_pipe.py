@@ -19,8 +19,8 @@ JSON = st.recursive(st.none() | st.booleans() | st.integers() | st.text(), lambd
 def ends():
     there, back = os.pipe(), os.pipe()
     yield Pipe(back[0], there[1]), Pipe(there[0], back[1]), there[1]
-    for one in (*there, *back):
-        os.close(one)
+    for descriptor in (*there, *back):
+        os.close(descriptor)
 
 
 @given(st.dictionaries(st.text(), JSON, max_size=3), st.binary(max_size=2000))
@@ -29,8 +29,8 @@ def test_a_frame_arrives_as_it_was(header, body):
     try:
         assert sent(Pipe(back[0], there[1]), Pipe(there[0], back[1]), header, body) == (header, body)
     finally:
-        for one in (*there, *back):
-            os.close(one)
+        for descriptor in (*there, *back):
+            os.close(descriptor)
     one, other = socket.socketpair()
     with one, other:
         assert sent(SocketPipe(one), SocketPipe(other), header, body) == (header, body)
@@ -40,9 +40,9 @@ def sent(ours, theirs, header, body):
     """What arrives; sent by a thread, for a pipe may have room for less."""
     sending = threading.Thread(target=ours.send, args=(header, body))
     sending.start()
-    found = theirs.receive()
+    frame = theirs.receive()
     sending.join()
-    return found
+    return frame
 
 
 @pytest.mark.parametrize(

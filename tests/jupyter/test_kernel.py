@@ -81,7 +81,7 @@ def test_without_help_it_is_lost(kernel, monkeypatch):
 
 def test_jupyter_finds_this_kernel_before_the_usual_one(tmp_path, monkeypatch):
     monkeypatch.setenv("JUPYTER_PATH", str(write_kernelspec(tmp_path)))
-    found = json.loads(subprocess.run([sys.executable, "-m", "jupyter", "kernelspec", "list", "--json"],
+    specs = json.loads(subprocess.run([sys.executable, "-m", "jupyter", "kernelspec", "list", "--json"],
                                       capture_output=True, check=True).stdout)  # fmt: skip
-    assert found["kernelspecs"]["python3"]["spec"]["argv"][1:3] == ["-m", "coursekit.jupyter.kernel"]
+    assert specs["kernelspecs"]["python3"]["spec"]["argv"][1:3] == ["-m", "coursekit.jupyter.kernel"]
     assert KernelSpecManager().get_kernel_spec("python3").argv[2] == "coursekit.jupyter.kernel"

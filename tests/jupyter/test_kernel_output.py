@@ -21,11 +21,11 @@ class Part(SimpleNamespace):
         self._parent_header.set(self._parent_header_global)
 
     def parent_of_new_thread(self):
-        found = []
-        thread = Thread(target=lambda: found.append(self._parent_header.get(self._parent_header_global)))
+        parents = []
+        thread = Thread(target=lambda: parents.append(self._parent_header.get(self._parent_header_global)))
         thread.start()
         thread.join()
-        return found[0]
+        return parents[0]
 
 
 def request(kind, number, **content):
@@ -34,19 +34,19 @@ def request(kind, number, **content):
 
 def shell_with(monkeypatch):
     """A shell, mended twice; to be made in the test itself, because pytest has its own stdout before."""
-    made = Part()
-    made.displayhook, made.display_pub = Part(), Part()
+    kernel_shell = Part()
+    kernel_shell.displayhook, kernel_shell.display_pub = Part(), Part()
     monkeypatch.setattr(sys, "stdout", Part())
-    parts = [made.displayhook, made.display_pub, sys.stdout]
+    parts = [kernel_shell.displayhook, kernel_shell.display_pub, sys.stdout]
 
     def set_parent(parent):
         for part in parts:
             part.set_parent(parent)
 
-    made.set_parent, made.parts = set_parent, parts
-    keep_output_in_cells(made)
-    keep_output_in_cells(made)
-    return made
+    kernel_shell.set_parent, kernel_shell.parts = set_parent, parts
+    keep_output_in_cells(kernel_shell)
+    keep_output_in_cells(kernel_shell)
+    return kernel_shell
 
 
 @pytest.mark.parametrize("other", [request("comm_msg", 2), request("execute_request", 2, silent=True), {"header": {}}])

@@ -24,8 +24,8 @@ def kernel(tmp_path, monkeypatch):
     def run(code):
         said = []
         client.execute_interactive(code, timeout=60, output_hook=lambda message: said.append(message["content"]))
-        errors = ["\n".join(one["traceback"]) for one in said if "traceback" in one]
-        return "".join(one.get("text", "") for one in said) + "".join(errors)
+        errors = ["\n".join(output["traceback"]) for output in said if "traceback" in output]
+        return "".join(output.get("text", "") for output in said) + "".join(errors)
 
     run.manager, run.client = manager, client
     yield run

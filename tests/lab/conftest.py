@@ -10,8 +10,8 @@ from coursekit.processes.session import Session
 @pytest.fixture
 def session():
     """A session in which time passes only while all wait; its panels end with it."""
-    with Session(virtual=True).use() as made:
-        yield made
+    with Session(virtual=True).use() as virtual_session:
+        yield virtual_session
         end_panels()
 
 

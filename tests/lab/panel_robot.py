@@ -41,7 +41,7 @@ class Robot(Node):
         return response
 
     def judge(self, parameters):
-        bad = any(one.name == "names" and not one.value for one in parameters)
+        bad = any(parameter.name == "names" and not parameter.value for parameter in parameters)
         return SetParametersResult(successful=not bad, reason="names must not be empty" if bad else "")
 
 
@@ -56,10 +56,10 @@ def main():
 @contextmanager
 def robot_running() -> Iterator[Session]:
     """A virtual session with the robot in it."""
-    with Session(virtual=True).use() as made:
-        made.start(main, name="robot")
-        made.clock.sleep(0.1)
-        yield made
+    with Session(virtual=True).use() as virtual_session:
+        virtual_session.start(main, name="robot")
+        virtual_session.clock.sleep(0.1)
+        yield virtual_session
         end_panels()
 
 

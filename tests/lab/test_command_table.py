@@ -31,8 +31,8 @@ def session(tmp_path, monkeypatch):
     (tmp_path / "ros2_ws/src").mkdir(parents=True)
     monkeypatch.setenv("COURSEKIT_WORKSPACE", str(tmp_path / "ros2_ws"))
     monkeypatch.chdir(tmp_path)
-    with Session(virtual=True).use() as made:
-        yield made
+    with Session(virtual=True).use() as virtual_session:
+        yield virtual_session
 
 
 def table(text):
@@ -40,8 +40,10 @@ def table(text):
 
 
 def test_a_table_prints_as_one_and_a_line_without_a_meaning_is_refused():
-    made = CommandMagics(None).commands("", "ros2 node list | all nodes\n\nros2 topic list -t | topics with types\n")
-    assert repr(made).splitlines() == ["ros2 node list      all nodes", "ros2 topic list -t  topics with types"]
+    command_table = CommandMagics(None).commands(
+        "", "ros2 node list | all nodes\n\nros2 topic list -t | topics with types\n"
+    )
+    assert repr(command_table).splitlines() == ["ros2 node list      all nodes", "ros2 topic list -t  topics with types"]
     assert read_rows("ros2 topic echo /a | grep b | with a pipe")[0] == Row("ros2 topic echo /a | grep b", "with a pipe")
     with pytest.raises(ValueError, match="line 2 of %%commands is no row: 'ros2 node list'"):
         read_rows("ros2 topic list | topics\nros2 node list")

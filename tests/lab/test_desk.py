@@ -15,8 +15,8 @@ from coursekit.processes.session import Session
 @pytest.fixture(autouse=True)
 def session(monkeypatch):
     monkeypatch.setattr(import_module("coursekit.lab.desk"), "_desks", [])
-    with Session(virtual=True).use() as made:
-        yield made
+    with Session(virtual=True).use() as virtual_session:
+        yield virtual_session
         end_panels()
 
 

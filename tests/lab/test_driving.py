@@ -20,15 +20,15 @@ from coursekit.view import highgui, window_controls
 @pytest.fixture
 def session(monkeypatch):
     monkeypatch.setenv("ROS_DOMAIN_ID", "0")
-    with Session(virtual=True).use() as made:
+    with Session(virtual=True).use() as virtual_session:
         patch_manager.renew()
-        yield made
+        yield virtual_session
 
 
 @pytest.fixture
 def heard(session):
     """The velocities on /cmd_vel, as (seconds, linear x, linear y, angular z)."""
-    found = []
+    commands = []
 
     class Ear:
         def put(self, subscription):
@@ -36,11 +36,11 @@ def heard(session):
             while (entry := subscription.take()) is not None:
                 twist = entry[0]
                 now = round(session.clock.steady() * 1e-9, 3)
-                found.append((now, twist.linear.x, twist.linear.y, twist.angular.z))
+                commands.append((now, twist.linear.x, twist.linear.y, twist.angular.z))
 
     subscription = session.graph(0).add_node("ear", "/").subscription("/cmd_vel", Twist, Qos())
     subscription.attach(Ear(), subscription)
-    return found
+    return commands
 
 
 def test_keys_held_together_add_up():

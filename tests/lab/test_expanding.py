@@ -14,16 +14,16 @@ HOME = str(Path("/home") / HOSTILE)
 @pytest.fixture
 def words(monkeypatch):
     """words("line") gives what `%ros2 line` is divided into, in a cell that knows some names."""
-    shell, found = InteractiveShell(), []
+    shell, titles = InteractiveShell(), []
     shell.register_magics(magics.CourseMagics(shell))
-    monkeypatch.setattr(magics, "_attend", lambda begin, title, options, background: found.append(title))
+    monkeypatch.setattr(magics, "_attend", lambda begin, title, options, background: titles.append(title))
     monkeypatch.setattr(magics, "_title", lambda argv: argv)
     here = str(Path(__file__).parent)
     shell.user_ns |= {"place": Path("/home") / HOSTILE, "more": "-r a:=b", "real": here, "pair": ["x y"]}
 
     def run(line):
         shell.run_cell(line).raise_error()
-        return found.pop()
+        return titles.pop()
 
     return run
 

@@ -31,9 +31,9 @@ def robot(behind_ns=0):
 
 @pytest.fixture
 def session():
-    with Session(virtual=True).use() as made:
-        made.start(robot, name="robot")
-        yield made
+    with Session(virtual=True).use() as virtual_session:
+        virtual_session.start(robot, name="robot")
+        yield virtual_session
 
 
 TREE = ["frames: 3 frames, 1 tree", "odom", "`-- base  10.0 Hz", "    `-- laser  static"]

@@ -8,8 +8,8 @@ from tests.lab.panel_robot import heard_by_browser, robot_running, says
 
 @pytest.fixture
 def session():
-    with robot_running() as made:
-        yield made
+    with robot_running() as virtual_session:
+        yield virtual_session
 
 
 def test_the_log_counts_levels_and_filters(session):

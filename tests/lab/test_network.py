@@ -21,10 +21,10 @@ def session(monkeypatch):
     monkeypatch.setenv("ROS_DOMAIN_ID", "0")
     for name in ("", "_USER", "_PASSWORD", "_CERTIFICATE"):
         monkeypatch.delenv(f"COURSEKIT_NETWORK{name}", raising=False)
-    made = Session()
-    monkeypatch.setattr(current_session, "session", made)
-    yield made
-    made.close()
+    own_session = Session()
+    monkeypatch.setattr(current_session, "session", own_session)
+    yield own_session
+    own_session.close()
 
 
 @pytest.fixture
@@ -75,7 +75,7 @@ def test_the_panel_shows_the_network_and_leaves_it(magic, side, session):
     magic(side.address)
     shown = panel.shown()
     assert (shown["joined"], shown["up"], shown["address"], shown["domain"]) == (True, True, side.address, 0)
-    assert "/r1/base" in [node for one in shown["others"] for node in one["nodes"]]
+    assert "/r1/base" in [node for other in shown["others"] for node in other["nodes"]]
     assert str(panel).startswith(f"Network {side.address}, domain 0: joined")
     panel.on_leave({})
     assert not panel.shown()["joined"]

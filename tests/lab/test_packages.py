@@ -29,5 +29,5 @@ def test_a_built_package_is_found_once_the_lab_says_where(workspace):
     with pytest.raises(MeshError, match="package 'signs' not found"):
         find_file("package://signs/meshes/cone.stl")
     take_environment_from(workspace_environment)
-    found = find_file("package://signs/meshes/cone.stl")
-    assert found == workspace / "install/signs/share/signs/meshes/cone.stl"
+    path = find_file("package://signs/meshes/cone.stl")
+    assert path == workspace / "install/signs/share/signs/meshes/cone.stl"

@@ -17,8 +17,8 @@ from tests.lab.panel_robot import heard_by_browser, robot_running, says
 
 @pytest.fixture
 def session():
-    with robot_running() as made:
-        yield made
+    with robot_running() as virtual_session:
+        yield virtual_session
 
 
 # -- the topic panel
@@ -158,10 +158,10 @@ def test_an_unknown_option_names_those_there_are(session):
 
 
 def test_panels_are_hidden_and_leave_nothing_behind(session):
-    made = [TopicPanel("/news"), ServiceCaller(), ParameterPanel("/robot"), LogConsole(), graph(live=True)]
+    panels = [TopicPanel("/news"), ServiceCaller(), ParameterPanel("/robot"), LogConsole(), graph(live=True)]
     ours = [node.full_name for node in session.graph().nodes if is_hidden(node.full_name)]
     assert len(ours) == 4
-    assert end_panels() == len(made)
+    assert end_panels() == len(panels)
     assert [node.full_name for node in session.graph().nodes] == ["/robot"]
     assert session.graph()._watchers == []
 

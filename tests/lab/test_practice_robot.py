@@ -32,10 +32,10 @@ pytestmark = [pytest.mark.slow, pytest.mark.timeout(240)]
 @pytest.fixture
 def session(monkeypatch, tmp_path):
     surround(monkeypatch, tmp_path, 0)
-    made = Session()
-    monkeypatch.setattr(current_session, "session", made)
-    yield made
-    made.close()
+    own_session = Session()
+    monkeypatch.setattr(current_session, "session", own_session)
+    yield own_session
+    own_session.close()
 
 
 @pytest.fixture
@@ -115,8 +115,8 @@ def test_on_the_virtual_clock_and_without_the_packages_it_is_refused(session, mo
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="needs signals of POSIX")
 def test_it_ends_though_the_kernel_is_killed(monkeypatch, tmp_path):
     surround(monkeypatch, tmp_path, 79)
-    with two_kernels(lambda _name: None, "from coursekit.lab import *") as ((manager, one), _):
-        pid = int(run(one, "vera = practice_robot(); print(vera.process._child.pid)", timeout=120).splitlines()[-1])
+    with two_kernels(lambda _name: None, "from coursekit.lab import *") as ((manager, client), _):
+        pid = int(run(client, "vera = practice_robot(); print(vera.process._child.pid)", timeout=120).splitlines()[-1])
         os.kill(manager.provisioner.process.pid, signal.SIGKILL)
         give_up = time.monotonic() + LIMIT
         with contextlib.suppress(ProcessLookupError):
@@ -134,7 +134,7 @@ def test_nothing_listens_beyond_loopback(vera, session):
     before = listening()
     link = weak_link(vera.address)
     joined(session, link.address)
-    ports = [int(one.address.rpartition(":")[2]) for one in (link, vera)]
+    ports = [int(endpoint.address.rpartition(":")[2]) for endpoint in (link, vera)]
     assert listening() - before == {("tcp", LOOPBACK, ports[0])}
     assert listening(vera.process._child.pid) == {("tcp", LOOPBACK, ports[1])}
     link.close()

@@ -15,10 +15,10 @@ def test_each_has_its_panels_until_it_ends(session, kind):
     window = RqtWindow(kind, session, "rqt_plot_1" if kind == "rqt_plot" else "")
     rqt_windows._windows.show(window)
     session.clock.sleep(0.2)
-    made = rqt_windows._windows._panels[id(window)]
-    shown = made.children if kind == "rqt_gui" else (made,)
-    assert [type(one).__name__ for one in shown] == KINDS[kind]
-    assert not [one for one in shown if one.of_cell], "they stay when a cell is run again"
+    window_panel = rqt_windows._windows._panels[id(window)]
+    shown = window_panel.children if kind == "rqt_gui" else (window_panel,)
+    assert [type(panel).__name__ for panel in shown] == KINDS[kind]
+    assert not [panel for panel in shown if panel.of_cell], "they stay when a cell is run again"
     rqt_windows._windows.forget(window)
     assert rqt_windows._windows._panels == {} and open_panels() == []
 

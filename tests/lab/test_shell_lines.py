@@ -28,9 +28,9 @@ class Shell:
 def shell(monkeypatch):
     """A shell as a notebook on Windows has it."""
     monkeypatch.setattr(which, "WINDOWS", True)
-    made = Shell()
-    shell_lines.install(made)
-    return made
+    interactive_shell = Shell()
+    shell_lines.install(interactive_shell)
+    return interactive_shell
 
 
 def test_output_and_errors_come_in_order_and_the_exit_code_is_kept(shell, capsys):
@@ -47,9 +47,9 @@ def test_variables_of_the_notebook_stand_in_it(shell, capsys):
 
 def test_elsewhere_it_is_ipythons(monkeypatch):
     monkeypatch.setattr(which, "WINDOWS", False)
-    made = Shell()
-    shell_lines.install(made)
-    assert "system" not in vars(made)
+    interactive_shell = Shell()
+    shell_lines.install(interactive_shell)
+    assert "system" not in vars(interactive_shell)
 
 
 @pytest.mark.parametrize(

@@ -39,7 +39,7 @@ def drive(talker):
 
 
 def told(page, kind):
-    return [one for one in page.heard if one["type"] == kind]
+    return [message for message in page.heard if message["type"] == kind]
 
 
 def place_of(moment, panel):

@@ -24,9 +24,9 @@ CART = Path(__file__).parents[2] / "robots" / "urdf" / "robot_lidar.urdf"
 @pytest.fixture
 def session(monkeypatch):
     monkeypatch.setenv("ROS_DOMAIN_ID", "0")
-    with Session(virtual=True).use() as made:
+    with Session(virtual=True).use() as virtual_session:
         patch_manager.renew()
-        yield made
+        yield virtual_session
 
 
 def start(session, package, executable, *argv):
@@ -62,9 +62,9 @@ def test_it_waits_for_the_first_scan_of_who_makes_a_map(session):
     hidden = HiddenNode("slow_slam")
     hidden.node.create_publisher(OccupancyGrid, "/map", 1)
     broadcaster = StaticTransformBroadcaster(hidden.node)
-    found = TransformStamped(child_frame_id="odom")
-    found.header.frame_id, found.transform.rotation.w = "map", 1.0
-    hidden.node.create_timer(4.0, lambda: broadcaster.sendTransform(found))
+    map_to_odom = TransformStamped(child_frame_id="odom")
+    map_to_odom.header.frame_id, map_to_odom.transform.rotation.w = "map", 1.0
+    hidden.node.create_timer(4.0, lambda: broadcaster.sendTransform(map_to_odom))
     tour = drive_along([(2.2, 0.3)], speed=0.5)
     assert not np.isnan(tour.errors("SLAM")).any()
     hidden.close()

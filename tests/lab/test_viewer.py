@@ -173,14 +173,14 @@ def test_the_browser_gets_batches_and_nothing_while_it_draws(session, monkeypatc
     assert not sent, "no page, no messages"
     panel._hear(panel, {"type": "open"}, [])
     session.clock.sleep(1.0)
-    scenes = [one for one in sent if one["type"] == "scene"]
+    scenes = [message for message in sent if message["type"] == "scene"]
     assert len(scenes) == 1 and scenes[0]["whole"] and scenes[0]["view"]
     panel.stage.fix("laser_link")
     session.clock.sleep(1.0)
-    assert len([one for one in sent if one["type"] == "scene"]) == 1, "the page has not drawn the first"
+    assert len([message for message in sent if message["type"] == "scene"]) == 1, "the page has not drawn the first"
     panel._hear(panel, {"type": "drawn", "n": 1}, [])
     session.clock.sleep(1.0)
-    assert len([one for one in sent if one["type"] == "scene"]) == 2
+    assert len([message for message in sent if message["type"] == "scene"]) == 2
     panel._hear(panel, {"type": "open"}, [])
     session.clock.sleep(0.1)
     assert sent[-1]["whole"] or sent[-2]["whole"], "a page that was loaded again gets all"

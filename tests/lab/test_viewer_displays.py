@@ -221,7 +221,7 @@ def test_a_map_stands_where_its_frame_is_now(session, talker):
             frames.publish(TFMessage(transforms=[moved]))
             session.clock.sleep(0.5)
             panel.stage.update()
-            (thing,) = [one for (key, name), one in panel.stage.scene.things.items() if name == "map"]
+            (thing,) = [drawn for (key, name), drawn in panel.stage.scene.things.items() if name == "map"]
             yield round(thing.pose[0], 3)
 
     assert list(places()) == [-1.0, -3.0]

@@ -27,15 +27,15 @@ def test_a_page_gets_the_camera_again_when_it_is_put_elsewhere(session, page):
     does = page(panel)
     does("open")
     session.clock.sleep(0.5)
-    first = next(one for one in does.heard if one["type"] == "scene")
+    first = next(message for message in does.heard if message["type"] == "scene")
     assert first["view"]["distance"] == 9.0 and not first["view"]["anew"]
     does("look", distance=3.0, yaw=1.0, pitch=0.5, target=[1.0, 2.0, 0.0])
     does("drawn", n=1)
     session.clock.sleep(0.5)
-    assert len([one for one in does.heard if one["type"] == "scene"]) == 1, "the hand knows where it is"
+    assert len([message for message in does.heard if message["type"] == "scene"]) == 1, "the hand knows where it is"
     does("home")
     session.clock.sleep(0.5)
-    last = [one for one in does.heard if one["type"] == "scene"][-1]
+    last = [message for message in does.heard if message["type"] == "scene"][-1]
     assert last["view"]["anew"] and last["view"]["distance"] == 9.0
 
 
@@ -51,7 +51,7 @@ def test_the_camera_goes_with_a_frame(session, talker, page):
     does("drawn", n=2)
     session.clock.sleep(0.5)
     assert panel.stage.camera().target == (2.0, 0.0, 0.0)
-    scenes = [one for one in does.heard if one["type"] == "scene"]
+    scenes = [message for message in does.heard if message["type"] == "scene"]
     assert scenes[-1]["follow"] == [2.0, 0.0, 0.0, 0.0]
     assert scenes[-1]["view"]["target"] == [2.0, 0.0, 0.0] and scenes[-1]["view"]["anew"], "the page looks there"
     does("drawn", n=len(scenes))
@@ -121,7 +121,7 @@ def test_from_straight_above_what_is_high_is_as_large_as_what_is_low(session, pa
     assert low[0] > 640 and low[1] == pytest.approx(400), "x is to the right"
     assert ahead[1] < 400 and ahead[0] == pytest.approx(640), "y is up"
     session.clock.sleep(0.5)
-    assert [one for one in does.heard if one["type"] == "scene"][-1]["view"]["flat"]
+    assert [message for message in does.heard if message["type"] == "scene"][-1]["view"]["flat"]
     does("view", does="save", name="above")
     does("home")
     assert not panel.stage.camera().flat

@@ -60,10 +60,10 @@ def test_a_map_that_came_before_is_shown(session, talker):
 
 
 def marker(**fields):
-    made = Marker(color=ColorRGBA(r=1.0, a=1.0), **fields)
-    made.scale.x = made.scale.y = made.scale.z = 0.2
-    made.header.frame_id = "map"
-    return made
+    new_marker = Marker(color=ColorRGBA(r=1.0, a=1.0), **fields)
+    new_marker.scale.x = new_marker.scale.y = new_marker.scale.z = 0.2
+    new_marker.header.frame_id = "map"
+    return new_marker
 
 
 def test_all_types_of_markers_are_shown_and_live_as_long_as_they_say(session, talker):

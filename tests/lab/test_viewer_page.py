@@ -47,7 +47,11 @@ def test_every_kind_says_what_it_shows_and_what_can_be_changed(session, page):
     does("kinds")
     kinds = does.heard[-1]["kinds"]
     assert set(kinds) == set(KINDS) == set(ABOUT)
-    assert [one["name"] for one in kinds["LaserScan"]["properties"]][:3] == ["Size (m)", "Size (Pixels)", "Alpha"]
+    assert [property_["name"] for property_ in kinds["LaserScan"]["properties"]][:3] == [
+        "Size (m)",
+        "Size (Pixels)",
+        "Alpha",
+    ]
 
 
 def test_a_display_that_is_removed_leaves_nothing(session, talker, page):
@@ -138,7 +142,7 @@ def test_another_quality_of_service_subscribes_anew(session, talker):
 
 def other(property_, value):
     """Another value of a property."""
-    choices = [one for one in property_.choices if one != value]
+    choices = [choice for choice in property_.choices if choice != value]
     kinds = {"box": not value, "colour": [1, 2, 3], "choice": choices[0] if choices else value, "text": "other"}
     return kinds.get(property_.editor, 1 if property_.whole else 0.5)
 
@@ -153,11 +157,11 @@ def test_every_property_may_be_changed_while_it_is_shown(session, talker, kind):
         said(talker, type_, KINDS[kind].topic)
         session.clock.sleep(0.1)
     panel.stage.update()
-    for one in properties(kind):
-        value = other(one, panel.stage.find(kind).options[one.key])
-        panel.change(kind, **{one.key: value})
+    for property_ in properties(kind):
+        value = other(property_, panel.stage.find(kind).options[property_.key])
+        panel.change(kind, **{property_.key: value})
         panel.stage.update()
-        assert panel.stage.find(kind).options[one.key] == value
+        assert panel.stage.find(kind).options[property_.key] == value
 
 
 # -- files

@@ -16,7 +16,7 @@ def clicked(panel, does, display, at, name=None):
     """What is said of a thing of a display that was clicked at a place of the fixed frame."""
     panel.stage.update()
     key, things = panel.stage.find(display).key, panel.stage.scene.things.items()
-    number = next(thing.number for (one, of), thing in things if one == key and name in (None, of))
+    number = next(thing.number for (display_key, of), thing in things if display_key == key and name in (None, of))
     does("pick", number=number, at=list(at))
     picked = panel.shown()["picked"]
     return dict(picked["facts"]), picked
@@ -52,7 +52,7 @@ def test_the_page_knows_the_number_of_what_was_clicked_also_when_it_is_replaced(
 
     def marked():
         session.clock.sleep(0.2)
-        scenes = [one for one in does.heard if one["type"] == "scene"]
+        scenes = [message for message in does.heard if message["type"] == "scene"]
         does("drawn", n=scenes[-1]["n"])
         return scenes[-1]["marked"]
 

@@ -64,7 +64,10 @@ def test_it_says_what_there_is(world):
 
 def test_it_draws_things_links_and_beams_and_follows_them(session, world):
     scene = world.stage.update()
-    named = {display: {name for one, name in scene.things if one == display} for display in (THINGS, ROBOTS, LASER)}
+    named = {
+        display: {name for display_key, name in scene.things if display_key == display}
+        for display in (THINGS, ROBOTS, LASER)
+    }
     assert named[THINGS] == {"hut", "crate"} and "runner::base_link" in named[ROBOTS] and len(named[LASER]) == 1
     world.move("crate", 1.0, 1.5, 0.5)
     assert world.stage.update().things[THINGS, "crate"].pose[:2] == (1.0, 1.5)

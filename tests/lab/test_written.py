@@ -127,7 +127,7 @@ def test_a_full_disk_leaves_the_file_as_it_was_and_says_what_to_do(desk, monkeyp
     monkeypatch.setattr(type(desk.file), "write_text", full)
     with pytest.raises(NotNow, match="No space left on device. The file is as it was"):
         written(desk, "A", desk.name, "b\n")
-    assert [one.name for one in desk.file.parent.iterdir()] == ["file.py"] and desk.file.read_text() == "a\n"
+    assert [path.name for path in desk.file.parent.iterdir()] == ["file.py"] and desk.file.read_text() == "a\n"
 
 
 def test_a_folder_that_can_only_be_read_is_no_traceback(desk, monkeypatch):

@@ -30,7 +30,9 @@ def scan(node, **fields):
 def shapes(panel, name):
     key = panel.stage.find(name).key
     panel.stage.update()
-    return [shape for (one, _), thing in panel.stage.scene.things.items() if one == key for shape in thing.shapes]
+    return [
+        shape for (display_key, _), thing in panel.stage.scene.things.items() if display_key == key for shape in thing.shapes
+    ]
 
 
 def scan_of(far):

@@ -149,7 +149,9 @@ def scene(folder):
     notebook.until(lambda: act(1) and feedback)  # DDS finds the way of the feedback while the first goals are carried out
     feedback.clear()
     facts["action"] = act(4)
-    facts["feedback"] = [len(one.feedback.sequence) for one in feedback]  # what comes after the result is not heard
+    facts["feedback"] = [
+        len(feedback_message.feedback.sequence) for feedback_message in feedback
+    ]  # what comes after the result is not heard
     facts["robot calls"] = notebook.ask(robot, "call", lambda lines: "answer done by the notebook" in lines)
     notebook.ask(robot, "who", lambda lines: any("notebook" in line for line in lines if line.startswith("nodes")))
     facts["robot sees"] = [line for line in robot.said("nodes") if "notebook" in line][:1]

@@ -11,7 +11,7 @@ def listening(pid: Any = "self") -> set[tuple[str, str, int]]:
     """The kinds, addresses and ports of a program's sockets at which others can call, or send to."""
     links = [f"/proc/{pid}/fd/{fd}" for fd in os.listdir(f"/proc/{pid}/fd")]
     its = {os.readlink(link) for link in links if os.path.islink(link)}
-    found = set()
+    sockets = set()
     for kind in ("tcp", "tcp6", "udp", "udp6"):
         with open(f"/proc/net/{kind}", encoding="ascii") as table:
             rows = [line.split() for line in list(table)[1:]]
@@ -19,5 +19,5 @@ def listening(pid: Any = "self") -> set[tuple[str, str, int]]:
         for row in rows:
             if row[3] in states and f"socket:[{row[9]}]" in its:
                 address, _, port = row[1].rpartition(":")
-                found.add((kind, address, int(port, 16)))
-    return found
+                sockets.add((kind, address, int(port, 16)))
+    return sockets

@@ -33,10 +33,10 @@ class Side:
             self.told.notify_all()
 
     def until_told(self, part: str) -> str:
-        found = lambda: next((one for one in self.said if part in one), None)  # noqa: E731
+        first_line = lambda: next((line for line in self.said if part in line), None)  # noqa: E731
         with self.told:
-            assert self.told.wait_for(found, LIMIT), (part, self.said)
-            return found()
+            assert self.told.wait_for(first_line, LIMIT), (part, self.said)
+            return first_line()
 
     def until(self, holds) -> None:
         """Wait for the graph to be as it should be."""
@@ -67,13 +67,13 @@ class Inbox:
     def take(self):
         """The next message, request or response."""
         give_up = time.monotonic() + LIMIT
-        while (found := self.source.take()) is None:
+        while (taken := self.source.take()) is None:
             self.source.queued = False
             if not self.source.has_work():
                 assert self.full.wait(give_up - time.monotonic()), "nothing came"
                 self.full.clear()
         self.source.queued = False
-        return found
+        return taken
 
 
 @contextlib.contextmanager

@@ -133,7 +133,7 @@ def test_only_this_user_can_call_and_nothing_is_left_behind(side):
     for end in (one, two):
         end.link.close()
     assert not any(path.exists() for path in paths)
-    assert not [one.name for one in threading.enumerate() if one.name == "coursekit-direct" and not _ends(one)]
+    assert not [thread.name for thread in threading.enumerate() if thread.name == "coursekit-direct" and not _ends(thread)]
 
 
 def test_what_a_killed_session_left_is_removed_and_who_listens_is_left_alone(tmp_path, monkeypatch):
@@ -181,11 +181,11 @@ def test_a_session_that_does_not_read_loses_messages_and_holds_nobody_up():
 
 @given(st.binary(max_size=400))
 def test_what_a_line_brings_is_a_message_or_is_refused(data):
-    made = frame("/chatter", "std_msgs/msg/String", b"hello", Attachment(1, 2, bytes(16)).data())
-    assert read_frame(made[6:], (8, 19, 5)) == ("/chatter", "std_msgs/msg/String", b"hello", Attachment(1, 2, bytes(16)))
-    for body in (data, made[6:39] + data):
+    framed = frame("/chatter", "std_msgs/msg/String", b"hello", Attachment(1, 2, bytes(16)).data())
+    assert read_frame(framed[6:], (8, 19, 5)) == ("/chatter", "std_msgs/msg/String", b"hello", Attachment(1, 2, bytes(16)))
+    for body in (data, framed[6:39] + data):
         try:
-            name, type_name, found, _ = read_frame(body, (2, 3, 4))
+            name, type_name, payload, _ = read_frame(body, (2, 3, 4))
         except ValueError:
             continue
-        assert len(found) == 4 and len(name) <= 2 and len(type_name) <= 3
+        assert len(payload) == 4 and len(name) <= 2 and len(type_name) <= 3

@@ -46,9 +46,9 @@ def facts():
         pytest.skip("THE GATEWAY WAS NOT TRIED: nothing keeps the real rclpy on loopback here (unshare -n)")
     env = dict(os.environ, ROS_DOMAIN_ID="42", COURSEKIT_ALONE="1")
     done = subprocess.run(words, env=env, cwd=ROOT, capture_output=True, text=True, timeout=240)
-    found = [line for line in done.stdout.splitlines() if line.startswith("FACTS ")]
-    assert found, done.stdout + done.stderr
-    return json.loads(found[0].removeprefix("FACTS "))
+    facts_lines = [line for line in done.stdout.splitlines() if line.startswith("FACTS ")]
+    assert facts_lines, done.stdout + done.stderr
+    return json.loads(facts_lines[0].removeprefix("FACTS "))
 
 
 pytestmark = pytest.mark.timeout(260)

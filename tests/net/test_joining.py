@@ -154,10 +154,10 @@ def test_two_nodes_of_the_same_name_are_told_on_both_sides(side):
 
 
 def test_an_unknown_type_is_listed_and_it_is_said_what_to_build(side):
-    one = side()
-    one.link.visitors.came(UNKNOWN)
-    assert one.graph.topics() == [("/thing", ["my_msgs/msg/Thing"])]
-    said = report(one.link)
+    here = side()
+    here.link.visitors.came(UNKNOWN)
+    assert here.graph.topics() == [("/thing", ["my_msgs/msg/Thing"])]
+    said = report(here.link)
     assert "Unknown here: my_msgs/msg/Thing (/thing)" in said and "%colcon build --packages-select my_msgs" in said
 
 

@@ -219,8 +219,8 @@ def test_frames_and_a_managed_node(pair):
     buffer.set_transform_static = lambda *args: (add(*args), arrived.set())
     listener = TransformListener(buffer, mine)
     assert arrived.wait(LIMIT)
-    found = buffer.lookup_transform("base_link", "laser", rclpy.time.Time())
-    assert found.transform.translation.x == 0.25
+    transform = buffer.lookup_transform("base_link", "laser", rclpy.time.Time())
+    assert transform.transform.translation.x == 0.25
     from lifecycle_msgs.srv import ChangeState, GetState
 
     change = mine.create_client(ChangeState, "/managed/change_state")

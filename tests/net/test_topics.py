@@ -30,32 +30,34 @@ def matched(side, end, count=1):
 def heard_by(side, subscription, publishers=1):
     """Wait until so many publishers reach a subscription, and their messages are fetched."""
     group = side.graph.publishers
-    side.until(lambda: sum(subscription in one.targets for one in group.get(subscription.name, ())) == publishers)
+    side.until(
+        lambda: sum(subscription in publisher.targets for publisher in group.get(subscription.name, ())) == publishers
+    )
     side.link.settle()
 
 
 def test_each_side_sees_the_others_nodes_and_topics_and_says_that_they_are_remote(side):
-    one = side()
-    talker(one)
+    here = side()
+    talker(here)
     two = side()
     two.until(lambda: two.graph.publishers.get("/chatter"))
     assert two.names() == ["/talker"] and two.graph.topics() == [("/chatter", ["std_msgs/msg/String"])]
-    assert two.graph.nodes[0].remote == side.address and not one.graph.nodes[0].remote
+    assert two.graph.nodes[0].remote == side.address and not here.graph.nodes[0].remote
 
 
 def test_a_message_is_heard_once_by_each_of_three(side):
     sides = [side() for _ in range(3)]
-    inboxes = [Inbox(listener(one, f"listener{number}")) for number, one in enumerate(sides)]
+    inboxes = [Inbox(listener(each_side, f"listener{number}")) for number, each_side in enumerate(sides)]
     publisher = talker(sides[0])
     matched(sides[0], publisher, 3)
-    for one, inbox in zip(sides, inboxes, strict=True):
-        heard_by(one, inbox.source)
+    for each_side, inbox in zip(sides, inboxes, strict=True):
+        heard_by(each_side, inbox.source)
     for number in range(20):
         publisher.publish(String(data=str(number)))
     for inbox in inboxes:
         assert [inbox.take()[0].data for _ in range(20)] == [str(number) for number in range(20)]
         assert inbox.source.take() is None
-    assert [one.said for one in sides] == [[], [], []]
+    assert [each_side.said for each_side in sides] == [[], [], []]
 
 
 def test_nothing_is_serialized_or_sent_where_nobody_listens(side, monkeypatch):
@@ -80,8 +82,8 @@ def test_sending_ends_when_the_last_listener_leaves(side):
 
 
 def test_who_comes_late_hears_what_was_latched_and_only_the_last_of_it(side):
-    one = side()
-    publisher = talker(one, qos=LATCHED)
+    here = side()
+    publisher = talker(here, qos=LATCHED)
     for number in range(5):
         publisher.publish(String(data=str(number)))
     two = side()

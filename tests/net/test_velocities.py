@@ -22,20 +22,20 @@ def velocity(publisher, forward, number, stamp):
 @pytest.fixture
 def driven(side):
     """A robot here, and a publisher of velocities there."""
-    one = side()
-    subscription = one.graph.add_node("base", "/").subscription("/cmd_vel", Twist, Qos(depth=50))
+    here = side()
+    subscription = here.graph.add_node("base", "/").subscription("/cmd_vel", Twist, Qos(depth=50))
     text = "@ros2_lv/0/ffee/1/2/MP/%/%/teleop/%cmd_vel/geometry_msgs::msg::dds_::Twist_/X/::,10:,:,:,,"
-    one.link.visitors.came(text)
-    publisher = one.graph.publishers["/cmd_vel"][0]
+    here.link.visitors.came(text)
+    publisher = here.graph.publishers["/cmd_vel"][0]
     assert isinstance(publisher, RemotePublisher) and read_token(text).name == "/cmd_vel"
-    yield subscription, publisher, lambda: one.link.visitors.left(text)
+    yield subscription, publisher, lambda: here.link.visitors.left(text)
 
 
 def speeds(subscription):
-    found = []
+    speeds_heard = []
     while (entry := subscription.take()) is not None:
-        found.append(entry[0].linear.x)
-    return found
+        speeds_heard.append(entry[0].linear.x)
+    return speeds_heard
 
 
 def test_a_robot_is_stopped_when_who_drives_it_is_gone(driven):

@@ -24,8 +24,8 @@ def echo():
     def serve():
         with contextlib.suppress(OSError):
             while True:
-                one, _ = listener.accept()
-                threading.Thread(target=answer, args=(one,), daemon=True).start()
+                connection, _ = listener.accept()
+                threading.Thread(target=answer, args=(connection,), daemon=True).start()
 
     def answer(one):
         with one, contextlib.suppress(OSError):
@@ -39,9 +39,9 @@ def echo():
 
 @pytest.fixture
 def link(echo):
-    made = WeakLink(echo)
-    yield made
-    made.close()
+    weak_link = WeakLink(echo)
+    yield weak_link
+    weak_link.close()
 
 
 def dial(link):
@@ -70,41 +70,41 @@ def test_it_carries_everything_both_ways(link):
 @pytest.mark.parametrize(("make", "least"), [(lambda one: one.late(0.1), 0.2), (lambda one: one.slow(100_000), 0.2)])
 def test_what_is_late_or_slow_takes_at_least_its_time(link, make, least):
     make(link)
-    with dial(link) as one:
+    with dial(link) as connection:
         begin = time.monotonic()
-        assert say(one, bytes(20_000)) == bytes(20_000)
+        assert say(connection, bytes(20_000)) == bytes(20_000)
         assert time.monotonic() - begin >= least
 
 
 def test_while_it_is_cut_nothing_arrives_and_nobody_gets_in(link):
-    with dial(link) as one:
-        assert say(one, b"before") == b"before"
+    with dial(link) as connection:
+        assert say(connection, b"before") == b"before"
         link.cut()
         link.cut()
         with pytest.raises(ConnectionRefusedError):
             dial(link)
-        one.sendall(b"on the way")
-        one.settimeout(0.2)
+        connection.sendall(b"on the way")
+        connection.settimeout(0.2)
         with pytest.raises(TimeoutError):
-            one.recv(100)
-        one.settimeout(LIMIT)
+            connection.recv(100)
+        connection.settimeout(LIMIT)
         link.mend()
-        assert one.recv(100) == b"on the way"
+        assert connection.recv(100) == b"on the way"
         with dial(link) as two:
             assert say(two, b"again") == b"again"
 
 
 def test_who_hangs_up_is_told_to_the_other_end(link):
-    with dial(link) as one:
-        say(one, b"hello")
-        one.shutdown(socket.SHUT_WR)
-        assert one.recv(100) == b""
+    with dial(link) as connection:
+        say(connection, b"hello")
+        connection.shutdown(socket.SHUT_WR)
+        assert connection.recv(100) == b""
 
 
 def test_it_ends_and_where_nobody_listens_it_hangs_up():
     link = WeakLink(f"127.0.0.1:{free_port()}")
-    with dial(link) as one:
-        assert one.recv(100) == b""
+    with dial(link) as connection:
+        assert connection.recv(100) == b""
     link.close()
     link.close()
     with pytest.raises(ConnectionRefusedError):

@@ -26,12 +26,12 @@ def node(
 ) -> GraphNode:
     """A node with String topics."""
     namespace, _, last = name.rpartition("/")
-    made = graph.add_node(last, namespace or "/")
+    graph_node = graph.add_node(last, namespace or "/")
     for topic in publishes:
-        made.publisher(topic, STRING, qos or Qos())
+        graph_node.publisher(topic, STRING, qos or Qos())
     for topic in hears:
-        made.subscription(topic, STRING, qos or Qos())
-    return made
+        graph_node.subscription(topic, STRING, qos or Qos())
+    return graph_node
 
 
 def chatter() -> Graph:

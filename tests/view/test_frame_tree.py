@@ -10,13 +10,13 @@ S = 10**9
 
 @pytest.fixture
 def buffer():
-    made = FrameBuffer()
+    frame_buffer = FrameBuffer()
     for tenth in range(1, 21):
-        made.set("map", "odom", tenth * S // 10, IDENTITY, "me")
-        made.set("odom", "base", tenth * S // 10, IDENTITY, "me")
-    made.set_static("base", "laser", IDENTITY, "me")
-    made.set_static("base", "camera", IDENTITY, "me")
-    return made
+        frame_buffer.set("map", "odom", tenth * S // 10, IDENTITY, "me")
+        frame_buffer.set("odom", "base", tenth * S // 10, IDENTITY, "me")
+    frame_buffer.set_static("base", "laser", IDENTITY, "me")
+    frame_buffer.set_static("base", "camera", IDENTITY, "me")
+    return frame_buffer
 
 
 def names(tree):

@@ -17,9 +17,9 @@ IMAGE = np.full((30, 40, 3), 7, np.uint8)
 def session(monkeypatch):
     monkeypatch.setattr(highgui, "has_display", lambda: False)
     monkeypatch.setattr(highgui, "has_camera", lambda: False)
-    with Session(virtual=True).use() as made:
+    with Session(virtual=True).use() as virtual_session:
         highgui.install()
-        yield made
+        yield virtual_session
 
 
 def test_a_window_keeps_a_copy_of_the_newest_image(session):

@@ -21,22 +21,22 @@ def corners(box, layout):
 
 @given(edges)
 def test_no_two_boxes_overlap_and_all_are_in_the_picture(pairs):
-    made = boxes()
-    layout = arrange(made, pairs)
-    for one, other in combinations(made, 2):
+    all_boxes = boxes()
+    layout = arrange(all_boxes, pairs)
+    for one, other in combinations(all_boxes, 2):
         a, b = corners(one, layout), corners(other, layout)
         assert a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] + 1e-6 or b[3] <= a[1] + 1e-6
-    for box in made:
+    for box in all_boxes:
         left, top, right, bottom = corners(box, layout)
         assert left >= 0 and top >= 0 and right <= layout.width and bottom <= layout.height
 
 
 @given(edges, st.lists(st.sampled_from(["", "one", "two"]), min_size=10, max_size=10))
 def test_a_frame_holds_its_group_and_nothing_else(pairs, groups):
-    made = boxes(groups)
-    layout = arrange(made, pairs)
+    all_boxes = boxes(groups)
+    layout = arrange(all_boxes, pairs)
     for group, (x, y, width, height) in layout.frames.items():
-        for box in made:
+        for box in all_boxes:
             left, top, right, bottom = corners(box, layout)
             inside = left >= x and right <= x + width and top >= y and bottom <= y + height
             apart = right <= x or left >= x + width or bottom <= y + 1e-6 or top >= y + height - 1e-6
@@ -45,12 +45,12 @@ def test_a_frame_holds_its_group_and_nothing_else(pairs, groups):
 
 @given(edges)
 def test_each_edge_has_a_route_from_rim_to_rim(pairs):
-    made = {box.key: box for box in boxes()}
-    layout = arrange(list(made.values()), pairs)
+    box_by_key = {box.key: box for box in boxes()}
+    layout = arrange(list(box_by_key.values()), pairs)
     for (a, b), route in zip(pairs, layout.routes, strict=True):
         if a != b:
-            assert abs(abs(route[0][0] - layout.centres[a][0]) - made[a].width / 2) < 1e-6
-            assert abs(abs(route[-1][0] - layout.centres[b][0]) - made[b].width / 2) < 1e-6
+            assert abs(abs(route[0][0] - layout.centres[a][0]) - box_by_key[a].width / 2) < 1e-6
+            assert abs(abs(route[-1][0] - layout.centres[b][0]) - box_by_key[b].width / 2) < 1e-6
 
 
 def test_edges_of_a_graph_without_cycle_point_right():

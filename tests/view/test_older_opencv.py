@@ -13,9 +13,9 @@ SIZE = 0.2
 
 @pytest.fixture(autouse=True)
 def session():
-    with Session(virtual=True).use() as made:
+    with Session(virtual=True).use() as virtual_session:
         highgui.install()
-        yield made
+        yield virtual_session
 
 
 def seen(rvec, tvec, number=7):

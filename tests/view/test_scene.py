@@ -67,7 +67,7 @@ def test_poses_travel_as_one_array_and_shapes_as_commands():
     scene.put("a", "one", cube(), Label("one"), pose=(1.0, 2.0, 3.0, 0.0, 0.0, 0.0, 1.0))
     message, buffers = packed(scene.changes())
     assert np.frombuffer(buffers[0]).reshape(-1, BLOCK).tolist() == [[1, 1, 2, 3, 0, 0, 0, 1, 1, 1, 1]]
-    assert [one["text"] for one in message["labels"]] == ["one"]
+    assert [label["text"] for label in message["labels"]] == ["one"]
     command = umsgpack.unpackb(buffers[1])
     assert command["type"] == "set_object" and command["path"] == "/scene/1/0"
     position = command["object"]["geometries"][0]["data"]["attributes"]["position"]["array"]
@@ -119,7 +119,7 @@ def test_near_things_cover_far_ones_and_the_picture_is_the_same_every_time():
     scene.put("a", "near", cube())
     camera = Camera(6.0, 0.0, 0.3)
     data, image = picture(scene, camera)
-    blue, _, red = (int(one) for one in image[80, 100])
+    blue, _, red = (int(channel) for channel in image[80, 100])
     assert red > 100 > blue
     assert image[80, 75, 0] > 100 > image[80, 75, 2]
     assert picture(scene, camera)[0] == data

@@ -15,10 +15,10 @@ IMAGE = np.zeros((30, 40, 3), np.uint8)
 @pytest.fixture
 def session(monkeypatch):
     monkeypatch.setattr(highgui, "has_display", lambda: False)
-    with Session(virtual=True).use() as made:
+    with Session(virtual=True).use() as virtual_session:
         highgui.install()
         cv2.namedWindow("tune", cv2.WINDOW_NORMAL)
-        yield made
+        yield virtual_session
 
 
 @pytest.fixture

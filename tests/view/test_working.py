@@ -26,10 +26,10 @@ class Page:
 
 @pytest.fixture
 def page(monkeypatch):
-    made = Page()
-    monkeypatch.setattr("IPython.display.display", made.display)
+    own_page = Page()
+    monkeypatch.setattr("IPython.display.display", own_page.display)
     monkeypatch.setattr(working, "_has_a_page", lambda: True)
-    return made
+    return own_page
 
 
 def test_long_work_has_a_bar_that_goes(page, monkeypatch):

@@ -15,7 +15,7 @@ Kernel = tuple[Any, Any]
 
 def surround(monkeypatch: pytest.MonkeyPatch, folder: Path, domain: int) -> None:
     """Have kernels that start from here on know nothing of this run's course and sessions."""
-    for name in [one for one in os.environ if one.startswith("COURSEKIT_")]:
+    for name in [variable for variable in os.environ if variable.startswith("COURSEKIT_")]:
         monkeypatch.delenv(name)
     monkeypatch.setenv("COURSEKIT_RUNTIME_DIR", str(folder))
     monkeypatch.setenv("COURSEKIT_COURSE", str(folder))

@@ -59,13 +59,13 @@ def test_commands_extras_and_files_that_are_named_exist(file, capsys):
     extras = tomllib.loads(read(ROOT / "pyproject.toml"))["project"]["optional-dependencies"]
     for named in re.findall(r"(?:\$1|\.)\[([a-z,]+)\]", text):
         assert set(named.split(",")) <= set(extras)
-    assert all((ROOT / one).exists() for one in re.findall(r"deploy/[\w.]+", text))
+    assert all((ROOT / path).exists() for path in re.findall(r"deploy/[\w.]+", text))
 
 
 def test_kubernetes_values_name_files_that_exist():
     text = read(DEPLOY / "values.yaml")
     assert yaml.safe_load(text)["singleuser"]["image"]["name"] == "coursekit"
-    assert all((ROOT / one).is_file() for one in re.findall(r"deploy/[\w.]+", text))
+    assert all((ROOT / path).is_file() for path in re.findall(r"deploy/[\w.]+", text))
 
 
 @posix("The Littlest JupyterHub is installed on Linux")

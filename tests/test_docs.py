@@ -33,4 +33,4 @@ def test_links_lead_somewhere(document):
 @pytest.mark.parametrize("document", DOCUMENTS, ids=lambda path: path.relative_to(ROOT).as_posix())
 def test_files_that_are_named_are_there(document):
     named = NAMED.findall(document.read_text(encoding="utf-8"))
-    assert [name for name in named if not any(one in name for one in EXAMPLES) and not (ROOT / name).exists()] == []
+    assert [name for name in named if not any(example in name for example in EXAMPLES) and not (ROOT / name).exists()] == []

@@ -51,9 +51,9 @@ def test_every_call_is_seen_that_leaves_the_encoding_open() -> None:
 
 
 def test_all_programs_of_the_course_say_the_encoding_of_their_files_and_children() -> None:
-    found = [
+    places = [
         f"{file.relative_to(ROOT)}:{line}"
         for file in sorted((ROOT / "coursekit").rglob("*.py"))
         for line in unsaid(file.read_text(encoding="utf-8"))
     ]
-    assert not found, "say encoding='utf-8' in:\n" + "\n".join(found)
+    assert not places, "say encoding='utf-8' in:\n" + "\n".join(places)

@@ -32,18 +32,21 @@ def locked(computer: tuple[str, str], python: str) -> list[Requirement]:
         "implementation_name": "cpython",
         "platform_python_implementation": "CPython",
     }
-    return [one for one in LOCKED if one.marker is None or one.marker.evaluate(facts)]
+    return [requirement for requirement in LOCKED if requirement.marker is None or requirement.marker.evaluate(facts)]
 
 
 @pytest.mark.parametrize(("computer", "python"), list(itertools.product(COMPUTERS, PYTHONS)))
 def test_no_package_has_two_versions(computer: tuple[str, str], python: str) -> None:
-    names = [one.name for one in locked(computer, python)]
+    names = [requirement.name for requirement in locked(computer, python)]
     assert len(names) == len(set(names)) and set(NEWEST_FOR_INTEL_MACS) <= set(names)
 
 
 @pytest.mark.parametrize("python", PYTHONS[:-1])
 def test_a_mac_with_intel_s_processor_gets_versions_that_there_are_for_it(python: str) -> None:
-    versions = {one.name: Version(str(one.specifier).removeprefix("==")) for one in locked(("darwin", "x86_64"), python)}
+    versions = {
+        requirement.name: Version(str(requirement.specifier).removeprefix("=="))
+        for requirement in locked(("darwin", "x86_64"), python)
+    }
     assert all(versions[name] <= Version(newest) for name, newest in NEWEST_FOR_INTEL_MACS.items())
 
 
@@ -51,27 +54,27 @@ def test_other_computers_are_not_held_back_by_it() -> None:
     for computer in COMPUTERS:
         if computer != ("darwin", "x86_64"):
             assert all(
-                Version(str(one.specifier).removeprefix("==")) > Version(NEWEST_FOR_INTEL_MACS[one.name])
-                for one in locked(computer, "3.12")
-                if one.name in NEWEST_FOR_INTEL_MACS
+                Version(str(requirement.specifier).removeprefix("==")) > Version(NEWEST_FOR_INTEL_MACS[requirement.name])
+                for requirement in locked(computer, "3.12")
+                if requirement.name in NEWEST_FOR_INTEL_MACS
             )
 
 
 def test_what_is_locked_for_a_python_takes_that_python() -> None:
     """As far as this environment has it; the marker of what newer Pythons get has to leave the older ones out."""
     refused = []
-    for one, python in itertools.product(LOCKED, PYTHONS):
-        is_for = one.marker is None or one in locked(("linux", "x86_64"), python)
-        if is_for and (taken := pythons_of(one)) is not None and f"{python}.5" not in taken:
-            refused.append(f"{one} on {python}: {taken}")
+    for requirement, python in itertools.product(LOCKED, PYTHONS):
+        is_for = requirement.marker is None or requirement in locked(("linux", "x86_64"), python)
+        if is_for and (taken := pythons_of(requirement)) is not None and f"{python}.5" not in taken:
+            refused.append(f"{requirement} on {python}: {taken}")
     assert not refused
 
 
 def pythons_of(requirement: Requirement) -> SpecifierSet | None:
     """For which Pythons the installed package is; None where another version, or none, is installed."""
     try:
-        found = metadata.metadata(requirement.name)
+        facts = metadata.metadata(requirement.name)
     except metadata.PackageNotFoundError:
         return None
-    wanted = found.get("Requires-Python") if found["Version"] in requirement.specifier else None
+    wanted = facts.get("Requires-Python") if facts["Version"] in requirement.specifier else None
     return SpecifierSet(wanted) if wanted else None

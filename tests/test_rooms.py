@@ -27,14 +27,14 @@ UPSTREAM = ("rclpy", "launch", "launch_ros", "launch_pytest")
 
 def modules():
     """The package's modules by name, with their files; those below coursekit/ros by the name that programs use."""
-    found = {}
+    file_by_module = {}
     for file in PACKAGE.rglob("*.py"):
         parts = list(file.relative_to(PACKAGE.parent).with_suffix("").parts)
         parts = parts[2:] if parts[1] == "ros" else parts
         parts = parts[:-1] if parts and parts[-1] == "__init__" else parts
         if parts and parts[:2] != ["coursekit", "share"]:
-            found[".".join(parts)] = file
-    return found
+            file_by_module[".".join(parts)] = file
+    return file_by_module
 
 
 MODULES = modules()

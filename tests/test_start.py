@@ -42,12 +42,12 @@ def commands(start):
 @posix("there a Python lies in Scripts")
 def test_without_a_word_it_sets_up_once_and_opens_the_course(start):
     assert start.main([]) == 0
-    made = [f"-m venv {start.VENV}", "-m pip install", "-m compileall -q"]
-    assert commands(start) == [*made, "-m coursekit.cli.coursekit lab"]
+    setup_commands = [f"-m venv {start.VENV}", "-m pip install", "-m compileall -q"]
+    assert commands(start) == [*setup_commands, "-m coursekit.cli.coursekit lab"]
     start.ran.clear()
     assert start.main(["lab", "--no-browser"]) == 0
-    made, opened = (command for command, _ in start.ran)
-    assert made[1:] == ["-m", "coursekit.building.underlay"] and opened[-2:] == ["lab", "--no-browser"]
+    underlay_command, opened = (command for command, _ in start.ran)
+    assert underlay_command[1:] == ["-m", "coursekit.building.underlay"] and opened[-2:] == ["lab", "--no-browser"]
 
 
 @posix("there a Python lies in Scripts")
@@ -117,9 +117,9 @@ def test_in_a_folder_with_an_accent_an_older_python_on_windows_gets_a_copy(start
     monkeypatch.setattr(start, "ROOT", Path(folder))
     monkeypatch.setattr(sys, "platform", "win32")
     monkeypatch.setattr(sys, "version_info", version)
-    found = start.what_to_install("test")
+    words = start.what_to_install("test")
     monkeypatch.undo()
-    assert found == (["-e", ".[test]"] if editable else [".[test]"])
+    assert words == (["-e", ".[test]"] if editable else [".[test]"])
 
 
 def test_an_older_python_can_read_it_to_the_end_of_its_refusal():

@@ -43,9 +43,9 @@ def test_a_workflow_is_one_by_github_s_schema(file: Path) -> None:
 def test_each_system_is_tested_with_each_python_from_the_oldest_to_the_newest() -> None:
     with open(ROOT / "pyproject.toml", "rb") as file:
         oldest = int(tomllib.load(file)["project"]["requires-python"].removeprefix(">=3."))
-    (matrix,) = [job["strategy"]["matrix"] for one in FILES for job in read(one)["jobs"].values()]
+    (matrix,) = [job["strategy"]["matrix"] for workflow in FILES for job in read(workflow)["jobs"].values()]
     assert matrix["python"] == [f"3.{minor}" for minor in range(oldest, NEWEST[1] + 1)]
-    assert all(any(one.startswith(system) for one in matrix["os"]) for system in SYSTEMS)
+    assert all(any(runner.startswith(system) for runner in matrix["os"]) for system in SYSTEMS)
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda one: one.name)
@@ -60,9 +60,13 @@ def test_each_value_in_double_braces_is_one_that_the_workflow_has(file: Path) ->
 def test_the_files_that_its_steps_run_are_there(file: Path) -> None:
     commands = [step["run"] for job in read(file)["jobs"].values() for step in job["steps"] if "run" in step]
     named = [word for command in commands for word in command.split() if word.endswith(".py") or word.startswith(".")]
-    assert named and all((ROOT / one).is_file() for one in named)
-    assert all(any(one in step["uses"] for one in ("checkout@v", "setup-python@v")) for job in read(file)["jobs"].values()
-               for step in job["steps"] if "uses" in step)  # fmt: skip
+    assert named and all((ROOT / path).is_file() for path in named)
+    assert all(
+        any(action in step["uses"] for action in ("checkout@v", "setup-python@v"))
+        for job in read(file)["jobs"].values()
+        for step in job["steps"]
+        if "uses" in step
+    )
 
 
 def test_the_readme_says_that_nobody_has_seen_it_run() -> None:

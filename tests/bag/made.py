@@ -22,8 +22,8 @@ def text_bytes(text: str) -> bytes:
 def all_of(path: Path | str, storage_id: str = "") -> list[Message]:
     """All messages of a bag."""
     reader = BagReader(str(path), storage_id)
-    found = []
+    messages = []
     while (message := reader.take()) is not None:
-        found.append(message)
+        messages.append(message)
     reader.close()
-    return found
+    return messages

@@ -145,7 +145,7 @@ def test_any_text_is_metadata_or_refused(text: str) -> None:
 @pytest.mark.parametrize("keep", [0.0, 0.01, 0.3, 0.7, 0.95])
 def test_a_file_that_ends_too_early_is_refused_or_read_so_far(make: Make, storage_id: str, keep: float) -> None:
     bag = make("talk", 400, storage_id=storage_id)
-    (file,) = [one for one in bag.iterdir() if one.suffix != ".yaml"]
+    (file,) = [path for path in bag.iterdir() if path.suffix != ".yaml"]
     whole = all_of(bag)
     data = file.read_bytes()
     file.write_bytes(data[: int(len(data) * keep)])
@@ -177,7 +177,7 @@ def is_open(file: Path) -> bool:
     """Whether this process still has a file open; of one that has, Windows does not remove the folder."""
     if ON_WINDOWS:
         return False
-    held = [one for one in Path("/proc/self/fd").glob("*") if os.path.realpath(one) == os.path.realpath(file)]
+    held = [path for path in Path("/proc/self/fd").glob("*") if os.path.realpath(path) == os.path.realpath(file)]
     return bool(held)
 
 

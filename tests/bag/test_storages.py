@@ -40,9 +40,9 @@ def test_what_is_written_comes_back_here_and_in_rosbags(make: Make, settings: di
     assert [message.stamp for message in messages] == [(100 + number) * SECOND for number in range(10)]
     assert messages[2] == Message("/odd", text_bytes("Hello 2"), 102 * SECOND)
     with Reader(bag) as judge:
-        seen = [(one.topic, data, stamp) for one, stamp, data in judge.messages()]
+        seen = [(connection.topic, data, stamp) for connection, stamp, data in judge.messages()]
         assert seen == [tuple(message) for message in messages] and judge.message_count == 10
-        assert {one.topic: one.msgcount for one in judge.connections} == {"/chatter": 7, "/odd": 3}
+        assert {connection.topic: connection.msgcount for connection in judge.connections} == {"/chatter": 7, "/odd": 3}
         assert (judge.start_time, judge.duration) == (100 * SECOND, 9 * SECOND + 1)
     assert len(metadata_file.read(bag).files) == (3 if split else 1)
 
@@ -139,8 +139,8 @@ def test_bags_of_older_releases_are_read(make: Make) -> None:
     root["version"] = 3
     root["relative_file_paths"] = ["talk/talk_0.db3"]
     del root["files"], root["compression_format"], root["compression_mode"]
-    for one in root["topics_with_message_count"]:
-        del one["topic_metadata"]["offered_qos_profiles"]
+    for topic in root["topics_with_message_count"]:
+        del topic["topic_metadata"]["offered_qos_profiles"]
     path.write_text(yaml.safe_dump(document))
     with sqlite3.connect(bag / "talk_0.db3") as db:
         db.executescript("DROP TABLE schema; DROP TABLE metadata; ALTER TABLE topics DROP COLUMN offered_qos_profiles")
@@ -150,9 +150,9 @@ def test_bags_of_older_releases_are_read(make: Make) -> None:
 @pytest.mark.parametrize("storage_id", ["sqlite3", "mcap"])
 def test_one_file_can_be_read_without_its_folder(make: Make, storage_id: str) -> None:
     bag = make("talk", 6, storage_id=storage_id)
-    (file,) = [one for one in bag.iterdir() if one.suffix != ".yaml"]
+    (file,) = [path for path in bag.iterdir() if path.suffix != ".yaml"]
     reader = BagReader(str(file))
-    assert reader.facts.message_count == 6 and [one.name for one in reader.topics()] == ["/chatter", "/odd"]
+    assert reader.facts.message_count == 6 and [topic.name for topic in reader.topics()] == ["/chatter", "/odd"]
     assert all_of(file) == all_of(bag)
 
 
@@ -177,7 +177,7 @@ def test_a_bag_is_split_before_its_files_grow_too_large(tmp_path: Path, storage_
         writer.write(Message("/chatter", bytes(20_000), number))
     writer.close()
     files = metadata_file.read(tmp_path / "big").files
-    assert sum(one.message_count for one in files) == 200 and len(told) == len(files) - 1 > 2
+    assert sum(file.message_count for file in files) == 200 and len(told) == len(files) - 1 > 2
     suffix = Path(files[0].path).suffix
     assert told[0] == (f"big_0{suffix}", f"big_1{suffix}")
     assert len(all_of(tmp_path / "big")) == 200

@@ -35,7 +35,7 @@ def link_poses() -> None:
     print("\n| all link poses of a 16-link robot | coursekit | as 4×4 | yourdfpy | pinocchio, 4×4 | goal |")
     print("|---|---|---|---|---|---|")
     for name, times in json.loads(measure(sys.executable, "link_poses.py")).items():
-        cells = [f"{one:.1f} µs" if one is not None else "not installed" for one in times.values()]
+        cells = [f"{time:.1f} µs" if time is not None else "not installed" for time in times.values()]
         print(f"| {name} axes | {' | '.join(cells)} | ≤ 20 µs |")
 
 
@@ -79,23 +79,23 @@ def slam() -> None:
     }
     head = "SLAM, median of five perturbed runs | coursekit | each run | × real time | MRPT icp-slam, unperturbed"
     print(f"\n| {head} | others, not run here | goal |\n|---|---|---|---|---|---|---|")
-    for name, found in json.loads(measure(sys.executable, "slam_logs.py", str(place))).items():
-        ours = f"{found['median']:.4f} m, {found['rotation']:.2f}°"
-        runs = " ".join(f"{one:.4f}" for one in found["translation"])
+    for name, result in json.loads(measure(sys.executable, "slam_logs.py", str(place))).items():
+        ours = f"{result['median']:.4f} m, {result['rotation']:.2f}°"
+        runs = " ".join(f"{error:.4f}" for error in result["translation"])
         goal, known = others[name]
-        peer = "not installed" if found["peer"] is None else f"{found['peer']:.4f} m"
-        print(f"| {name} | {ours} | {runs} | {found['speed']:.0f} | {peer} | {known} | {goal}, ≥ 100 × |")
+        peer = "not installed" if result["peer"] is None else f"{result['peer']:.4f} m"
+        print(f"| {name} | {ours} | {runs} | {result['speed']:.0f} | {peer} | {known} | {goal}, ≥ 100 × |")
 
 
 def navigation() -> None:
     """Print the row of navigation."""
-    found = json.loads(measure(sys.executable, "navigation.py"))
+    results = json.loads(measure(sys.executable, "navigation.py"))
     print("\n| random goals in the warehouse, among moving boxes | reached | collisions | driven | × real time | goal |")
     print("|---|---|---|---|---|---|")
-    reached = f"{found['reached']} of {found['goals']}"
-    minutes, speed = f"{found['minutes']:.0f} min", f"{found['speed']:.1f}"
-    print(f"| amcl, drifting odometry | {reached} | {found['collisions']} | {minutes} | {speed} | 100 of 100, 0 |")
-    for word in (*found["missed"], *found["touched"]):
+    reached = f"{results['reached']} of {results['goals']}"
+    minutes, speed = f"{results['minutes']:.0f} min", f"{results['speed']:.1f}"
+    print(f"| amcl, drifting odometry | {reached} | {results['collisions']} | {minutes} | {speed} | 100 of 100, 0 |")
+    for word in (*results["missed"], *results["touched"]):
         print(f"  {word}")
 
 
@@ -134,9 +134,9 @@ def cpp() -> None:
         "image": ("640×480×3 at 30 Hz for 5 s", "< 20 % of a core"),
     }
     for key, (what, goal) in rows.items():
-        one = told[key]
-        times = f"{one['median']:.0f} µs | {one['99']:.0f} µs | {one['behind']:.2f}"
-        print(f"| {what} | {one['came']:.0f} | {times} | {one['core']:.0%} | {goal} |")
+        result = told[key]
+        times = f"{result['median']:.0f} µs | {result['99']:.0f} µs | {result['behind']:.2f}"
+        print(f"| {what} | {result['came']:.0f} | {times} | {result['core']:.0%} | {goal} |")
 
 
 def between_processes() -> None:

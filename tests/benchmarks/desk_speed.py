@@ -83,7 +83,7 @@ def main() -> dict[str, float] | None:
             told = page.evaluate(MEASURE, PRESSES)
             close(page)
             browser.close()
-    times = [one for one in told["times"] if one is not None]
+    times = [time for time in told["times"] if time is not None]
     return {"latency": statistics.median(times), "slowest": max(times), "missed": PRESSES - len(times), "rate": told["rate"]}
 
 

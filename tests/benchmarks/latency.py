@@ -15,13 +15,13 @@ from std_msgs.msg import String
 def latency(nodes: int, msg: object, count: int) -> float:
     """Median time from `publish` to the callback, both ends in one executor that serves `nodes` nodes."""
     executor = SingleThreadedExecutor()
-    made = [rclpy.create_node(f"bench_{number}") for number in range(nodes)]
-    for node in made:
+    bench_nodes = [rclpy.create_node(f"bench_{number}") for number in range(nodes)]
+    for node in bench_nodes:
         executor.add_node(node)
     times: list[int] = []
     begun = [0]
-    publisher = made[0].create_publisher(type(msg), "bench", 10)
-    made[-1].create_subscription(type(msg), "bench", lambda _: times.append(time.perf_counter_ns() - begun[0]), 10)
+    publisher = bench_nodes[0].create_publisher(type(msg), "bench", 10)
+    bench_nodes[-1].create_subscription(type(msg), "bench", lambda _: times.append(time.perf_counter_ns() - begun[0]), 10)
     while publisher.get_subscription_count() < 1:
         executor.spin_once(timeout_sec=0.1)
     for index in range(count):
@@ -29,7 +29,7 @@ def latency(nodes: int, msg: object, count: int) -> float:
         publisher.publish(msg)
         while len(times) <= index:
             executor.spin_once(timeout_sec=1.0)
-    for node in made:
+    for node in bench_nodes:
         executor.remove_node(node)
         node.destroy_node()
     return statistics.median(times) / 1000

@@ -70,6 +70,6 @@ def measure(goals, seed, speed=0.2, world="tec_warehouse"):
 
 
 if __name__ == "__main__":
-    numbers = [int(one) for one in sys.argv[1:3]]
-    worlds = [one for one in sys.argv[3:] if not one.startswith("-")]
+    numbers = [int(argument) for argument in sys.argv[1:3]]
+    worlds = [argument for argument in sys.argv[3:] if not argument.startswith("-")]
     print(json.dumps(measure(*(numbers or [100, 7]), **({"world": worlds[0]} if worlds else {}))))

@@ -41,8 +41,8 @@ def speeds() -> list[float]:
     with tempfile.TemporaryDirectory() as course, course_environment(Path(course)):
         (Path(course) / "ros2_ws" / "src").mkdir(parents=True)
         NotebookClient(notebook, timeout=300, kernel_name="python3", resources={"metadata": {"path": course}}).execute()
-    found: list[float] = json.loads(notebook.cells[-1].outputs[0]["text"])
-    return found
+    measured: list[float] = json.loads(notebook.cells[-1].outputs[0]["text"])
+    return measured
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ RANGE_NOISE, WAY_NOISE, TURN_NOISE = 0.005, 0.02, 0.02
 def perturbed(log: CarmenLog, seed: int) -> list[tuple[np.ndarray, Pose2D]]:
     """Ranges and odometry, each a little different with each seed; seed 0 is the log as it is."""
     rng = np.random.default_rng(seed)
-    odometry, before, made = log.readings[0].odometry, log.readings[0].odometry, []
+    odometry, before, scans = log.readings[0].odometry, log.readings[0].odometry, []
     for reading in log.readings:
         motion, before = before.to(reading.odometry), reading.odometry
         way, noise = math.hypot(motion.x, motion.y), rng.normal(size=3) * bool(seed)
@@ -38,8 +38,8 @@ def perturbed(log: CarmenLog, seed: int) -> list[tuple[np.ndarray, Pose2D]]:
             motion.theta + noise[2] * TURN_NOISE * abs(motion.theta),
         )
         shake = rng.normal(0, RANGE_NOISE, len(reading.ranges)) * bool(seed)
-        made.append((np.asarray(reading.ranges) + shake, odometry))
-    return made
+        scans.append((np.asarray(reading.ranges) + shake, odometry))
+    return scans
 
 
 def run(log: CarmenLog, relations: np.ndarray, seed: int) -> tuple[float, float, float]:
@@ -50,8 +50,8 @@ def run(log: CarmenLog, relations: np.ndarray, seed: int) -> tuple[float, float,
         slam.add(Scan.from_ranges(ranges, laser, slam.params, reading.stamp), odometry)
     slam.finish()
     seconds = time.process_time() - begun
-    found = errors(slam.trajectory(), relations)
-    return found.translation, found.rotation, seconds
+    error = errors(slam.trajectory(), relations)
+    return error.translation, error.rotation, seconds
 
 
 def main() -> None:
@@ -65,10 +65,10 @@ def main() -> None:
         log, relations = read_log(folder / f"{stem}.clf.xz"), read_relations(folder / f"{stem}.relations")
         runs = [run(log, relations, seed) for seed in range(1, RUNS + 1)]
         result[name] = {
-            "translation": [round(one[0], 5) for one in runs],
-            "median": statistics.median(one[0] for one in runs),
-            "rotation": statistics.median(one[1] for one in runs),
-            "speed": log.seconds / statistics.median(one[2] for one in runs),
+            "translation": [round(outcome[0], 5) for outcome in runs],
+            "median": statistics.median(outcome[0] for outcome in runs),
+            "rotation": statistics.median(outcome[1] for outcome in runs),
+            "speed": log.seconds / statistics.median(outcome[2] for outcome in runs),
             "peer": icp_slam(folder / f"{stem}.clf.xz", folder / f"{stem}.relations"),
         }
     print(json.dumps(result))

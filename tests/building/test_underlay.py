@@ -41,9 +41,9 @@ def test_every_executable_s_function_is_there(package, programs):
 
 
 def test_it_is_written_whole_and_only_where_it_differs(tmp_path):
-    made = write(tmp_path)
+    paths = write(tmp_path)
     talker = tmp_path / "lib" / "demo_nodes_py" / "talker"
-    assert talker in made and len(made) == len(FILES)
+    assert talker in paths and len(paths) == len(FILES)
     assert os.name == "nt" or stat.S_IMODE(talker.stat().st_mode) == 0o755
     talker.write_text("changed", encoding="utf-8")
     before = (tmp_path / "ros" / "std_msgs" / "msg" / "__init__.pyi").stat().st_mtime_ns

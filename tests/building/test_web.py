@@ -28,17 +28,17 @@ def test_outputs_stay_but_for_those_of_answers_and_those_that_show_one():
 def test_pictures_and_texts_stand_for_widgets():
     data = {web.WIDGET: {"model_id": "1"}, "image/png": "...", "text/plain": ["viewer"]}
     cell = {**code("view"), "outputs": [{"output_type": "execute_result", "metadata": {}, "data": data}]}
-    made = web.web_notebook({"cells": [cell], "metadata": {}})["cells"][0]["outputs"][0]
-    assert set(made["data"]) == {"image/png", "text/plain"} and web.WIDGET in data, "the chapter itself keeps it"
+    output = web.web_notebook({"cells": [cell], "metadata": {}})["cells"][0]["outputs"][0]
+    assert set(output["data"]) == {"image/png", "text/plain"} and web.WIDGET in data, "the chapter itself keeps it"
 
 
 @pytest.mark.parametrize("chapter", SOURCES, ids=lambda path: path.stem)
 def test_no_line_of_a_solution_is_on_a_page(chapter):
     notebook = read(chapter)
     secret = {line for line in web._lines(notebook) - web._lines(student_notebook(notebook)) if "SOLUTION" not in line}
-    made = web.web_notebook(notebook)
-    shown = {line.strip() for text in _texts(made) for line in text.splitlines()}
-    assert not secret & shown and "SOLUTION" not in json.dumps(made)
+    page = web.web_notebook(notebook)
+    shown = {line.strip() for text in _texts(page) for line in text.splitlines()}
+    assert not secret & shown and "SOLUTION" not in json.dumps(page)
 
 
 def _texts(notebook):

@@ -53,10 +53,10 @@ def test_coursekit_and_ros_come_from_the_wheel(folder):
 def test_an_empty_folder_becomes_the_whole_course(folder):
     name = "coursekit.exe" if sys.platform == "win32" else "coursekit"
     _said(_python(folder).parent / name, "course", folder=folder)
-    chapters = {one.name for one in (ROOT / "notebooks").glob("*.ipynb")}
-    assert {one.name for one in (folder / "course").glob("*.ipynb")} == chapters
-    pictures = {one.name for one in (ROOT / "notebooks" / "images").iterdir()}
-    assert {one.name for one in (folder / "course" / "images").iterdir()} == pictures
+    chapters = {path.name for path in (ROOT / "notebooks").glob("*.ipynb")}
+    assert {path.name for path in (folder / "course").glob("*.ipynb")} == chapters
+    pictures = {path.name for path in (ROOT / "notebooks" / "images").iterdir()}
+    assert {path.name for path in (folder / "course" / "images").iterdir()} == pictures
 
 
 def test_it_has_every_file_of_the_underlay(folder):

@@ -60,9 +60,11 @@ def _lead(number):
 @pytest.fixture
 def shell(tmp_path):
     env = {key: value for key, value in os.environ.items() if not key.startswith(("COURSEKIT_", "ROS_"))}
-    made = Shell(env | {"COURSEKIT_RUNTIME_DIR": str(tmp_path), "ROS_DOMAIN_ID": "81", "PS1": "> ", "PYTHONUNBUFFERED": "1"})
-    yield made
-    made.close()
+    interactive_shell = Shell(
+        env | {"COURSEKIT_RUNTIME_DIR": str(tmp_path), "ROS_DOMAIN_ID": "81", "PS1": "> ", "PYTHONUNBUFFERED": "1"}
+    )
+    yield interactive_shell
+    interactive_shell.close()
 
 
 def test_a_node_in_the_background_goes_on_and_the_shell_keeps_the_keys(shell):

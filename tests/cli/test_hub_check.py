@@ -23,7 +23,7 @@ def server(tmp_path, monkeypatch):
 
 
 def by_name(checks):
-    return {one.name: one for one in checks}
+    return {check.name: check for check in checks}
 
 
 def test_students_that_fit_are_no_fault_and_more_are(server):
@@ -77,11 +77,13 @@ def test_a_student_with_a_simulation_is_measured_and_nothing_is_left(capsys):
     assert 0 < load.cores < 2
     assert load.server_s > 0
     assert load.kernel_s > 0
-    assert not [one for one in hub_load.psutil.Process().children(recursive=True) if "ck-hub-" in " ".join(one.cmdline())]
+    assert not [
+        child for child in hub_load.psutil.Process().children(recursive=True) if "ck-hub-" in " ".join(child.cmdline())
+    ]
 
 
 def test_the_command_says_all_and_its_exit_code_is_that_of_the_faults(server, capsys):
-    faults = [one.fault for one in (hub_check.hub_package(), *hub_check.load(10)) if one.fault]
+    faults = [check.fault for check in (hub_check.hub_package(), *hub_check.load(10)) if check.fault]
     assert main(["hub-check", "--students", "10"]) == (1 if faults else 0)
     assert main(["hub-check", "--students", "1000"]) == 1
     said = capsys.readouterr().out

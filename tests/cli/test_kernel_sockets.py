@@ -57,7 +57,7 @@ def test_a_kernel_listens_at_its_files_and_a_restarted_one_answers(runtime) -> N
     with kernel_in(runtime, kernel_options(runtime)) as kernel:
         for _ in range(2):
             answers(kernel)
-            assert sum(one.is_socket() for one in runtime.iterdir()) == 5
+            assert sum(path.is_socket() for path in runtime.iterdir()) == 5
             kernel.restart_kernel(now=True)
         answers(kernel)
 

@@ -40,7 +40,7 @@ def opened(monkeypatch):
     def run(folder):
         assert main(["lab", "--no-browser", "--folder", str(folder)]) == 0
         (address,) = [word.partition("=")[2] for word in commands[-1] if word.startswith("--LabApp.default_url=")]
-        return address, sorted(one.name for one in folder.glob("*.ipynb"))
+        return address, sorted(path.name for path in folder.glob("*.ipynb"))
 
     return run
 

@@ -132,7 +132,7 @@ def test_pep257_leaves_out_what_is_excluded_and_what_is_hidden(linter, capsys, t
     assert pep257(["--exclude", "node.py", "--", ".", "test"]) == 0
     said = [line for line in capsys.readouterr().out.splitlines() if "site" not in line]
     files = [os.path.join(".", "test", "test_it.py"), os.path.join("test", "test_it.py")]
-    assert said == [*(f"checking {one}" for one in files), "No problems found"]
+    assert said == [*(f"checking {file}" for file in files), "No problems found"]
 
 
 @pytest.mark.parametrize(("run", "name"), [(flake8, "flake8"), (pep257, "pydocstyle")])
@@ -160,9 +160,11 @@ def test_results_are_those_that_colcon_counts(linter, capsys, tmp_path):
     why = first.find("failure").get("message")
     assert (first.get("name"), why) == ("E225 (node.py:1:4)", "missing whitespace around operator:\nx =1\n")
     assert pep257(["--xunit-file", str(file), "node.py"]) == 1
-    assert [one.get("name") for one in ElementTree.parse(file).iter("testcase")] == ["D400 (node.py:2)"]
+    assert [case.get("name") for case in ElementTree.parse(file).iter("testcase")] == ["D400 (node.py:2)"]
     assert copyright_notices(["--xunit-file", str(file), "node.py"]) == 1
-    assert [one.get("message") for one in ElementTree.parse(file).iter("failure")] == ["could not find copyright notice"]
+    assert [failure.get("message") for failure in ElementTree.parse(file).iter("failure")] == [
+        "could not find copyright notice"
+    ]
 
 
 @pytest.mark.parametrize(("run", "name"), [(flake8, "flake8"), (pep257, "pydocstyle")])
@@ -176,6 +178,8 @@ def test_a_linter_that_is_missing_leaves_a_result_that_says_so(run, name, monkey
 
 
 def test_they_are_commands():
-    commands = {one.name: one.value for one in importlib.metadata.entry_points(group="console_scripts")}
+    commands = {
+        entry_point.name: entry_point.value for entry_point in importlib.metadata.entry_points(group="console_scripts")
+    }
     for name, function in (("copyright", "copyright_notices"), ("flake8", "flake8"), ("pep257", "pep257")):
         assert commands[f"ament_{name}"] == f"coursekit.cli.linter_commands:{function}"

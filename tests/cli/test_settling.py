@@ -25,7 +25,7 @@ class Clock:
 
     def sleep(self, seconds):
         self.seconds += seconds
-        for moment in [one for one in self.plan if one <= self.seconds]:
+        for moment in [planned for planned in self.plan if planned <= self.seconds]:
             self.plan.pop(moment)()
 
 

@@ -23,7 +23,7 @@ def on_windows(monkeypatch):
 
 
 def faults():
-    return {one.name: (one.fault, one.cure, one.only_warning) for one in system_checks.run_system_checks()}
+    return {check.name: (check.fault, check.cure, check.only_warning) for check in system_checks.run_system_checks()}
 
 
 def test_where_all_is_well_nothing_is_said(on_windows, monkeypatch, tmp_path):
@@ -73,4 +73,4 @@ def test_long_paths_matter_in_deep_folders_only(on_windows, monkeypatch, tmp_pat
 
 def test_the_doctor_tells_them_with_the_others(on_windows):
     on_windows(bits=32)
-    assert "packages" in [one.name for one in checks.run_all() if one.fault]
+    assert "packages" in [check.name for check in checks.run_all() if check.fault]

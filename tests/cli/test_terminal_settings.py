@@ -18,10 +18,10 @@ def settings(monkeypatch, tmp_path):
         monkeypatch.setattr(module.shutil, "which", lambda one: f"C:\\{one}.exe" if one in programs else None)
         folder = tmp_path / name
         folder.mkdir()
-        found = module.terminal_settings(folder)
-        if not found:
+        options = module.terminal_settings(folder)
+        if not options:
             return None, b""
-        words = ast.literal_eval(found[0].partition("=")[2])["shell_command"]
+        words = ast.literal_eval(options[0].partition("=")[2])["shell_command"]
         return words, Path(words[-1]).read_bytes()
 
     return make

@@ -37,10 +37,10 @@ def program() -> None:
 @pytest.fixture
 def session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Session]:
     monkeypatch.chdir(tmp_path)
-    with Session(virtual=True).use() as made:
-        made.start(program, name="program")
-        made.clock.sleep(0.5)
-        yield made
+    with Session(virtual=True).use() as virtual_session:
+        virtual_session.start(program, name="program")
+        virtual_session.clock.sleep(0.5)
+        yield virtual_session
 
 
 @pytest.fixture

@@ -60,9 +60,9 @@ def proxy() -> str:
 def free_ports(count: int) -> list[int]:
     """Ports that nothing listens on."""
     open_ = [socket.create_server(("127.0.0.1", 0)) for _ in range(count)]
-    ports = [one.getsockname()[1] for one in open_]
-    for one in open_:
-        one.close()
+    ports = [listener.getsockname()[1] for listener in open_]
+    for listener in open_:
+        listener.close()
     return ports
 
 

@@ -65,13 +65,13 @@ def cells_of(prefix):
 
 def test_each_student_has_a_copy_of_the_course(students):
     for student in students:
-        there = {one["name"] for one in student.ask("GET", "contents")["content"]}
+        there = {entry["name"] for entry in student.ask("GET", "contents")["content"]}
         assert {"00_start_here.ipynb", "01_first_nodes.ipynb", "08_maps_and_slam.ipynb"} <= there
         notebook = student.ask("GET", "contents/01_first_nodes.ipynb")["content"]
         assert "BEGIN SOLUTION" not in json.dumps(notebook)
         released = student.ask("GET", "contents/02_topics.ipynb")["content"]
         assert released["metadata"]["coursekit"]["handed_out"] == "week2"
-    took = sorted(one.started_in for one in students)
+    took = sorted(classmate.started_in for classmate in students)
     print(f"a server starts in {took[0]:.1f} to {took[-1]:.1f} s")
 
 
@@ -119,11 +119,11 @@ def test_they_run_chapters_at_once_and_nobody_sees_another_s_graph(students):
     all_are_there = threading.Barrier(len(students))
     with ThreadPoolExecutor(len(students)) as pool:
         takes = [pool.submit(take, student, all_are_there) for student in students]
-    failed = [one.exception() for one in takes if one.exception() is not None]
+    failed = [future.exception() for future in takes if future.exception() is not None]
     for error in sorted(failed, key=lambda one: isinstance(one, threading.BrokenBarrierError)):
         raise error  # who fails, before those who would have waited
-    took, seen = zip(*(one.result() for one in takes), strict=True)
+    took, seen = zip(*(future.result() for future in takes), strict=True)
     print(f"{len(students)} students, chapters {' '.join(CHAPTERS)}: {min(took):.0f} to {max(took):.0f} s")
     for student, (nodes, same, topics) in zip(students, seen, strict=True):
         assert nodes == same == [f"/{student.name}"]
-        assert [one for one in topics if "only" in one] == [f"/only_{student.name}"]
+        assert [topic for topic in topics if "only" in topic] == [f"/only_{student.name}"]

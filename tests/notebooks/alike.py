@@ -76,11 +76,11 @@ def compare_alike(on_windows: bool) -> None:
     own = IPyNbCell.sanitize
 
     def sanitize(self: Any, text: Any) -> Any:
-        made = own(self, text)
-        if not isinstance(made, str):
-            return made
-        made = PICTURE.sub("", made)
-        return Output(alike(made) if on_windows else made)
+        sanitized = own(self, text)
+        if not isinstance(sanitized, str):
+            return sanitized
+        without_pictures = PICTURE.sub("", sanitized)
+        return Output(alike(without_pictures) if on_windows else without_pictures)
 
     IPyNbCell.sanitize = sanitize
 

@@ -25,8 +25,8 @@ MODULES = {
 def answers_of(chapter: Path, kind: str) -> dict[str, list[str]]:
     """The answers of a chapter's exercises, WRONG ones or other RIGHT ones, by the exercise's name."""
     name = f"ch{chapter.stem[:2]}" if chapter.stem[0].isdigit() else f"app{chapter.stem[0].lower()}"
-    found: dict[str, list[str]] = getattr(MODULES.get(name), kind, {})
-    return found
+    answers: dict[str, list[str]] = getattr(MODULES.get(name), kind, {})
+    return answers
 
 
 def grade_id(cell: nbformat.NotebookNode) -> str:

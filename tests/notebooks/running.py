@@ -37,7 +37,11 @@ def code_cells(notebook: nbformat.NotebookNode) -> list[nbformat.NotebookNode]:
 def exercises_of(chapter: Path) -> dict[str, Exercise]:
     """The exercises of a chapter, by name."""
     name = f"ch{chapter.stem[:2]}" if chapter.stem[0].isdigit() else f"app{chapter.stem[0].lower()}"
-    return {one: exercise for one, exercise in all_exercises().items() if one.startswith(f"{name}.")}
+    return {
+        exercise_name: exercise
+        for exercise_name, exercise in all_exercises().items()
+        if exercise_name.startswith(f"{name}.")
+    }
 
 
 def name_student(folder: Path) -> None:

@@ -30,9 +30,9 @@ def test_a_lesson_has_its_sections(lesson, section):
 
 def test_a_package_is_made_in_the_workspace_also_after_a_restart(chapter):
     for cell in code_cells(read(chapter)):
-        above, made, _ = cell.source.partition("%ros2 pkg create")
+        above, command, _ = cell.source.partition("%ros2 pkg create")
         there = "%cd -q {workspace()}" in above or "--destination-directory {workspace()}/src" in cell.source
-        assert not made or there, cell.source
+        assert not command or there, cell.source
 
 
 def test_the_magic_of_a_whole_cell_is_its_first_line(chapter):

@@ -14,10 +14,10 @@ PRACTICES = [path for path in chapters() if path.stem[0].isdigit() and path.stem
 def test_a_practice_makes_the_evidence_that_it_names(chapter):
     cells = json.loads(chapter.read_text(encoding="utf-8"))["cells"]
     kinds = ("markdown", "code")
-    texts = {kind: "\n".join("".join(one["source"]) for one in cells if one["cell_type"] == kind) for kind in kinds}
+    texts = {kind: "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == kind) for kind in kinds}
     number = int(chapter.stem[:2])
     asked = set(re.findall(rf"(?:_evidence|`\.\.\.)_s({number}(?:_\d)?)\b", texts["markdown"]))
-    made = set(re.findall(r'^evidence\("s(\d+(?:_\d)?)', texts["code"], re.M))
-    assert made and asked | {min(made)} <= made
-    assert {one.partition("_")[0] for one in made} == {str(number)}
+    evidence_numbers = set(re.findall(r'^evidence\("s(\d+(?:_\d)?)', texts["code"], re.M))
+    assert evidence_numbers and asked | {min(evidence_numbers)} <= evidence_numbers
+    assert {number_text.partition("_")[0] for number_text in evidence_numbers} == {str(number)}
     assert "```python\nevidence" not in texts["markdown"]

@@ -14,17 +14,17 @@ EACH = pytest.mark.parametrize("chapter", chapters(), ids=lambda one: one.stem)
 
 
 def links(chapter, language):
-    cells = (one for one in read(chapter, language)["cells"] if one["cell_type"] == "markdown")
-    texts = (CODE.sub("`code`", "".join(one["source"])) for one in cells)
+    cells = (cell for cell in read(chapter, language)["cells"] if cell["cell_type"] == "markdown")
+    texts = (CODE.sub("`code`", "".join(cell["source"])) for cell in cells)
     return [link for text in texts for link in LINK.findall(text)]
 
 
 @EACH
 def test_links_lead_to_chapters_and_to_documentation(chapter):
-    found = links(chapter, "en")
-    near = [link for link in found if not link.startswith("https://")]
-    assert near and all((NOTEBOOKS / link).is_file() and link != chapter.name for link in near), found
-    assert len(near) < len(found) or chapter.stem == "10_a_real_robot", "what to read on"
+    targets = links(chapter, "en")
+    near = [link for link in targets if not link.startswith("https://")]
+    assert near and all((NOTEBOOKS / link).is_file() and link != chapter.name for link in near), targets
+    assert len(near) < len(targets) or chapter.stem == "10_a_real_robot", "what to read on"
 
 
 @EACH

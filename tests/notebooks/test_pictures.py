@@ -14,9 +14,9 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 
 def test_every_picture_is_shown_by_a_chapter_and_every_lesson_has_one():
-    shown = {one: pictures_of(read(one), NOTEBOOKS) for one in chapters()}
-    assert {picture for found in shown.values() for picture in found} == set(PICTURES)
-    assert [one.stem for one, found in shown.items() if not found] == ["A_commands", "D_your_own_ubuntu"]
+    shown = {chapter: pictures_of(read(chapter), NOTEBOOKS) for chapter in chapters()}
+    assert {picture for pictures in shown.values() for picture in pictures} == set(PICTURES)
+    assert [chapter.stem for chapter, pictures in shown.items() if not pictures] == ["A_commands", "D_your_own_ubuntu"]
 
 
 @pytest.mark.parametrize("language", languages(NOTEBOOKS))

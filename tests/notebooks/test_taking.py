@@ -70,7 +70,9 @@ def run(execute, notebook, index):
 
 def printed(cell):
     """What a cell has printed, and what it shows as text."""
-    return "".join(one.get("text", "") or one.get("data", {}).get("text/plain", "") for one in cell.get("outputs", []))
+    return "".join(
+        output.get("text", "") or output.get("data", {}).get("text/plain", "") for output in cell.get("outputs", [])
+    )
 
 
 def shown(cells):
@@ -80,13 +82,13 @@ def shown(cells):
 
 def exercises(notebook):
     """The cells of each exercise that is judged here, from its heading to its check, in order."""
-    found, start = [], 0
+    cell_numbers, start = [], 0
     for index, cell in enumerate(notebook.cells):
         if cell.cell_type == "markdown" and re.search(r"^## ", cell.source, re.MULTILINE):
             start = index
         elif grade_id(cell).endswith("-check") and is_judged(cell):
-            found.append([one for one in range(start, index + 1) if notebook.cells[one].cell_type == "code"])
-    return found
+            cell_numbers.append([number for number in range(start, index + 1) if notebook.cells[number].cell_type == "code"])
+    return cell_numbers
 
 
 def is_judged(cell):

@@ -72,7 +72,7 @@ def workspace(tmp_path_factory):
 
 def test_the_next_package_finds_what_this_one_exports(workspace):
     said = re.findall(r"^-- (?:VAR )?(.*)$", (workspace / "said.txt").read_text(), re.M)
-    assert [one for one in [*VARIABLES, *SAID] if one not in said] == []
+    assert [variable for variable in [*VARIABLES, *SAID] if variable not in said] == []
 
 
 def test_programs_have_the_version_and_no_flags_of_targets(workspace):
@@ -104,7 +104,7 @@ def test_ctest_runs_all_kinds_of_tests(workspace):
     assert tested.returncode == 0 and "1 package had test failures: asker" in tested.stdout
     told = colcon(workspace, "test-result", "--all")
     *results, _, summary = re.sub(r"Testing/[\d-]+/", "Testing/NOW/", told.stdout).splitlines()
-    assert [one.removeprefix(f"build{os.sep}asker{os.sep}") for one in results] == RESULTS
+    assert [result.removeprefix(f"build{os.sep}asker{os.sep}") for result in results] == RESULTS
     assert summary == "Summary: 32 tests, 2 errors, 9 failures, 7 skipped" and told.returncode == 1
     assert (workspace / "build" / "asker" / "cmd.txt").read_text() == "helped\n"
     assert "- asker.Bad fails" in colcon(workspace, "test-result", "--verbose").stdout

@@ -77,8 +77,8 @@ def test_variables_lists_loops_and_conditions(project):
       install(FILES no.txt DESTINATION x)
     endif()
     """
-    found = project(cmake, "a.txt", "b.txt", "c d.txt", "e.txt")
-    assert list(found) == ["share/pkg/a.txt", "share/pkg/b.txt", "share/pkg/c d.txt", "share/pkg/f.txt"]
+    files = project(cmake, "a.txt", "b.txt", "c d.txt", "e.txt")
+    assert list(files) == ["share/pkg/a.txt", "share/pkg/b.txt", "share/pkg/c d.txt", "share/pkg/f.txt"]
 
 
 def test_directories_with_and_without_a_slash(project):

@@ -116,8 +116,8 @@ def test_ctest_args_choose_tests_by_name(package, tmp_path, words, ran, told):
     assert colcon(tmp_path, "build").returncode == 0
     tested = colcon(tmp_path, "test", "--ctest-args", *words.split(), "--packages-select", "app")
     assert tested.returncode == 0 and told in tested.stdout
-    found = (tmp_path / "build/app/test_results/app").glob("*.xml")
-    assert sorted(path.name.split(".")[0] for path in found) == ran
+    reports = (tmp_path / "build/app/test_results/app").glob("*.xml")
+    assert sorted(path.name.split(".")[0] for path in reports) == ran
 
 
 def test_a_pattern_of_ctest_that_is_none_is_told():

@@ -83,7 +83,7 @@ def without_compiler(tmp_path_factory):
 
 
 def test_without_a_compiler_cpp_is_skipped_in_one_line(without_compiler):
-    lines = [one for one in (without_compiler / "output.txt").read_text().splitlines() if "C++ of s2_cpp_pubsub" in one]
+    lines = [line for line in (without_compiler / "output.txt").read_text().splitlines() if "C++ of s2_cpp_pubsub" in line]
     assert lines == [
         "Skipped C++ of s2_cpp_pubsub: publisher_exe, subscriber_exe (there is no CMake here: "
         '`pip install "coursekit[cpp]"` brings all that C++ needs; the rest is installed)'

@@ -28,8 +28,8 @@ def shells(monkeypatch):
 
 def test_a_shell_that_cannot_set_a_variable_spoils_no_build(shells, tmp_path):
     shells.update({300: {"powershell": Cannot()}, 200: {"bat": Writes()}})
-    made = Distribution().create_environment_hooks(tmp_path, "talks")
-    assert [one.name for one in made] == ["ros_distro=humble", "ros_version=2", "ros_python_version=3"]
+    hooks = Distribution().create_environment_hooks(tmp_path, "talks")
+    assert [hook.name for hook in hooks] == ["ros_distro=humble", "ros_version=2", "ros_python_version=3"]
 
 
 def test_a_shell_that_uses_the_scripts_of_others_is_not_asked(shells, tmp_path):

@@ -51,8 +51,8 @@ SAID = {
 
 @pytest.mark.parametrize("said", SAID)
 def test_a_common_mistake_is_explained(said):
-    found = hints(said + "\n")
-    assert len(found) == 1 and SAID[said] in found[0], found
+    hint_lines = hints(said + "\n")
+    assert len(hint_lines) == 1 and SAID[said] in hint_lines[0], hint_lines
 
 
 def test_no_more_than_three_and_nothing_twice():

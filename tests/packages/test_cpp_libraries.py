@@ -25,7 +25,7 @@ find_package(ament_cmake REQUIRED)
 
 def lay_out(folder: Path, name: str, cmake: str, files: dict[str, str], depends: tuple[str, ...] = ()) -> None:
     """Write a package."""
-    tags = "".join(f"<depend>{one}</depend>" for one in depends)
+    tags = "".join(f"<depend>{dependency}</depend>" for dependency in depends)
     known = {"package.xml": MANIFEST.format(name=name, depends=tags), "CMakeLists.txt": HEAD.format(name=name) + cmake}
     for path, text in {**known, **files}.items():
         place = folder / "src" / name / path

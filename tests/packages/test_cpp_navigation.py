@@ -187,7 +187,7 @@ def test_a_layer_in_cpp_is_a_part_of_the_costmap_and_is_inflated(workspace):
 
 def test_a_fence_is_where_its_parameter_says(workspace):
     said = told(workspace, LOOK, planner_server=planner(), **fenced(y=30.0))
-    costs = [int(one) for one in re.search(r"costs (\d+) (\d+) (\d+)\n", said).groups()]
+    costs = [int(cost) for cost in re.search(r"costs (\d+) (\d+) (\d+)\n", said).groups()]
     assert max(costs) < 253, costs
 
 

@@ -36,7 +36,7 @@ def package(tmp_path):
 
 def test_each_of_two_changes_within_a_second_is_built_and_imported(package, tmp_path):
     module = package / "counting" / "value.py"
-    found = []
+    printed = []
     for tenth, value in enumerate(("1", "2", "30")):  # the first two are of the same size, which bytecode is known by
         module.write_text(f"VALUE = {value}\n")
         changed = SECOND * 10**9 + (1 + tenth) * TENTH_NS
@@ -45,5 +45,5 @@ def test_each_of_two_changes_within_a_second_is_built_and_imported(package, tmp_
         assert done.returncode == 0, done.stdout + done.stderr
         env = overlay_environment(tmp_path / "install", ENV)
         ask = [sys.executable, "-c", "from counting.value import VALUE; print(VALUE)"]
-        found.append(subprocess.run(ask, cwd=tmp_path, env=env, capture_output=True, text=True, check=True).stdout.strip())
-    assert found == ["1", "2", "30"]
+        printed.append(subprocess.run(ask, cwd=tmp_path, env=env, capture_output=True, text=True, check=True).stdout.strip())
+    assert printed == ["1", "2", "30"]

@@ -47,7 +47,7 @@ def test_without_a_result_of_its_own_one_is_written(run, code, words, ended, exp
 
 def test_a_result_of_its_own_stays_and_has_the_package_s_name(run):
     code, root = run(f"open(result, 'w').write({GOOD!r}); sys.exit(1)")
-    assert code == 1 and [one.get("classname") for one in root] == ["pkg.Bad.a", "pkg.b"]
+    assert code == 1 and [case.get("classname") for case in root] == ["pkg.Bad.a", "pkg.b"]
 
 
 def test_words_of_the_command_are_its_own(tmp_path):

@@ -49,9 +49,9 @@ def _read_token(token: str) -> str:
     ],
 )
 def test_powershell_reads_a_path_as_it_is(name: str, line: str) -> None:
-    made = quoted_for_powershell(line.format(name))
-    word = made[made.index("'") :]
-    assert read_by_powershell(word) == name and "COLCON_CURRENT_PREFIX" not in made
+    quoted = quoted_for_powershell(line.format(name))
+    word = quoted[quoted.index("'") :]
+    assert read_by_powershell(word) == name and "COLCON_CURRENT_PREFIX" not in quoted
 
 
 def test_powershell_still_finds_what_lies_below_the_prefix() -> None:
@@ -62,8 +62,8 @@ def test_powershell_still_finds_what_lies_below_the_prefix() -> None:
 
 
 def test_powershell_takes_brackets_in_a_path_for_no_pattern() -> None:
-    made = quoted_for_powershell("if (Test-Path $_colcon_package_source_powershell_script) {\n(Get-Item $PSCommandPath)")
-    first, second = made.splitlines()
+    quoted = quoted_for_powershell("if (Test-Path $_colcon_package_source_powershell_script) {\n(Get-Item $PSCommandPath)")
+    first, second = quoted.splitlines()
     assert first == "if (Test-Path -LiteralPath $_colcon_package_source_powershell_script) {"
     assert second == "(Get-Item -LiteralPath $PSCommandPath)"
 
@@ -91,8 +91,8 @@ def test_what_the_utility_prints_is_read_as_values_by_powershell(tmp_path: Path)
     done = subprocess.run([sys.executable, utility, "ps1"], capture_output=True, encoding="utf-8", check=True)
     values = [line for line in done.stdout.splitlines() if "SOME_PATH" in line and "Value" in line]
     scripts = [line.partition(" ")[2] for line in done.stdout.splitlines() if line.startswith("_colcon_prefix_powershell")]
-    assert [read_by_powershell(one.partition("-Value ")[2]) for one in values] == [str(install / "talks" / "here")]
-    assert [Path(read_by_powershell(one)) for one in scripts] == [share / "talks" / "more.ps1"]
+    assert [read_by_powershell(value.partition("-Value ")[2]) for value in values] == [str(install / "talks" / "here")]
+    assert [Path(read_by_powershell(script)) for script in scripts] == [share / "talks" / "more.ps1"]
 
 
 def test_cmd_is_given_a_variable_where_it_would_read_a_path_twice() -> None:

@@ -37,8 +37,8 @@ NAMES = st.one_of(
 
 def is_one_docstring(source: str) -> bool:
     """Whether a program begins with a text, and has no other expressions of its own."""
-    statements = [one for one in ast.parse(source).body if isinstance(one, ast.Expr)]
-    return all(isinstance(one.value, ast.Constant) for one in statements) and len(statements) == 1
+    statements = [statement for statement in ast.parse(source).body if isinstance(statement, ast.Expr)]
+    return all(isinstance(statement.value, ast.Constant) for statement in statements) and len(statements) == 1
 
 
 @given(NAMES)
@@ -49,15 +49,15 @@ def test_a_message_can_be_made_whatever_its_file_is_called(name: str) -> None:
 
 @given(NAMES)
 def test_the_package_of_an_interface_says_its_name_in_a_docstring(name: str) -> None:
-    made = python_files(name, [Path("a.msg"), Path("b.srv")])
-    for file, text in made.items():
+    text_by_file = python_files(name, [Path("a.msg"), Path("b.srv")])
+    for file, text in text_by_file.items():
         assert file.endswith("py.typed") or is_one_docstring(text), text
 
 
 @given(NAMES, NAMES)
 def test_texts_about_a_package_are_values_in_setup_py_and_package_xml(about: str, who: str) -> None:
     recipe = Recipe("talks", about, about, who, f"{who}@example.com", "ament_python", node_name="talk")
-    (call,) = [one.value for one in ast.parse(setup_py(recipe)).body if isinstance(one, ast.Expr)]
+    (call,) = [statement.value for statement in ast.parse(setup_py(recipe)).body if isinstance(statement, ast.Expr)]
     words = {word.arg: word.value for word in call.keywords}  # type: ignore[attr-defined]
     assert ast.literal_eval(words["description"]) == about and ast.literal_eval(words["maintainer"]) == who
     if about.isprintable() and who.isprintable():
@@ -169,8 +169,8 @@ def test_names_are_texts_in_pages(monkeypatch: pytest.MonkeyPatch, tmp_path: Pat
     notebook = tmp_path / "b<i>.ipynb"
     notebook.write_text('{"cells": [], "metadata": {"coursekit": {}}, "nbformat": 4, "nbformat_minor": 5}', encoding="utf-8")
     release([notebook], tmp_path / "a<script>x<")
-    made = (tmp_path / "a<script>x<" / "page.html").read_text(encoding="utf-8")
-    assert not {"script", "i"} & {tag for tag, _ in tags(page + made)}
+    page_text = (tmp_path / "a<script>x<" / "page.html").read_text(encoding="utf-8")
+    assert not {"script", "i"} & {tag for tag, _ in tags(page + page_text)}
 
 
 def test_a_model_of_the_database_is_asked_for_by_its_name() -> None:

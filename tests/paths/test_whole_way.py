@@ -125,9 +125,9 @@ def kernel(course: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[[
     def run(code: str) -> str:
         said: list[dict[str, Any]] = []
         client.execute_interactive(code, timeout=100, output_hook=lambda message: said.append(message["content"]))
-        errors = ["\n".join(one["traceback"]) for one in said if "traceback" in one]
-        shown = [one["data"].get("text/plain", "") for one in said if "data" in one]
-        return "".join(one.get("text", "") for one in said) + "".join([*shown, *errors])
+        errors = ["\n".join(output["traceback"]) for output in said if "traceback" in output]
+        shown = [output["data"].get("text/plain", "") for output in said if "data" in output]
+        return "".join(output.get("text", "") for output in said) + "".join([*shown, *errors])
 
     yield run
     client.stop_channels()

@@ -91,13 +91,13 @@ def test_a_program_imports_its_package_while_another_imports_something_else(tmp_
 def test_a_module_that_is_changed_twice_within_a_second_is_read_both_times(tmp_path, monkeypatch):
     """Python knows its bytecode by the second in which the source was changed, and by the source's size."""
     monkeypatch.setattr(sys, "dont_write_bytecode", False)
-    found = []
+    speeds = []
 
     def main():
         private_modules.use_private_modules(current_process(), [str(tmp_path)])
         from speeds import SPEED
 
-        found.append(SPEED)
+        speeds.append(SPEED)
 
     with Session(virtual=True).use() as session:
         for speed in (0.5, 0.6):
@@ -106,4 +106,4 @@ def test_a_module_that_is_changed_twice_within_a_second_is_read_both_times(tmp_p
             os.utime(module, (1_700_000_000, 1_700_000_000))
             process = session.start(main, name="drives")
             assert process.wait(1.0) == 0, process.output
-    assert found == [0.5, 0.6]
+    assert speeds == [0.5, 0.6]

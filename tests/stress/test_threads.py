@@ -89,7 +89,9 @@ def spin_until_interrupted():
 
 def count_objects() -> int:
     gc.collect()
-    return sum(issubclass(type(one), rclpy.node.Node) for one in gc.get_objects())  # isinstance asks dead proxies too
+    return sum(
+        issubclass(type(instance), rclpy.node.Node) for instance in gc.get_objects()
+    )  # isinstance asks dead proxies too
 
 
 @pytest.mark.parametrize("virtual", [True, pytest.param(False, marks=pytest.mark.slow)])

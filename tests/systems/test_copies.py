@@ -24,7 +24,7 @@ def test_who_looks_a_package_up_gets_files_as_new_as_their_sources(prefix):
     copies.note(prefix, "talks", {"copy.yaml": prefix.parent / "source.yaml"})
     assert prefix_of("talks") == prefix
     assert (prefix / "copy.yaml").read_text(encoding="utf-8") == "new text"
-    assert sorted(one.name for one in prefix.iterdir()) == ["copy.yaml", "share"]
+    assert sorted(path.name for path in prefix.iterdir()) == ["copy.yaml", "share"]
 
 
 def test_a_copy_that_is_newer_stays(prefix):

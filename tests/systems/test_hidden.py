@@ -22,7 +22,7 @@ def test_on_windows_no_dot_hides_a_file_that_is_being_written(tmp_path, monkeypa
     monkeypatch.setattr(files, "WINDOWS", windows)
     monkeypatch.setattr(tempfile, "mkstemp", made)
     write_whole(tmp_path / "room.yaml", "image: room.pgm\n")
-    assert [name[0] for name in names] == [first] and [one.name for one in tmp_path.iterdir()] == ["room.yaml"]
+    assert [name[0] for name in names] == [first] and [path.name for path in tmp_path.iterdir()] == ["room.yaml"]
 
 
 @pytest.mark.skipif(not files.WINDOWS, reason="only Windows marks files as hidden")

@@ -25,5 +25,5 @@ def test_a_child_reads_and_writes_pipes_that_it_is_given():
         child.communicate()
         assert child.returncode == 0
     finally:
-        for one in (*there, *back):
-            os.close(one)
+        for descriptor in (*there, *back):
+            os.close(descriptor)

@@ -27,14 +27,14 @@ class Console:
 @pytest.fixture
 def typed(monkeypatch):
     """What is still to be typed at a console that has this test's standard input."""
-    one, (read, write) = Console(), os.pipe()
+    fake_console, (read, write) = Console(), os.pipe()
     os.write(write, b"a line\n")
-    monkeypatch.setattr(console, "_msvcrt", lambda: one)
+    monkeypatch.setattr(console, "_msvcrt", lambda: fake_console)
     monkeypatch.setattr(console, "is_there", lambda number: True)
     monkeypatch.setattr(keyboard, "termios", None)
     with os.fdopen(read, encoding="utf-8") as stdin:
         monkeypatch.setattr(sys, "stdin", stdin)
-        yield one.typed
+        yield fake_console.typed
     os.close(write)
 
 

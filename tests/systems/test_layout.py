@@ -13,9 +13,9 @@ def windows(monkeypatch):
 
 
 def test_a_name_stands_for_an_exe_on_windows_only(windows, monkeypatch):
-    assert [one.name for one in layout.executable_files(Path("lib"), "talker")] == ["talker", "talker.exe"]
+    assert [file.name for file in layout.executable_files(Path("lib"), "talker")] == ["talker", "talker.exe"]
     monkeypatch.setattr(which, "WINDOWS", False)
-    assert [one.name for one in layout.executable_files(Path("lib"), "talker")] == ["talker"]
+    assert [file.name for file in layout.executable_files(Path("lib"), "talker")] == ["talker"]
 
 
 def test_an_exe_of_setuptools_is_its_script_and_any_other_is_itself(tmp_path):

@@ -21,9 +21,9 @@ def ignores_case(monkeypatch):
             return real(path, *words, **named)
         except FileNotFoundError:
             folder, name = os.path.split(os.fspath(path))
-            for one in os.listdir(folder or "."):
-                if one.casefold() == name.casefold():
-                    return real(os.path.join(folder, one), *words, **named)
+            for entry in os.listdir(folder or "."):
+                if entry.casefold() == name.casefold():
+                    return real(os.path.join(folder, entry), *words, **named)
             raise
 
     def exists(path):

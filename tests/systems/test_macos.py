@@ -89,8 +89,8 @@ def test_a_workspace_below_such_a_folder_is_built_found_and_launched(link, words
     said = type_in(link.parent, "cd tmp/ws; colcon build $1", words)
     assert "2 packages finished" in said, said
     begin = "cd tmp/ws; . install/setup.bash; "
-    found = type_in(link.parent, begin + "ros2 pkg prefix talks").strip()
-    assert os.path.samefile(found, link / "ws" / "install" / "talks")
+    prefix = type_in(link.parent, begin + "ros2 pkg prefix talks").strip()
+    assert os.path.samefile(prefix, link / "ws" / "install" / "talks")
     said = type_in(link.parent, begin + "ros2 launch talks all.launch.py")
     assert "told by" in said and "Map saved" in said, said
     said = type_in(link.parent, begin + "ros2 run talks talk")

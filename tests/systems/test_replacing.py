@@ -40,7 +40,7 @@ def test_who_reads_on_is_told_of_and_the_old_file_stays_whole(tmp_path, open_els
     open_elsewhere(1000)
     with pytest.raises(PermissionError, match="Another program has the file open: close it, and try again"):
         write_whole(tmp_path / "room.yaml", "new")
-    assert [(one.name, one.read_text()) for one in tmp_path.iterdir()] == [("room.yaml", "old")]
+    assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("room.yaml", "old")]
 
 
 def test_elsewhere_a_refusal_is_told_at_once_as_the_system_tells_it(tmp_path, open_elsewhere, monkeypatch):

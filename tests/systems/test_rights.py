@@ -51,8 +51,10 @@ def test_on_windows_a_file_in_such_a_folder_is_for_this_user_only(tmp_path):
 
 @posix("modes are its way")
 def test_a_file_is_for_this_user_only_before_anything_is_in_it(tmp_path, monkeypatch):
-    made = []
-    monkeypatch.setattr(os, "open", lambda path, *words, real=os.open: made.append(real(path, *words)) or made[-1])
+    descriptors = []
+    monkeypatch.setattr(
+        os, "open", lambda path, *words, real=os.open: descriptors.append(real(path, *words)) or descriptors[-1]
+    )
     real_fdopen = os.fdopen
     monkeypatch.setattr(os, "fdopen", lambda number, *words, **named: look(number) and real_fdopen(number, *words, **named))
 
@@ -67,7 +69,7 @@ def test_a_file_is_for_this_user_only_before_anything_is_in_it(tmp_path, monkeyp
         rights.write_text(tmp_path / "token", "another")
     finally:
         os.umask(before)
-    assert len(made) == 2 and (tmp_path / "token").read_text(encoding="utf-8") == "another"
+    assert len(descriptors) == 2 and (tmp_path / "token").read_text(encoding="utf-8") == "another"
 
 
 @posix("links that somebody else can make are its own")

@@ -45,12 +45,12 @@ def test_a_version_is_asked_for_in_marks_that_every_shell_knows(monkeypatch):
 
 
 def test_no_message_has_words_of_one_system_only():
-    files = [one for one in sorted((ROOT / "coursekit").rglob("*.py")) if one.relative_to(ROOT).as_posix() not in PLACES]
-    found = [
+    files = [path for path in sorted((ROOT / "coursekit").rglob("*.py")) if path.relative_to(ROOT).as_posix() not in PLACES]
+    places = [
         f"{file.relative_to(ROOT)}:{number}: {line.strip()}"
         for file in files
         if "share" not in file.parts and "chapters" not in file.parts
         for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1)
         if _ONLY_ONE_SYSTEM.search(line) and '"""' not in line
     ]
-    assert not found, "ask coursekit.systems.typed in:\n" + "\n".join(found)
+    assert not places, "ask coursekit.systems.typed in:\n" + "\n".join(places)

@@ -25,7 +25,7 @@ def _start(session: Session, name: str) -> object:
 
 
 def _ended(*processes: object) -> list[tuple[int, str]]:
-    return [(one.wait(30.0), one.output) for one in processes]  # type: ignore[attr-defined]
+    return [(process.wait(30.0), process.output) for process in processes]  # type: ignore[attr-defined]
 
 
 def _until(session: Session, process: object, text: str, seconds: float) -> None:
@@ -39,8 +39,8 @@ def _pair(session: Session) -> list[tuple[int, str]]:
     """A talker and a listener until Ctrl-C."""
     both = [_start(session, "talker"), _start(session, "listener")]
     _until(session, both[1], "heard", 1.6)
-    for one in both:
-        one.interrupt()  # type: ignore[attr-defined]
+    for process in both:
+        process.interrupt()  # type: ignore[attr-defined]
     return _ended(*both)
 
 
@@ -52,10 +52,10 @@ def _threads(session: Session) -> list[tuple[int, str]]:
 def _interrupted(session: Session) -> list[tuple[int, str]]:
     """Ctrl-C for one that does not catch it, and for one that computes."""
     both = [_start(session, "plain"), _start(session, "busy")]
-    for one in both:
-        _until(session, one, "begun", 0.5)
-    for one in both:
-        one.interrupt()  # type: ignore[attr-defined]
+    for process in both:
+        _until(session, process, "begun", 0.5)
+    for process in both:
+        process.interrupt()  # type: ignore[attr-defined]
     return _ended(*both)
 
 

@@ -71,7 +71,9 @@ def add_system_calls() -> None:
 def _exports(name: str, ours: set[str], library: str, theirs: set[str]) -> Path:
     """What a library of ours offers: functions of its own, and those of one of Wine's that it passes on."""
     file = HOME / name
-    lines = [f"  {one}=shim_{one}" for one in sorted(ours)] + [f"  {one}={library}.{one}" for one in sorted(theirs)]
+    lines = [f"  {symbol}=shim_{symbol}" for symbol in sorted(ours)] + [
+        f"  {symbol}={library}.{symbol}" for symbol in sorted(theirs)
+    ]
     file.write_text("\n".join(["EXPORTS", *lines, ""]), encoding="utf-8")
     return file
 
@@ -97,8 +99,8 @@ def _imports(libraries: tuple[bytes, ...], *patterns: str) -> dict[Path, set[str
     files = [file for file in every if any(name in file.read_bytes() for name in libraries)]
     names = b" ".join(libraries).decode()
     said = subprocess.run([_tools, "-c", _IMPORTS, names, *files], check=True, stdout=subprocess.PIPE).stdout
-    found = (line.split("|") for line in said.decode().splitlines())
-    return {Path(file): set(functions) for file, *functions in found}
+    rows = (line.split("|") for line in said.decode().splitlines())
+    return {Path(file): set(functions) for file, *functions in rows}
 
 
 def _link(name: str, *words: Path | str) -> None:

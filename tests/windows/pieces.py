@@ -104,15 +104,15 @@ def slow(name: str) -> Piece:
 
 def every_room() -> list[str]:
     """The folders of tests that can run in Wine."""
-    folders = sorted(one.name for one in (wine.ROOT / "tests").iterdir() if any(one.glob("test_*.py")))
+    folders = sorted(path.name for path in (wine.ROOT / "tests").iterdir() if any(path.glob("test_*.py")))
     return [name for name in folders if name not in NOT_IN_WINE]
 
 
 def everything() -> list[Piece | FromOutside]:
     """All chapters and tests, the quickest to tell something first; the docstrings' examples are tests, too."""
     rooms = every_room()
-    loose = tuple(f"tests/{one.name}" for one in sorted((wine.ROOT / "tests").glob("test_*.py")))
-    beside = [Piece("files", loose), Piece("docstrings", ("coursekit",), tuple(f"--ignore={one}" for one in LINUX_SAYS))]
+    loose = tuple(f"tests/{path.name}" for path in sorted((wine.ROOT / "tests").glob("test_*.py")))
+    beside = [Piece("files", loose), Piece("docstrings", ("coursekit",), tuple(f"--ignore={path}" for path in LINUX_SAYS))]
     return [*map(chapter, EVERY_CHAPTER), *OUTSIDE, *map(fast, rooms), *beside, *map(slow, rooms)]
 
 
@@ -132,7 +132,7 @@ _LONG = ("test_completion.py", "test_neighbours.py")
 _FILES_OF_A_CLASS = ("collecting", "container", "exchange", "handing_back", "handing_in", "release", "review")
 IN_CI = [
     fast("core"), fast("systems"), chapters("0", "1"), fast("launch"), fast("packages", *_BUILDS), chapters("2", "5", "8"),
-    Piece("files of a class", tuple(f"tests/grade/test_{one}.py" for one in _FILES_OF_A_CLASS), ("-m", "not slow")),
+    Piece("files of a class", tuple(f"tests/grade/test_{name}.py" for name in _FILES_OF_A_CLASS), ("-m", "not slow")),
     fast("lab"), fast("cli", *_LONG), fast("joined"), fast("bag"), fast("urdf"), fast("interfaces"), fast("processes"),
     fast("rcl"), fast("conformance"), fast("tf"), fast("ros"), fast("nodes"), fast("launch_testing"), fast("net"),
     fast("tutorials"),

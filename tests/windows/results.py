@@ -32,7 +32,7 @@ class Result:
         failed, skipped = len(self.failed), self.skipped.total()
         total = self.passed + failed + skipped
         lines = [f"{self.name:<16} {self.passed:5} of {total} passed, {failed} failed, {skipped} skipped"]
-        lines += [f"    FAILED {one}" for one in self.failed]
+        lines += [f"    FAILED {test_name}" for test_name in self.failed]
         lines += [f"    {count} skipped: {why}" for why, count in sorted(self.skipped.items())]
         return "\n".join(lines)
 

@@ -48,7 +48,7 @@ def _install(*words: str) -> None:
 
 def _test_packages() -> list[str]:
     wanted = _project()["optional-dependencies"]["test"]
-    return [one for one in wanted if not one.startswith(ONLY_OUTSIDE)]
+    return [requirement for requirement in wanted if not requirement.startswith(ONLY_OUTSIDE)]
 
 
 def _project() -> dict[str, Any]:
@@ -61,5 +61,5 @@ def _state(version: str) -> str:
     here = wine.ROOT / "tests" / "windows"
     makers = [*here.glob("*.c"), here / "lacking.py", here / "setup.py", here / "windows_python.py"]
     files = [wine.ROOT / "requirements.lock", *sorted(makers)]
-    said = [version.encode(), str(wine.ROOT).encode(), repr(_project()).encode(), *(one.read_bytes() for one in files)]
+    said = [version.encode(), str(wine.ROOT).encode(), repr(_project()).encode(), *(file.read_bytes() for file in files)]
     return hashlib.sha256(b"".join(said)).hexdigest()

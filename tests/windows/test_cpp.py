@@ -141,7 +141,7 @@ def story(prefix: Path, clock: str, name: str) -> list[tuple[int, str]]:
 
 
 def test_a_package_installs_programs_of_windows(prefix: Path) -> None:
-    names = sorted(one.name for one in (prefix / "lib" / "far").iterdir())
+    names = sorted(path.name for path in (prefix / "lib" / "far").iterdir())
     assert names == sorted(f"{name}.exe" for name in PROGRAMS)
 
 

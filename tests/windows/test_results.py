@@ -52,7 +52,7 @@ def test_every_chapter_and_every_folder_of_tests_is_a_piece():
 
 def test_each_notebook_is_a_chapter_by_its_number_or_letter():
     files = {path for name in pieces.EVERY_CHAPTER for path in pieces.chapter(name).paths}
-    assert files == {f"notebooks/{one.name}" for one in (wine.ROOT / "notebooks").glob("*.ipynb")}
+    assert files == {f"notebooks/{path.name}" for path in (wine.ROOT / "notebooks").glob("*.ipynb")}
     assert [piece.name for piece in pieces.named(["chapter 10", "chapter 1"])] == ["chapter 10", "chapter 1"]
 
 

@@ -38,8 +38,8 @@ def version() -> int:
     if not is_there():
         return 0
     done = subprocess.run(["wine", "--version"], env=environment(), stdout=subprocess.PIPE, encoding="utf-8", check=False)
-    found = re.search(r"wine-(\d+)", done.stdout)
-    return int(found[1]) if found else 0
+    match = re.search(r"wine-(\d+)", done.stdout)
+    return int(match[1]) if match else 0
 
 
 def windows_path(path: Path) -> str:

@@ -18,8 +18,8 @@ def in_spanish(monkeypatch):
 
 
 def test_every_word_has_its_spanish_and_no_other_is_there():
-    assert sorted(one.msgid for one in SPANISH) == sorted(spoken())
-    assert [one.msgid for one in SPANISH if not one.msgstr.strip()] == []
+    assert sorted(entry.msgid for entry in SPANISH) == sorted(spoken())
+    assert [entry.msgid for entry in SPANISH if not entry.msgstr.strip()] == []
 
 
 @pytest.mark.parametrize("entry", SPANISH, ids=lambda one: one.msgid[:40])

@@ -19,8 +19,8 @@ from tests.cli.bag.stage import Stage, write
 def session(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Session]:
     """A session on the virtual clock, in a folder of its own."""
     monkeypatch.chdir(tmp_path)
-    with Session(virtual=True).use() as made:
-        yield made
+    with Session(virtual=True).use() as virtual_session:
+        yield virtual_session
 
 
 @pytest.fixture
@@ -34,9 +34,9 @@ def node(session: Session) -> Iterator[Any]:
     """A node that publishes what a test wants."""
     context = rclpy.context.Context()
     rclpy.init(context=context)
-    made = rclpy.create_node("speaker", context=context)
-    yield made
-    made.destroy_node()
+    speaker = rclpy.create_node("speaker", context=context)
+    yield speaker
+    speaker.destroy_node()
     rclpy.try_shutdown(context=context)
 
 

@@ -155,8 +155,8 @@ def test_two_runs_are_the_same(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
             recorder.interrupt()
             recorder.wait(1)
             outputs.append((recorder.output, all_of("again"), Path("again/again_0.db3").stat().st_size))
-        for one in Path("again").iterdir():
-            one.unlink()
+        for path in Path("again").iterdir():
+            path.unlink()
         Path("again").rmdir()
     assert outputs[0] == outputs[1]
 

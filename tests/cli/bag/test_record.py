@@ -114,7 +114,7 @@ def test_topics_are_chosen_as_the_flags_say(
     session.clock.sleep(0.5)
     stop(session, recorder)
     with Reader("talk") as judge:
-        assert {one.topic for one in judge.connections} == topics
+        assert {connection.topic for connection in judge.connections} == topics
 
 
 def test_a_hidden_topic_is_passed_over_with_a_word(session: Session, ros2: Callable[[str], Any], node: Any) -> None:
@@ -157,9 +157,9 @@ def test_a_bag_is_split_by_time_and_the_split_is_told(session: Session, ros2: Ca
     executor.spin_once(timeout_sec=0)
     stop(session, recorder)
     first, second, third = (str(Path("talk", f"talk_{number}.db3")) for number in range(3))
-    assert [(one.closed_file, one.opened_file) for one in heard] == [(first, second), (second, third)]
+    assert [(event.closed_file, event.opened_file) for event in heard] == [(first, second), (second, third)]
     files = yaml.safe_load(Path("talk/metadata.yaml").read_text(encoding="utf-8"))["rosbag2_bagfile_information"]["files"]
-    assert [one["message_count"] for one in files] == [3, 3, 1]
+    assert [file["message_count"] for file in files] == [3, 3, 1]
 
 
 def test_snapshots_are_taken_by_a_service(session: Session, ros2: Callable[[str], Any]) -> None:
@@ -235,7 +235,7 @@ def test_what_cannot_be_is_refused_in_humbles_words(ros2: Callable[[str], Any], 
     assert process.wait(5) == 1
     last = process.output.splitlines()[-1]
     assert last.startswith("[ERROR] [ros2bag]: ") and text in last
-    assert {one.name for one in Path().iterdir()} == {"there", "bad.yaml"}
+    assert {path.name for path in Path().iterdir()} == {"there", "bad.yaml"}
 
 
 def test_a_launch_file_records_until_its_ctrl_c(session: Session, ros2: Callable[[str], Any]) -> None:

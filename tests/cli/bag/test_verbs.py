@@ -41,7 +41,7 @@ def test_a_bag_is_shown_in_humbles_layout(stage: Stage, monkeypatch: pytest.Monk
     if hasattr(time, "tzset"):  # Windows keeps the zone that the program began with
         time.tzset()
     write("long", 7, max_file_seconds=3, storage_id="sqlite3")
-    size = sum(one.stat().st_size for one in Path("long").iterdir()) / 1024
+    size = sum(path.stat().st_size for path in Path("long").iterdir()) / 1024
     assert stage.ask("bag info long") == (
         "\n"
         "Files:             long_0.db3\n"

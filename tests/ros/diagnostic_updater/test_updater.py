@@ -91,8 +91,8 @@ def test_a_task_without_words_and_a_task_that_was_removed(stage):
 
 def test_a_composite_task_is_as_ill_as_its_worst(stage):
     together = CompositeDiagnosticTask("both")
-    for one in (status(OK, "fine"), status(ERROR, "broken")):
-        together.addTask(FunctionDiagnosticTask(one.message, lambda stat, one=one: one))
+    for part in (status(OK, "fine"), status(ERROR, "broken")):
+        together.addTask(FunctionDiagnosticTask(part.message, lambda stat, part=part: part))
     stage.updater.add(together)
     stage.spin(1.05)
     assert (stage.told[-1].status[0].level, stage.told[-1].status[0].message) == (ERROR, "broken")

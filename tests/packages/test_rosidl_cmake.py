@@ -170,6 +170,7 @@ TEST(Length, comes)
 
 @pytest.mark.skipif(not os.path.isfile("/usr/include/gtest/gtest.h"), reason="needs libgtest-dev")
 def test_interfaces_that_are_not_installed_serve_the_package_s_own_tests(tmp_path):
+    compiler_or_skip()
     files = {"CMakeLists.txt": TESTED, "msg/Length.msg": "float32 metres\n", "test_length.cpp": TEST}
     package(tmp_path, "tested", files, depend="rclcpp")
     assert colcon(tmp_path, "build").returncode == 0

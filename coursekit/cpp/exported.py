@@ -50,6 +50,7 @@ EXPORTED = {
     "rclcpp_lifecycle std_srvs tf2 tf2_geometry_msgs tf2_ros",
     "transmission_interface": "hardware_interface pluginlib rclcpp",
     "generate_parameter_library": "parameter_traits rclcpp rclcpp_lifecycle rsl tcb_span tl_expected",
+    "behaviortree_cpp_v3": "ament_index_cpp",
     "class_loader": "console_bridge rcpputils",
     "pluginlib": "ament_index_cpp class_loader rcpputils rcutils",
     "urdf": "pluginlib urdf_parser_plugin urdfdom urdfdom_headers",
@@ -60,7 +61,10 @@ EXPORTED = {
 """The exports of upstream's packages; an interface package exports the dependencies in its package.xml."""
 HUMBLE = "16.0.11"
 """The version of rclcpp and its companions."""
-VERSIONS = dict.fromkeys(("rclcpp", "rclcpp_action", "rclcpp_components", "rclcpp_lifecycle"), HUMBLE) | {"OpenCV": "4.5.4"}
+VERSIONS = dict.fromkeys(("rclcpp", "rclcpp_action", "rclcpp_components", "rclcpp_lifecycle"), HUMBLE) | {
+    "OpenCV": "4.5.4",
+    "behaviortree_cpp_v3": "3.8.6",
+}
 """The versions of packages without a folder in the underlay's share, for find_package() with a version."""
 
 

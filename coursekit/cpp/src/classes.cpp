@@ -56,11 +56,11 @@ bool enter(const std::string & base, const std::string & name, Maker maker)
   std::lock_guard<std::recursive_mutex> hold(known().lock);
   return known().makers[known().loading][base].emplace(name, std::move(maker)).second;
 }
-void load(const std::string & path)
+void * load(const std::string & path)
 {
   std::lock_guard<std::recursive_mutex> hold(known().lock);
   if (path.empty() || known().loaded.count(path)) {
-    return;
+    return path.empty() ? nullptr : known().loaded[path];
   }
   const std::string file = found(path);
   if (is_of_another_age(file)) {
@@ -75,7 +75,7 @@ void load(const std::string & path)
   if (!library) {
     throw LibraryLoadException("Could not load library " + path + ": " + reason);
   }
-  known().loaded[path] = library;
+  return known().loaded[path] = library;
 }
 std::vector<std::string> names(const std::string & base, const std::string & library)
 {

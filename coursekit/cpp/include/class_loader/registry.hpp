@@ -12,8 +12,8 @@ using Maker = std::function<void * ()>;
 
 /// Enter a class of the library that is loading, or of the program itself, whose library is "".
 bool enter(const std::string & base, const std::string & name, Maker maker);
-/// Load a library's code; nothing where it is loaded. Throws LibraryLoadException.
-void load(const std::string & path);
+/// Load a library's code, once, and return the system's handle of it. Throws LibraryLoadException.
+void * load(const std::string & path);
 /// The names of the classes of a base class that a library entered, sorted.
 std::vector<std::string> names(const std::string & base, const std::string & library);
 /// What makes a class of a library; an empty function where there is none.

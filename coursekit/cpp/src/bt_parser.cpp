@@ -1,0 +1,402 @@
+// Trees from their descriptions in XML.
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <list>
+#include <map>
+#include <set>
+
+#include "ament_index_cpp/get_package_share_directory.hpp"
+#include "behaviortree_cpp_v3/xml_parsing.h"
+#include "xml.hpp"
+
+namespace BT
+{
+namespace
+{
+namespace fs = std::filesystem;
+using coursekit::xml::Element;
+using Types = std::unordered_map<std::string, NodeType>;
+
+[[noreturn]] void fail(const Element & at, const std::string & why)
+{
+  throw RuntimeError("Error at line ", std::to_string(at.line), ": -> ", why);
+}
+Element read_xml(const std::string & text)
+{
+  try {
+    return coursekit::xml::read(text);
+  } catch (const coursekit::xml::Error & error) {
+    throw RuntimeError("Error parsing the XML: ", error.what());
+  }
+}
+Element read_file(const fs::path & path)
+{
+  std::ifstream file(path, std::ios::binary);
+  if (!file || !fs::is_regular_file(path)) {
+    throw RuntimeError("Error parsing the XML: XML_ERROR_FILE_NOT_FOUND: ", path.string());
+  }
+  try {
+    return read_xml({std::istreambuf_iterator<char>(file), {}});
+  } catch (const RuntimeError & error) {
+    throw RuntimeError(error.what(), " (", path.string(), ")");
+  }
+}
+/// Whether it stands for a node whose name is its ID.
+bool is_explicit(const std::string & name)
+{
+  return name == "Action" || name == "Condition" || name == "Control" || name == "Decorator";
+}
+void verify_count(const Element & element, NodeType type)
+{
+  const size_t count = element.children.size();
+  const std::string node = "The node <" + element.name + "> must ";
+  if (type == NodeType::DECORATOR && count != 1) {
+    fail(element, node + "have exactly 1 child");
+  }
+  if (is_explicit(element.name) && type == NodeType::CONTROL && count == 0) {
+    fail(element, node + "have at least 1 child");
+  }
+  if (is_explicit(element.name) && (type == NodeType::ACTION || type == NodeType::CONDITION) && count != 0) {
+    fail(element, node + "not have any child");
+  }
+}
+void verify_node(const Element & element, const Types & types)
+{
+  const std::string & name = element.name;
+  if ((is_explicit(name) || name == "SubTree") && !element.attribute("ID")) {
+    fail(element, "The node <" + name + "> must have the attribute [ID]");
+  }
+  if (name == "SubTree" && !element.children.empty()) {
+    const bool remaps = element.children.front().name == "remap";
+    fail(element, remaps ? "<remap> was deprecated" : "<SubTree> should not have any child");
+  }
+  if (is_explicit(name)) {
+    verify_count(element, convertFromString<NodeType>(name));
+  } else if (name == "Sequence" || name == "SequenceStar" || name == "Fallback") {
+    if (element.children.empty()) {
+      fail(element, "A Control node must have at least 1 child");
+    }
+  } else if (name != "SubTree") {
+    auto found = types.find(name);
+    if (found == types.end()) {
+      fail(element, "Node not recognized: " + name);
+    }
+    verify_count(element, found->second);
+  }
+  for (const Element & child : element.children) {
+    verify_node(child, types);
+  }
+}
+void verify(const Element & root, const Types & types)
+{
+  if (root.name != "root") {
+    throw RuntimeError("The XML must have a root node called <root>");
+  }
+  size_t models = 0;
+  for (const Element & child : root.children) {
+    models += child.name == "TreeNodesModel";
+    if (child.name == "TreeNodesModel" && models > 1) {
+      fail(child, " Only a single node <TreeNodesModel> is supported");
+    }
+    if (child.name == "BehaviorTree") {
+      if (child.children.size() != 1) {
+        fail(child, "The node <BehaviorTree> must have exactly 1 child");
+      }
+      verify_node(child.children.front(), types);
+    }
+  }
+}
+/// The keys that the ports of a tree's nodes are remapped to.
+void collect_keys(const Element & element, std::set<std::string> & keys)
+{
+  for (auto & attribute : element.attributes) {
+    if (!IsReservedPortname(attribute.first) && TreeNode::isBlackboardPointer(attribute.second)) {
+      keys.emplace(TreeNode::stripBlackboardPointer(attribute.second));
+    }
+  }
+  for (const Element & child : element.children) {
+    collect_keys(child, keys);
+  }
+}
+}  // namespace
+
+struct XMLParser::Pimpl
+{
+  explicit Pimpl(const BehaviorTreeFactory & factory)
+  : factory(factory) {}
+
+  const BehaviorTreeFactory & factory;
+  std::list<Element> documents;
+  std::map<std::string, const Element *> trees;
+  fs::path folder = fs::current_path();
+  int unnamed = 0;
+  std::set<std::string> open;  // the trees that a subtree being made is in
+
+  void load(Element document, bool add_includes);
+  void include(const Element & element);
+  std::string main_tree() const;
+  void declare_ports(const Element & element, const TreeNodeManifest & manifest, Blackboard & blackboard) const;
+  NodeConfiguration configured(
+    const Element & element, const TreeNodeManifest & manifest, const Blackboard::Ptr & blackboard) const;
+  TreeNode::Ptr make_node(const Element & element, const Blackboard::Ptr & blackboard) const;
+  void add_tree(const std::string & id, Tree & tree, const Blackboard::Ptr & blackboard, TreeNode * parent);
+  void add_node(const Element & element, Tree & tree, const Blackboard::Ptr & blackboard, TreeNode * parent);
+  Blackboard::Ptr blackboard_of_subtree(const Element & element, Tree & tree, const Blackboard::Ptr & outer) const;
+  void remap_plus(const Element & element, Blackboard & inner) const;
+  const Element & root_of(const std::string & id) const;
+};
+
+void XMLParser::Pimpl::load(Element document, bool add_includes)
+{
+  documents.push_back(std::move(document));
+  const Element & root = documents.back();
+  for (const Element & child : root.children) {
+    if (add_includes && child.name == "include") {
+      include(child);
+    }
+  }
+  Types types;
+  for (auto & manifest : factory.manifests()) {
+    types.emplace(manifest.first, manifest.second.type);
+  }
+  verify(root, types);
+  for (const Element & child : root.children) {
+    if (child.name == "BehaviorTree") {
+      const std::string * id = child.attribute("ID");
+      trees.emplace(id ? *id : "BehaviorTree_" + std::to_string(unnamed++), &child);
+    }
+  }
+}
+void XMLParser::Pimpl::include(const Element & element)
+{
+  const std::string * path = element.attribute("path"), * package = element.attribute("ros_pkg");
+  if (!path) {
+    fail(element, "The node <include> must have the attribute [path]");
+  }
+  fs::path file = *path;
+  if (package && file.is_absolute()) {
+    std::cout << "WARNING: <include path=\"...\"> contains an absolute path.\nAttribute [ros_pkg] will be ignored." <<
+      std::endl;
+  } else if (package) {
+    file = fs::path(ament_index_cpp::get_package_share_directory(*package)) / file;
+  }
+  file = folder / file;
+  const fs::path before = std::exchange(folder, file.parent_path());
+  load(read_file(file), true);
+  folder = before;
+}
+std::string XMLParser::Pimpl::main_tree() const
+{
+  const std::string * named = documents.empty() ? nullptr : documents.front().attribute("main_tree_to_execute");
+  if (!named && trees.size() != 1) {
+    throw RuntimeError("[main_tree_to_execute] was not specified correctly");
+  }
+  return named ? *named : trees.begin()->first;
+}
+const Element & XMLParser::Pimpl::root_of(const std::string & id) const
+{
+  auto found = trees.find(id);
+  if (found == trees.end()) {
+    throw std::runtime_error("Can't find a tree with name: " + id);
+  }
+  return found->second->children.front();
+}
+
+void XMLParser::Pimpl::declare_ports(
+  const Element & element, const TreeNodeManifest & manifest, Blackboard & blackboard) const
+{
+  for (auto & attribute : element.attributes) {
+    auto port = manifest.ports.find(attribute.first);
+    const auto pointed = TreeNode::getRemappedKey(attribute.first, attribute.second);
+    if (port == manifest.ports.end() || !pointed) {
+      continue;
+    }
+    const std::string key(*pointed);
+    const PortInfo * before = blackboard.portInfo(key);
+    const std::type_info * type = port->second.type();
+    if (!before) {
+      blackboard.setPortInfo(key, port->second);
+    } else if (before->type() && type && *before->type() != *type) {
+      blackboard.debugMessage();
+      throw RuntimeError(
+              "The creation of the tree failed because the port [", key, "] was initially created with type [",
+              demangle(before->type()), "] and, later type [", demangle(type), "] was used somewhere else.");
+    }
+  }
+}
+NodeConfiguration XMLParser::Pimpl::configured(
+  const Element & element, const TreeNodeManifest & manifest, const Blackboard::Ptr & blackboard) const
+{
+  NodeConfiguration config;
+  config.blackboard = blackboard;
+  for (auto & port : manifest.ports) {
+    const std::string * given = element.attribute(port.first);
+    const PortDirection direction = port.second.direction();
+    const std::string & otherwise = port.second.defaultValue();
+    if (direction != PortDirection::OUTPUT && (given || !otherwise.empty())) {
+      config.input_ports.emplace(port.first, given ? *given : otherwise);
+    }
+    if (direction != PortDirection::INPUT && given) {
+      config.output_ports.emplace(port.first, *given);
+    }
+  }
+  return config;
+}
+TreeNode::Ptr XMLParser::Pimpl::make_node(const Element & element, const Blackboard::Ptr & blackboard) const
+{
+  const std::string id = is_explicit(element.name) ? *element.attribute("ID") : element.name;
+  const bool subtree = id == "SubTree" || id == "SubTreePlus";
+  const std::string * named = element.attribute(subtree ? "ID" : "name");
+  if (subtree && !named) {
+    fail(element, "The node <" + id + "> must have the attribute [ID]");
+  }
+  const std::string name = named ? *named : id;
+  auto found = factory.manifests().find(id);
+  if (found == factory.manifests().end()) {
+    throw RuntimeError(id, " is not a registered node, nor a Subtree");
+  }
+  if (subtree) {
+    return factory.instantiateTreeNode(name, id, configured({}, {}, blackboard));
+  }
+  const TreeNodeManifest & manifest = found->second;
+  for (auto & attribute : element.attributes) {
+    if (!IsReservedPortname(attribute.first) && !manifest.ports.count(attribute.first)) {
+      throw RuntimeError(
+              "Possible typo? In the XML, you tried to remap port \"", attribute.first, "\" in node [", id, " / ", name,
+              "], but the manifest of this node does not contain a port with this name.");
+    }
+  }
+  declare_ports(element, manifest, *blackboard);
+  return factory.instantiateTreeNode(name, id, configured(element, manifest, blackboard));
+}
+
+void XMLParser::Pimpl::add_tree(
+  const std::string & id, Tree & tree, const Blackboard::Ptr & blackboard, TreeNode * parent)
+{
+  if (!open.insert(id).second) {
+    throw RuntimeError("The tree [", id, "] contains itself as a subtree");
+  }
+  add_node(root_of(id), tree, blackboard, parent);
+  open.erase(id);
+}
+void XMLParser::Pimpl::add_node(
+  const Element & element, Tree & tree, const Blackboard::Ptr & blackboard, TreeNode * parent)
+{
+  const TreeNode::Ptr node = make_node(element, blackboard);
+  tree.nodes.push_back(node);
+  if (auto control = dynamic_cast<ControlNode *>(parent)) {
+    control->addChild(node.get());
+  } else if (auto decorator = dynamic_cast<DecoratorNode *>(parent)) {
+    decorator->setChild(node.get());
+  }
+  if (node->type() == NodeType::SUBTREE) {
+    return add_tree(node->name(), tree, blackboard_of_subtree(element, tree, blackboard), node.get());
+  }
+  for (const Element & child : element.children) {
+    add_node(child, tree, blackboard, node.get());
+  }
+}
+Blackboard::Ptr XMLParser::Pimpl::blackboard_of_subtree(
+  const Element & element, Tree & tree, const Blackboard::Ptr & outer) const
+{
+  const std::string * shared = element.attribute("__shared_blackboard");
+  const bool plus = element.name == "SubTreePlus";
+  if (!plus && shared && convertFromString<bool>(*shared)) {
+    return outer;
+  }
+  auto inner = Blackboard::create(outer);
+  tree.blackboard_stack.push_back(inner);
+  if (plus) {
+    remap_plus(element, *inner);
+    return inner;
+  }
+  for (auto & attribute : element.attributes) {
+    if (!IsReservedPortname(attribute.first)) {
+      inner->addSubtreeRemapping(attribute.first, attribute.second);
+    }
+  }
+  return inner;
+}
+void XMLParser::Pimpl::remap_plus(const Element & element, Blackboard & inner) const
+{
+  std::set<std::string> keys, mapped;
+  for (auto & attribute : element.attributes) {
+    if (attribute.first == "__autoremap") {
+      if (convertFromString<bool>(attribute.second)) {
+        collect_keys(root_of(*element.attribute("ID")), keys);
+      }
+    } else if (!IsReservedPortname(attribute.first)) {
+      mapped.insert(attribute.first);
+      if (TreeNode::isBlackboardPointer(attribute.second)) {
+        inner.addSubtreeRemapping(attribute.first, TreeNode::stripBlackboardPointer(attribute.second));
+      } else {
+        inner.set(attribute.first, attribute.second);
+      }
+    }
+  }
+  for (auto & key : keys) {
+    if (!mapped.count(key)) {
+      inner.addSubtreeRemapping(key, key);
+    }
+  }
+}
+
+XMLParser::XMLParser(const BehaviorTreeFactory & factory)
+: _p(std::make_unique<Pimpl>(factory)) {}
+XMLParser::~XMLParser() = default;
+
+void XMLParser::loadFromFile(const std::string & filename, bool add_includes)
+{
+  _p->folder = fs::absolute(filename).parent_path();
+  _p->load(read_file(filename), add_includes);
+}
+void XMLParser::loadFromText(const std::string & xml_text, bool add_includes)
+{
+  _p->load(read_xml(xml_text), add_includes);
+}
+std::vector<std::string> XMLParser::registeredBehaviorTrees() const
+{
+  std::vector<std::string> names;
+  for (auto & tree : _p->trees) {
+    names.push_back(tree.first);
+  }
+  return names;
+}
+Tree XMLParser::instantiateTree(const Blackboard::Ptr & root_blackboard, std::string main_tree_to_execute)
+{
+  const std::string name = main_tree_to_execute.empty() ? _p->main_tree() : main_tree_to_execute;
+  if (!root_blackboard) {
+    throw RuntimeError("XMLParser::instantiateTree needs a non-empty root_blackboard");
+  }
+  Tree tree;
+  tree.blackboard_stack.push_back(root_blackboard);
+  _p->open.clear();
+  _p->add_tree(name, tree, root_blackboard, nullptr);
+  tree.initialize();
+  return tree;
+}
+void XMLParser::clearInternalState()
+{
+  const BehaviorTreeFactory & factory = _p->factory;
+  _p = std::make_unique<Pimpl>(factory);
+}
+
+void VerifyXML(const std::string & xml_text, const std::unordered_map<std::string, NodeType> & registered_nodes)
+{
+  verify(read_xml(xml_text), registered_nodes);
+}
+Tree buildTreeFromText(const BehaviorTreeFactory & factory, const std::string & text, const Blackboard::Ptr & blackboard)
+{
+  XMLParser parser(factory);
+  parser.loadFromText(text);
+  return parser.instantiateTree(blackboard);
+}
+Tree buildTreeFromFile(
+  const BehaviorTreeFactory & factory, const std::string & filename, const Blackboard::Ptr & blackboard)
+{
+  XMLParser parser(factory);
+  parser.loadFromFile(filename);
+  return parser.instantiateTree(blackboard);
+}
+}  // namespace BT

@@ -1,0 +1,349 @@
+"""Trees of a package in C++ with BehaviorTree.CPP's names: what they tick, halt, remember and refuse."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import shutil
+
+import pytest
+
+from tests.needs import compiler_or_skip
+from tests.packages.pip_tools import loading_tools_or_skip
+from tests.packages.test_cpp_workspace import SOURCES, colcon, sourced
+
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(900)]
+
+
+@pytest.fixture(scope="module")
+def workspace(tmp_path_factory):
+    compiler_or_skip()
+    folder = tmp_path_factory.mktemp("bt_ws")
+    shutil.copytree(SOURCES.parent.parent / "bt_ws" / "src", folder / "src")
+    built = colcon(folder, "build")
+    assert built.returncode == 0 and "1 package finished" in built.stdout, built.stdout + built.stderr
+    assert "stderr" not in built.stdout + built.stderr and "Skipped" not in built.stdout
+    return folder
+
+
+def ticked(workspace, tree, ticks=1, pause=0):
+    """What happens at each tick and its status, and at the end what halting the tree does.
+
+    `a+` began, `a.` went on, `a!` was halted, `a?` was asked, `a` was done at once.
+    """
+    text = tree if tree.startswith("<root") else f'<root><BehaviorTree ID="Main">{tree}</BehaviorTree></root>'
+    done = sourced(workspace, f"ros2 run k_trees tick {shlex.quote(text)} {ticks} {pause}")
+    return done.stdout.splitlines()
+
+
+def said(workspace, part):
+    """What a part of the program `api` prints."""
+    done = sourced(workspace, f"ros2 run k_trees api {part}")
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout.splitlines()
+
+
+def node(kind, *children, **ports):
+    """The XML of a node."""
+    attributes = "".join(f' {name}="{value}"' for name, value in ports.items())
+    return f"<{kind}{attributes}>{''.join(children)}</{kind}>"
+
+
+def leaf(kind, name, does="S"):
+    """The XML of a node that does as the letters say."""
+    return node(kind, name=name, does=does)
+
+
+CONTROLS = {
+    "a sequence goes on where it was": (
+        node("Sequence", leaf("Do", "a"), leaf("Act", "b", "RRS"), leaf("Do", "c")), 3, ["a b+ RUNNING", "b. RUNNING", "b. c SUCCESS"],
+    ),
+    "a sequence begins again after a failure": (
+        node("Sequence", leaf("Do", "a"), leaf("Do", "b", "FS")), 2, ["a b FAILURE", "a b SUCCESS"],
+    ),
+    "a sequence with a star goes on with what failed": (
+        node("SequenceStar", leaf("Do", "a"), leaf("Do", "b", "FS"), leaf("Do", "c")), 3,
+        ["a b FAILURE", "b c SUCCESS", "a b c SUCCESS"],
+    ),
+    "a fallback stops at the first success": (
+        node("Fallback", leaf("Do", "a", "F"), leaf("Act", "b", "RF"), leaf("Do", "c"), leaf("Do", "d")), 2,
+        ["a b+ RUNNING", "b. c SUCCESS"],
+    ),
+    "a reactive sequence asks again, and halts what ran": (
+        node("ReactiveSequence", leaf("Ask", "safe", "SSF"), leaf("Act", "go", "R")), 4,
+        ["safe? go+ RUNNING", "safe? go. RUNNING", "safe? go! FAILURE", "safe? FAILURE"],
+    ),
+    "a child of a reactive sequence that runs halts those behind it": (
+        node("ReactiveSequence", leaf("Act", "a", "SRS"), leaf("Act", "b", "R")), 2, ["a+ b+ RUNNING", "b. RUNNING"],
+    ),
+    "a reactive fallback returns to its first child": (
+        node("ReactiveFallback", leaf("Ask", "there", "FFS"), leaf("Act", "go", "R")), 3,
+        ["there? go+ RUNNING", "there? go. RUNNING", "there? go! SUCCESS"],
+    ),
+    "two of three are enough in parallel": (
+        node("Parallel", leaf("Act", "a", "RS"), leaf("Do", "b"), leaf("Act", "c", "R"), success_threshold=2), 2,
+        ["a+ b c+ RUNNING", "a. SUCCESS"],
+    ),
+    "one failure ends what is parallel": (
+        node("Parallel", leaf("Act", "a", "R"), leaf("Act", "b", "RF"), success_threshold=2), 2,
+        ["a+ b+ RUNNING", "a. b. a! FAILURE"],
+    ),
+    "all must succeed in parallel, and all may fail but one": (
+        node("Parallel", leaf("Do", "a", "F"), leaf("Act", "b", "RS"), success_threshold=-1, failure_threshold=-1), 1,
+        ["a FAILURE"],
+    ),
+    "failures are as many as the threshold says": (
+        node("Parallel", leaf("Do", "a", "F"), leaf("Act", "b", "RS"), success_threshold=1, failure_threshold=2), 2,
+        ["a b+ RUNNING", "b. SUCCESS"],
+    ),
+    "if, then, and the condition is asked once": (
+        node("IfThenElse", leaf("Ask", "if", "SF"), leaf("Act", "then", "RS"), leaf("Do", "else")), 3,
+        ["if? then+ RUNNING", "then. SUCCESS", "if? else SUCCESS"],
+    ),
+    "without an else": (node("IfThenElse", leaf("Ask", "if", "F"), leaf("Do", "then")), 1, ["if? FAILURE"]),
+    "while, and the condition is asked at each tick": (
+        node("WhileDoElse", leaf("Ask", "while", "SF"), leaf("Act", "do", "R"), leaf("Act", "else", "RF")), 3,
+        ["while? do+ RUNNING", "while? do! else+ RUNNING", "while? else. FAILURE"],
+    ),
+    "a case, or the last child": (
+        node(
+            "Sequence",
+            node("Switch2", leaf("Do", "a"), leaf("Do", "b"), leaf("Do", "c"), variable="{v}", case_1="1", case_2="2"),
+            node("SetBlackboard", output_key="v", value="2"),
+            node("Switch2", leaf("Do", "a"), leaf("Do", "b"), leaf("Do", "c"), variable="{v}", case_1="1", case_2="2"),
+        ), 1, ["c b SUCCESS"],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", CONTROLS)
+def test_a_control_node_ticks_as_it_does_on_a_robot(workspace, name):
+    tree, ticks, expected = CONTROLS[name]
+    assert ticked(workspace, tree, ticks)[:ticks] == expected
+
+
+DECORATORS = {
+    "inverted": (node("Inverter", leaf("Do", "a", "F")), 1, ["a SUCCESS"]),
+    "forced to succeed": (node("ForceSuccess", leaf("Act", "a", "RF")), 2, ["a+ RUNNING", "a. SUCCESS"]),
+    "forced to fail": (node("ForceFailure", leaf("Do", "a")), 1, ["a FAILURE"]),
+    "kept running": (
+        node("KeepRunningUntilFailure", leaf("Do", "a", "SSF")), 3, ["a RUNNING", "a RUNNING", "a FAILURE"],
+    ),
+    "repeated": (node("Repeat", leaf("Do", "a"), num_cycles=3), 2, ["a a a SUCCESS", "a a a SUCCESS"]),
+    "repeated until it fails": (node("Repeat", leaf("Do", "a", "SF"), num_cycles=3), 1, ["a a FAILURE"]),
+    "tried again": (
+        node("RetryUntilSuccessful", leaf("Act", "a", "RFFS"), num_attempts=3), 2, ["a+ RUNNING", "a. a+ a+ SUCCESS"],
+    ),
+    "tried too often": (node("RetryUntilSuccesful", leaf("Do", "a", "F"), num_attempts=2), 1, ["a a FAILURE"]),
+    "tried without end": (node("RetryUntilSuccessful", leaf("Do", "a", "FFFFS"), num_attempts=-1), 1, ["a a a a a SUCCESS"]),
+    "checked against the blackboard": (
+        node(
+            "Sequence", node("SetBlackboard", output_key="n", value="7"),
+            node("BlackboardCheckInt", leaf("Do", "a"), value_A="{n}", value_B="7"),
+            node("BlackboardCheckString", leaf("Do", "b"), value_A="{n}", value_B="8", return_on_mismatch="SUCCESS"),
+            node("BlackboardCheckInt", leaf("Do", "c"), value_A="{n}", value_B="8"),
+        ), 1, ["a FAILURE"],
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", DECORATORS)
+def test_a_decorator_ticks_as_it_does_on_a_robot(workspace, name):
+    tree, ticks, expected = DECORATORS[name]
+    assert ticked(workspace, tree, ticks)[:ticks] == expected
+
+
+def test_a_tree_that_is_halted_halts_what_runs(workspace):
+    tree = node("Sequence", leaf("Do", "a"), node("Inverter", leaf("Act", "b", "R")), leaf("Act", "c", "R"))
+    assert ticked(workspace, tree) == ["a b+ RUNNING", "b! "]
+
+
+def test_time_is_that_of_the_session(workspace):
+    tree = node("Timeout", leaf("Act", "a", "R"), msec=250)
+    assert ticked(workspace, tree, 4, 100) == ["a+ RUNNING", "a. RUNNING", "a. RUNNING", "a! FAILURE", ""]
+    tree = node("Timeout", leaf("Act", "a", "RRS"), msec=250)
+    assert ticked(workspace, tree, 3, 100) == ["a+ RUNNING", "a. RUNNING", "a. SUCCESS", ""]
+    tree = node("Delay", leaf("Act", "a", "RS"), delay_msec=150)
+    assert ticked(workspace, tree, 4, 100) == ["RUNNING", "RUNNING", "a+ RUNNING", "a. SUCCESS", ""]
+
+
+def test_an_action_in_a_thread_of_its_own_works_while_the_tree_is_ticked(workspace):
+    assert ticked(workspace, node("Work", name="dig", steps=5), 3, 20)[-2:] == ["RUNNING", ""]
+    assert ticked(workspace, node("Work", name="dig", steps=5), 4, 20) == ["RUNNING"] * 3 + ["dig= SUCCESS", ""]
+    halted = node("ReactiveSequence", leaf("Ask", "safe", "SSF"), node("Work", name="dig", steps=500))
+    assert ticked(workspace, halted, 3, 20) == ["safe? RUNNING", "safe? RUNNING", "safe? dig! FAILURE", ""]
+    assert ticked(workspace, node("Work", name="dig", steps=-1), 2, 20)[-1] == "error: dig cannot work backwards"
+
+
+def test_a_coroutine_goes_on_where_it_stopped_and_is_left_when_halted(workspace):
+    assert ticked(workspace, node("Talk", name="t", words=2), 4) == [
+        "t0 RUNNING", "t1 RUNNING", "t- SUCCESS", "t0 RUNNING", "t! t- ",
+    ]  # fmt: skip
+
+
+def test_ports_are_read_written_and_remapped(workspace):
+    tree = node(
+        "Sequence", node("Go", to="1;2", far="{d}", count="{n}"), node("SetBlackboard", output_key="p", value="5;6"),
+        node("Go", to="{p}", far="${d}", count="{n}", gear="fast"), node("Show", what="{d}"), node("Show", what="{n}"),
+        node("Show", what="as it is"), node("Show", what="{other}"), node("Show"),
+    )  # fmt: skip
+    assert ticked(workspace, tree) == [
+        "to 1 to 5 fast '11.000000' '2' 'as it is' (getInput() failed because it was unable to find the key [what] remapped to "
+        "[other]) (getInput() failed because NodeConfiguration::input_ports does not contain the key: [what]) SUCCESS",
+        "",
+    ]
+
+
+def trees(main, **others):
+    """The XML of several trees; the main one is named."""
+    parts = "".join(f'<BehaviorTree ID="{name}">{tree}</BehaviorTree>' for name, tree in {**others, "Main": main}.items())
+    return f'<root main_tree_to_execute="Main">{parts}</root>'
+
+
+def shows(*keys):
+    """The XML of nodes that show what the blackboard has."""
+    return "".join(node("Show", what=f"{{{key}}}") for key in keys)
+
+
+def test_a_subtree_has_a_blackboard_of_its_own_and_the_ports_that_are_named(workspace):
+    inner = node("Sequence", shows("in", "out"), node("SetBlackboard", output_key="out", value="back"))
+    put = node("SetBlackboard", output_key="x", value="given") + node("SetBlackboard", output_key="out", value="mine")
+
+    def told(kind, **ports):
+        sub = trees(node("Sequence", put, node(kind, ID="Inner", **ports), shows("out", "y")), Inner=inner)
+        text = re.sub(r"\(getInput[^)]*\)[^)]*\)", "-", ticked(workspace, sub)[0])
+        return text.removesuffix(" SUCCESS")
+
+    assert told("SubTree", **{"in": "x", "out": "y"}) == "'given' - 'mine' 'back'"
+    assert told("SubTree") == "- - 'mine' -"
+    assert told("SubTree", __shared_blackboard="true") == "- 'mine' 'back' -"
+    assert told("SubTreePlus", **{"in": "plain", "out": "{y}"}) == "'plain' - 'mine' 'back'"
+    assert told("SubTreePlus", __autoremap="1", **{"in": "{x}"}) == "'given' 'mine' 'back' -"
+
+
+def test_both_forms_of_a_node_are_the_same(workspace):
+    tree = node("Control", node("Action", ID="Do", name="a"), leaf("Do", "b"), node("Condition", ID="Ask"), ID="Sequence")
+    assert ticked(workspace, node("Decorator", tree, ID="Inverter")) == ["a b Ask? FAILURE", ""]
+
+
+ERRORS = {
+    "<Nothing/>": "Error at line 1: -> Node not recognized: Nothing",
+    "<Action name='a'/>": "Error at line 1: -> The node <Action> must have the attribute [ID]",
+    "<Action ID='Do'><Do/></Action>": "Error at line 1: -> The node <Action> must not have any child",
+    "<Action ID='Lost'/>": "Lost is not a registered node, nor a Subtree",
+    "<Sequence/>": "Error at line 1: -> A Control node must have at least 1 child",
+    "<Inverter><Do/><Do/></Inverter>": "Error at line 1: -> The node <Inverter> must have exactly 1 child",
+    "<Do/><Do/>": "Error at line 1: -> The node <BehaviorTree> must have exactly 1 child",
+    "<SubTree ID='Lost'/>": "Can't find a tree with name: Lost",
+    "<SubTree ID='Main'/>": "The tree [Main] contains itself as a subtree",
+    "<Do does='X'>": "Error parsing the XML: XML_ERROR_MISMATCHED_ELEMENT, line 1: <Do> of line 1 is closed by </BehaviorTree>",
+    "<Do dos='S'/>": 'Possible typo? In the XML, you tried to remap port "dos" in node [Do / Do], but the manifest of this node '
+    "does not contain a port with this name.",
+    "<Go to='1'/>": "missing required input [to]: a place has two numbers, not: 1",
+    "<Go/>": "missing required input [to]: getInput() failed because NodeConfiguration::input_ports does not contain the key: [to]",
+    "<Parallel success_threshold='2'><Do/></Parallel>": "Number of children is less than threshold. Can never succeed.",
+    "<Parallel><Do/></Parallel>": "Missing parameter [success_threshold] in ParallelNode",
+    "<Do does='R'/>": "Do SyncActionNode MUST never return RUNNING",
+}
+
+
+@pytest.mark.parametrize("tree", ERRORS)
+def test_a_tree_that_is_wrong_is_told_so(workspace, tree):
+    before, _, error = ticked(workspace, tree)[-1].partition("error: ")
+    assert f"{before}{error}" == ERRORS[tree]
+
+
+@pytest.mark.parametrize(
+    ("text", "error"),
+    [
+        ("<root/>", "[main_tree_to_execute] was not specified correctly"),
+        ("<root main_tree_to_execute='B'><BehaviorTree ID='A'><Do/></BehaviorTree></root>", "Can't find a tree with name: B"),
+        ("<root><include/></root>", "Error at line 1: -> The node <include> must have the attribute [path]"),
+        ("<rood/>", "The XML must have a root node called <root>"),
+    ],
+)
+def test_a_file_that_is_wrong_is_told_so(workspace, text, error):
+    done = sourced(workspace, f"ros2 run k_trees tick {shlex.quote(text)}")
+    assert done.stdout == f"error: {error}\n"
+
+
+def test_a_file_that_is_not_there_is_named(workspace):
+    done = sourced(workspace, "ros2 run k_trees tick nowhere/tree.xml")
+    assert done.stdout == "error: Error parsing the XML: XML_ERROR_FILE_NOT_FOUND: nowhere/tree.xml\n"
+
+
+def test_all_of_xml_is_read(workspace):
+    text = """<root><?a b?><!-- <c> --><BehaviorTree ID='Main'>
+      <Sequence> text <Show what="&lt;&#65;&#xe9;&amp;b&quot;" /><!-- - --><Show
+        what='a "b" > c'/></Sequence ></BehaviorTree></root>"""
+    assert ticked(workspace, text)[0] == "'<Aé&b\"' 'a \"b\" > c' SUCCESS"
+
+
+def test_texts_become_values_and_back(workspace):
+    assert said(workspace, "texts") == [
+        "RUNNING SubTree InOut", "\x1b[32mSUCCESS\x1b[0m\x1b[31mFAILURE\x1b[0m", "4 2.5 1 IDLE 4",
+        "RuntimeError: convertFromString(): invalid bool conversion", "RuntimeError: Cannot convert this to NodeStatus: DONE",
+        "LogicError: You didn't implement the template specialization of convertFromString for this type: std::map<int, int, "
+        "std::less<int>, std::allocator<std::pair<int const, int> > >",
+        "exception: A port can not use a reserved name. See ReservedPortNames",
+    ]  # fmt: skip
+
+
+def test_values_come_out_as_other_types_where_nothing_is_lost(workspace):
+    assert said(workspace, "values") == [
+        "7 7 0.5 seven std::string 1", "exception: Floating point truncated", "exception: Value outside the numerical limits.",
+        "exception: Implicit casting to bool is not allowed",
+        "exception: [Any::convert]: no known safe conversion between [std::string] and [int]",
+        "exception: Any::cast failed because it is empty",
+    ]  # fmt: skip
+
+
+def test_a_blackboard_keeps_types_and_shares_keys(workspace):
+    assert said(workspace, "board") == [
+        "5 15 0", "2", "RuntimeError: Blackboard::get() error. Missing key [nowhere]", "out (int) -> full",
+        "place (k_trees::Place) -> full",
+        "LogicError: Blackboard::set() failed: once declared, the type of a port shall not change. Declared type "
+        "[k_trees::Place] != current type [double]",
+    ]  # fmt: skip
+
+
+def test_a_factory_knows_its_nodes_and_trees(workspace):
+    assert said(workspace, "factory") == [
+        "BehaviorTreeException: ID [Hello] already registered",
+        "LogicError: You can not remove the builtin registration ID [Sequence]", "10", "Main", "Second", "Spot has 4 legs",
+        "SUCCESS", "exception: Can't find a tree with name: Third", "RuntimeError: BehaviorTreeFactory: ID [Never] not registered",
+        "RuntimeError: Could not load library libnot_there.so: libnot_there.so: cannot open shared object file: No such file or "
+        "directory",
+        "<root>", "    <TreeNodesModel>", '        <Action ID="Hello">',
+        '            <input_port name="to" type="std::string">who is greeted</input_port>', "        </Action>",
+        '        <Action ID="Robot"/>', '        <Decorator ID="Twice"/>', "    </TreeNodesModel>", "</root>",
+    ]  # fmt: skip
+
+
+def test_a_tree_is_printed_visited_heard_and_overridden(workspace):
+    line = "----------------"
+    assert said(workspace, "trees") == [
+        line, "all", "   hi", "   Inverter", "      Twice", "         no", line, "5 5 Hello", "all: IDLE RUNNING", "hello you",
+        "all: RUNNING SUCCESS", "all: SUCCESS IDLE", "SUCCESS", "FAILURE",
+    ]  # fmt: skip
+
+
+def test_changes_of_status_are_printed_in_colours(workspace):
+    first, *lines = said(workspace, "logger")
+    assert first == "LogicError: Only one instance of StdCoutLogger shall be created"
+    plain = [re.sub(r"\x1b\[\d+m|^\[\d+\.\d{3}\]: ", "", line) for line in lines if line != "hello you"]
+    changes = [("all", "IDLE -> RUNNING"), ("hi", "IDLE -> RUNNING"), ("hi", "RUNNING -> SUCCESS")]
+    assert plain[:3] == [f"{name:25} {change}" for name, change in changes]
+    assert "\x1b[33mRUNNING\x1b[0m -> \x1b[32mSUCCESS\x1b[0m" in lines[-1]
+    assert lines[0].startswith("[1700000000.")
+
+
+def test_a_sleeping_tree_is_woken(workspace):
+    assert said(workspace, "sleep") == ["200", "300"]
+
+
+def test_a_node_ticks_a_tree_with_the_nodes_of_a_library(workspace):
+    loading_tools_or_skip("this computer's tools", workspace)
+    done = sourced(workspace, "ros2 run k_trees patrol")
+    lines = [re.sub(r"\[INFO\] \[1700000000\.(\d)\d+\] \[patrol\]: ", r"\1 ", line) for line in done.stdout.splitlines()]
+    assert lines == [], done.stdout + done.stderr

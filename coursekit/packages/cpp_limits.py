@@ -17,11 +17,14 @@ _NOT_YET = re.compile(
     r"|types/(array_list|hash_map|string_map))|rosidl_typesupport_introspection_c"
     r"|nav2_core/(smoother|behavior_tree_navigator)|nav2_costmap_2d/(clear_costmap_service|costmap_2d_publisher|costmap_filters"
     r"|denoise|inflation_layer|observation|obstacle_layer|range_sensor_layer|static_layer|voxel_layer)\w*"
-    r"|nav2_behaviors/plugins|nav2_behavior_tree|nav2_map_server|nav_2d_utils|behaviortree_cpp\w*|bondcpp"
+    r"|nav2_behaviors/plugins|nav2_behavior_tree|nav2_map_server|nav_2d_utils|bondcpp|behaviortree_cpp"
+    r"|behaviortree_cpp_v3/(controls/manual_node|flatbuffers|loggers/bt_(file|minitrace|zmq)_\w+)"
     r"|rmw/(allocators|event_callback_type|features|get_\w+|impl|init|init_options|message_sequence|names_and_types"
     r"|network_flow_endpoint|subscription_content_filter_options|validate_\w+))(/|\.hpp|\.h)"
 )
 """Headers of Humble that coursekit does not have."""
+_OTHER_VERSION = {"behaviortree_cpp": "that of Humble is behaviortree_cpp_v3, version 3.8"}
+"""Packages of another version than Humble's tutorials have, and what is here."""
 NO_EIGEN = "there is no Eigen for C++ here: `pip install cmeel-eigen` brings it"
 
 _OF_THE_SYSTEM = re.compile(r"([\w+-]+) is not\s+here:\s+(sudo\s+apt\s+install(?:(?: |\n {2})[\w+-]+)+)")
@@ -39,6 +42,8 @@ def reason(text: str, depends: Collection[str], stood_for: bool) -> str:
     'rmw/features.h is not among what C++ has here'
     >>> reason("a.cpp:1:10: fatal error: rclcpp/rclcp.hpp: No such file or directory", ["rclcpp"], False)
     ''
+    >>> reason("a.cpp:1:10: fatal error: behaviortree_cpp/bt_factory.h: No such file or directory", [], False)
+    'behaviortree_cpp/bt_factory.h is not among what C++ has here: that of Humble is behaviortree_cpp_v3, version 3.8'
     >>> reason("kdl_parser: orocos_kdl is not here: sudo apt install\\n  liborocos-kdl-dev\\nCall Stack", [], False)
     'there is no orocos_kdl for C++ here: `sudo apt install liborocos-kdl-dev` brings it, on Debian and Ubuntu'
     >>> reason('By not providing "FindEigen3.cmake" in CMAKE_MODULE_PATH', ["eigen"], False) == NO_EIGEN
@@ -51,8 +56,12 @@ def reason(text: str, depends: Collection[str], stood_for: bool) -> str:
         if name == "Eigen3":
             return NO_EIGEN
         if name in depends or stood_for:
-            return f"C++ has no {name} here"
+            return f"C++ has no {name} here{_instead(name)}"
     for name in _HEADER.findall(text):
         if _NOT_YET.match(name):
-            return f"{name} is not among what C++ has here"
+            return f"{name} is not among what C++ has here{_instead(name.partition('/')[0])}"
     return ""
+
+
+def _instead(package: str) -> str:
+    return f": {_OTHER_VERSION[package]}" if package in _OTHER_VERSION else ""

@@ -372,7 +372,12 @@ Tree XMLParser::instantiateTree(const Blackboard::Ptr & root_blackboard, std::st
   Tree tree;
   tree.blackboard_stack.push_back(root_blackboard);
   _p->open.clear();
-  _p->add_tree(name, tree, root_blackboard, nullptr);
+  try {
+    _p->add_tree(name, tree, root_blackboard, nullptr);
+  } catch (...) {
+    tree.nodes.clear();  // half a tree cannot be halted
+    throw;
+  }
   tree.initialize();
   return tree;
 }

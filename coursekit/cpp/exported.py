@@ -40,6 +40,8 @@ EXPORTED = {
     "controller_interface": "hardware_interface rclcpp_lifecycle sensor_msgs",
     "controller_manager": "controller_interface controller_manager_msgs hardware_interface pluginlib rclcpp",
     "hardware_interface": "control_msgs lifecycle_msgs pluginlib rclcpp_lifecycle rcpputils rcutils",
+    "nav2_behavior_tree": "behaviortree_cpp_v3 geometry_msgs nav2_msgs nav2_util nav_msgs rclcpp rclcpp_action "
+    "rclcpp_lifecycle sensor_msgs std_msgs std_srvs tf2 tf2_geometry_msgs tf2_ros",
     "nav2_behaviors": "geometry_msgs nav2_core nav2_costmap_2d nav2_msgs nav2_util nav_msgs pluginlib rclcpp rclcpp_action "
     "rclcpp_lifecycle std_msgs tf2 tf2_geometry_msgs tf2_ros",
     "nav2_core": "geometry_msgs lifecycle_msgs nav2_costmap_2d nav2_util nav_msgs pluginlib rclcpp rclcpp_lifecycle "
@@ -63,7 +65,7 @@ HUMBLE = "16.0.11"
 """The version of rclcpp and its companions."""
 VERSIONS = dict.fromkeys(("rclcpp", "rclcpp_action", "rclcpp_components", "rclcpp_lifecycle"), HUMBLE) | {
     "OpenCV": "4.5.4",
-    "behaviortree_cpp_v3": "3.8.6",
+    "behaviortree_cpp_v3": "3.8.7",
 }
 """The versions of packages without a folder in the underlay's share, for find_package() with a version."""
 

@@ -60,7 +60,7 @@ PACKAGES = (
     "rosidl_typesupport_fastrtps_c", "rosidl_typesupport_fastrtps_cpp", "rcl_logging_interface", "rcl_logging_spdlog",
     "rmw_coursekit", "rmw_cyclonedds_cpp",
     "generate_parameter_library", "parameter_traits", "rsl", "tcb_span", "tl_expected",
-    "transmission_interface", "behaviortree_cpp_v3",
+    "transmission_interface", "behaviortree_cpp_v3", "nav2_behavior_tree",
 )  # fmt: skip
 """The packages found here in addition to those with a folder in the underlay's share."""
 NOT_COMPILED = {"gazebo_plugins", "gazebo_ros"}

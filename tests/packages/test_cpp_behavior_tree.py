@@ -10,7 +10,7 @@ import pytest
 
 from tests.needs import compiler_or_skip
 from tests.packages.pip_tools import loading_tools_or_skip
-from tests.packages.test_cpp_workspace import SOURCES, colcon, sourced
+from tests.packages.test_cpp_workspace import SOURCES, colcon, scripted, sourced
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(900)]
 
@@ -21,7 +21,7 @@ def workspace(tmp_path_factory):
     folder = tmp_path_factory.mktemp("bt_ws")
     shutil.copytree(SOURCES.parent.parent / "bt_ws" / "src", folder / "src")
     built = colcon(folder, "build")
-    assert built.returncode == 0 and "1 package finished" in built.stdout, built.stdout + built.stderr
+    assert built.returncode == 0 and "2 packages finished" in built.stdout, built.stdout + built.stderr
     assert "stderr" not in built.stdout + built.stderr and "Skipped" not in built.stdout
     return folder
 
@@ -29,8 +29,8 @@ def workspace(tmp_path_factory):
 def ticked(workspace, cases):
     """What happens in trees, by their names: at each tick and its status, and when they are halted at last.
 
-    A case is a tree, how often it is ticked, and how many milliseconds are between. `a+` began, `a.` went on, `a!` was halted,
-    `a?` was asked, `a` was done at once.
+    A case is a tree, how often it is ticked, and how many milliseconds are between. `a+` began, `a.` went on,
+    `a!` was halted, `a?` was asked, `a` was done at once.
     """
     words = [str(word) for tree, ticks, pause in cases.values() for word in (whole(tree), ticks, pause)]
     done = sourced(workspace, f"ros2 run k_trees tick {shlex.join(words)}")
@@ -70,7 +70,8 @@ def leaf(kind, name, does="S"):
 
 CONTROLS = {
     "a sequence goes on where it was": (
-        node("Sequence", leaf("Do", "a"), leaf("Act", "b", "RRS"), leaf("Do", "c")), 3, ["a b+ RUNNING", "b. RUNNING", "b. c SUCCESS"],
+        node("Sequence", leaf("Do", "a"), leaf("Act", "b", "RRS"), leaf("Do", "c")), 3,
+        ["a b+ RUNNING", "b. RUNNING", "b. c SUCCESS"],
     ),
     "a sequence begins again after a failure": (
         node("Sequence", leaf("Do", "a"), leaf("Do", "b", "FS")), 2, ["a b FAILURE", "a b SUCCESS"],
@@ -87,8 +88,9 @@ CONTROLS = {
         node("ReactiveSequence", leaf("Ask", "safe", "SSF"), leaf("Act", "go", "R")), 4,
         ["safe? go+ RUNNING", "safe? go. RUNNING", "safe? go! FAILURE", "safe? FAILURE"],
     ),
-    "a child of a reactive sequence that runs halts those behind it": (
-        node("ReactiveSequence", leaf("Act", "a", "SRS"), leaf("Act", "b", "R")), 2, ["a+ b+ RUNNING", "b. RUNNING"],
+    "a child of a reactive sequence that runs halts the others": (
+        node("ReactiveSequence", leaf("Act", "a", "SRS"), leaf("Act", "b", "R")), 3,
+        ["a+ b+ RUNNING", "a+ b! RUNNING", "a. b+ RUNNING"],
     ),
     "a reactive fallback returns to its first child": (
         node("ReactiveFallback", leaf("Ask", "there", "FFS"), leaf("Act", "go", "R")), 3,
@@ -210,8 +212,9 @@ def test_ports_are_read_written_and_remapped(workspace):
         node("Show", what="as it is"), node("Show", what="{other}"), node("Show"),
     )  # fmt: skip
     assert ticked_once(workspace, tree) == (
-        "to 1 to 5 fast '11.000000' '2' 'as it is' (getInput() failed because it was unable to find the key [what] remapped to "
-        "[other]) (getInput() failed because NodeConfiguration::input_ports does not contain the key: [what]) SUCCESS"
+        "to 1 to 5 fast '11.000000' '2' 'as it is' (getInput() failed because it was unable to find the key [what] "
+        "remapped to [other]) (getInput() failed because NodeConfiguration::input_ports does not contain the key: [what]) "
+        "SUCCESS"
     )
 
 
@@ -241,8 +244,8 @@ def test_a_subtree_has_a_blackboard_of_its_own_and_the_ports_that_are_named(work
         "'given' 'mine' 'back' -": of("SubTreePlus", __autoremap="1", **{"in": "{x}"}),
     }
     found = ticked(workspace, cases)
-    missing = r"\(getInput[^)]*\)[^)]*\)"
-    assert {name: re.sub(missing, "-", lines[0]) for name, lines in found.items()} == {name: f"{name} SUCCESS" for name in cases}
+    shown = {name: re.sub(r"\(getInput[^)]*\)[^)]*\)", "-", lines[0]) for name, lines in found.items()}
+    assert shown == {name: f"{name} SUCCESS" for name in cases}
 
 
 def test_both_forms_of_a_node_are_the_same(workspace):
@@ -260,11 +263,13 @@ ERRORS = {
     "<Do/><Do/>": "Error at line 1: -> The node <BehaviorTree> must have exactly 1 child",
     "<SubTree ID='Lost'/>": "Can't find a tree with name: Lost",
     "<SubTree ID='Main'/>": "The tree [Main] contains itself as a subtree",
-    "<Do does='X'>": "Error parsing the XML: XML_ERROR_MISMATCHED_ELEMENT, line 1: <Do> of line 1 is closed by </BehaviorTree>",
-    "<Do dos='S'/>": 'Possible typo? In the XML, you tried to remap port "dos" in node [Do / Do], but the manifest of this node '
-    "does not contain a port with this name.",
+    "<Do does='X'>": "Error parsing the XML: XML_ERROR_MISMATCHED_ELEMENT, line 1: <Do> of line 1 is closed by "
+    "</BehaviorTree>",
+    "<Do dos='S'/>": 'Possible typo? In the XML, you tried to remap port "dos" in node [Do / Do], but the manifest of this '
+    "node does not contain a port with this name.",
     "<Go to='1'/>": "missing required input [to]: a place has two numbers, not: 1",
-    "<Go/>": "missing required input [to]: getInput() failed because NodeConfiguration::input_ports does not contain the key: [to]",
+    "<Go/>": "missing required input [to]: getInput() failed because NodeConfiguration::input_ports does not contain the "
+    "key: [to]",
     "<Parallel success_threshold='2'><Do/></Parallel>": "Number of children is less than threshold. Can never succeed.",
     "<Parallel><Do/></Parallel>": "Missing parameter [success_threshold] in ParallelNode",
     "<Do does='R'/>": "SyncActionNode MUST never return RUNNING",
@@ -291,16 +296,18 @@ def test_all_of_xml_is_read(workspace):
 def test_texts_become_values_and_back(workspace):
     assert said(workspace, "texts") == [
         "RUNNING SubTree InOut", "\x1b[32mSUCCESS\x1b[0m\x1b[31mFAILURE\x1b[0m", "4 2.5 1 IDLE 4",
-        "RuntimeError: convertFromString(): invalid bool conversion", "RuntimeError: Cannot convert this to NodeStatus: DONE",
-        "LogicError: You didn't implement the template specialization of convertFromString for this type: std::map<int, int, "
-        "std::less<int>, std::allocator<std::pair<int const, int> > >",
+        "RuntimeError: convertFromString(): invalid bool conversion",
+        "RuntimeError: Cannot convert this to NodeStatus: DONE",
+        "LogicError: You didn't implement the template specialization of convertFromString for this type: "
+        "std::map<int, int, std::less<int>, std::allocator<std::pair<int const, int> > >",
         "exception: A port can not use a reserved name. See ReservedPortNames",
     ]  # fmt: skip
 
 
 def test_values_come_out_as_other_types_where_nothing_is_lost(workspace):
     assert said(workspace, "values") == [
-        "7 7 0.5 seven std::string 1", "exception: Floating point truncated", "exception: Value outside the numerical limits.",
+        "7 7 0.5 seven std::string 1", "exception: Floating point truncated",
+        "exception: Value outside the numerical limits.",
         "exception: Implicit casting to bool is not allowed",
         "exception: [Any::convert]: no known safe conversion between [std::string] and [int]",
         "exception: Any::cast failed because it is empty",
@@ -317,12 +324,13 @@ def test_a_blackboard_keeps_types_and_shares_keys(workspace):
 
 
 def test_a_factory_knows_its_nodes_and_trees(workspace):
-    assert said(workspace, "factory") == [
+    lines = said(workspace, "factory")
+    assert lines.pop(9).startswith("RuntimeError: Could not load library libnot_there.so: ")
+    assert lines == [
         "BehaviorTreeException: ID [Hello] already registered",
-        "LogicError: You can not remove the builtin registration ID [Sequence]", "10", "Main", "Second", "Spot has 4 legs",
-        "SUCCESS", "exception: Can't find a tree with name: Third", "RuntimeError: BehaviorTreeFactory: ID [Never] not registered",
-        "RuntimeError: Could not load library libnot_there.so: libnot_there.so: cannot open shared object file: No such file or "
-        "directory",
+        "LogicError: You can not remove the builtin registration ID [Sequence]", "10", "Main", "Second",
+        "Spot has 4 legs", "SUCCESS", "exception: Can't find a tree with name: Third",
+        "RuntimeError: BehaviorTreeFactory: ID [Never] not registered",
         "<root>", "    <TreeNodesModel>", '        <Action ID="Hello">',
         '            <input_port name="to" type="std::string">who is greeted</input_port>', "        </Action>",
         '        <Action ID="Robot"/>', '        <Decorator ID="Twice"/>', "    </TreeNodesModel>", "</root>",
@@ -332,7 +340,8 @@ def test_a_factory_knows_its_nodes_and_trees(workspace):
 def test_a_tree_is_printed_visited_heard_and_overridden(workspace):
     line = "----------------"
     assert said(workspace, "trees") == [
-        line, "all", "   hi", "   Inverter", "      Twice", "         no", line, "5 5 Hello", "all: IDLE RUNNING", "hello you",
+        line, "all", "   hi", "   Inverter", "      Twice", "         no", line, "5 5 Hello", "all: IDLE RUNNING",
+        "hello you",
         "all: RUNNING SUCCESS", "all: SUCCESS IDLE", "SUCCESS", "FAILURE",
     ]  # fmt: skip
 
@@ -358,3 +367,42 @@ def test_a_node_ticks_a_tree_with_the_nodes_of_a_library(workspace):
     assert re.findall(r"17(\d+\.\d)\d+\] \[patrol\]: (.*)", done.stderr) == [
         ("00000000.4", "at the door"), ("00000001.0", "20.000000"), ("00000001.5", "100"), ("00000001.5", "over"),
     ]  # fmt: skip
+
+
+MISSIONS = """
+from coursekit.processes.executables import find, make_process
+from coursekit.processes.session import Session
+
+with (session := Session(virtual=True)).use():
+    def start(name, *words):
+        return session.launch(make_process(session, find("k_missions", name), words, name=name))
+    dock = start("dock")
+    mission = start("mission", *{trees})
+    print(mission.wait(60.0), mission.output, dock.output)
+    dock.interrupt()
+"""
+
+
+def test_nodes_of_nav2_have_servers_work(workspace):
+    dock = node("Dock", command=3)
+    cases = {
+        node("Sequence", node("Open", service_name="open"), dock): "opened 1; docked after 3 steps; SUCCEEDED",
+        node("Open", service_name="/open", server_timeout=100): "opened 2; FAILED",
+        node("Dock"): "FAILED",
+        node("Dock", command="no"): "FAILED",
+        node("Dock", command=-1): "FAILED",
+        node("Timeout", node("Dock", command=50), msec=300): "FAILED",
+        node("Parallel", node("Dock", command=50), node("Delay", node("CancelDock"), delay_msec=300), success_threshold=2): (
+            "canceled; SUCCEEDED"
+        ),
+        node("Dock", command=50): "CANCELED",
+        dock: "docked after 3 steps; SUCCEEDED",
+        node("Dock", server_name="nowhere"): "error: Action server nowhere not available",
+        node("Open", name="door"): "error: Service server door not available",
+    }
+    trees = [whole(tree) for tree in cases]
+    done = scripted(workspace, MISSIONS.format(trees=trees))
+    assert done.stdout.startswith("0 "), done.stdout + done.stderr
+    lines = [line for line in done.stdout.removeprefix("0 ").splitlines() if not re.match(r"\[(INFO|WARN|ERROR)\]|$", line)]
+    assert lines == [*cases.values(), "1 1map30.8"], done.stdout + done.stderr
+    assert done.stdout.count("asked to stop") == 3

@@ -1,112 +1,22 @@
 // Trees from their descriptions in XML.
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <list>
 #include <map>
 #include <set>
 
 #include "ament_index_cpp/get_package_share_directory.hpp"
 #include "behaviortree_cpp_v3/xml_parsing.h"
-#include "xml.hpp"
+#include "bt_description.hpp"
 
 namespace BT
 {
 namespace
 {
 namespace fs = std::filesystem;
-using coursekit::xml::Element;
-using Types = std::unordered_map<std::string, NodeType>;
+using description::Element;
+using description::fail;
+using description::is_explicit;
 
-[[noreturn]] void fail(const Element & at, const std::string & why)
-{
-  throw RuntimeError("Error at line ", std::to_string(at.line), ": -> ", why);
-}
-Element read_xml(const std::string & text)
-{
-  try {
-    return coursekit::xml::read(text);
-  } catch (const coursekit::xml::Error & error) {
-    throw RuntimeError("Error parsing the XML: ", error.what());
-  }
-}
-Element read_file(const fs::path & path)
-{
-  std::ifstream file(path, std::ios::binary);
-  if (!file || !fs::is_regular_file(path)) {
-    throw RuntimeError("Error parsing the XML: XML_ERROR_FILE_NOT_FOUND: ", path.string());
-  }
-  try {
-    return read_xml({std::istreambuf_iterator<char>(file), {}});
-  } catch (const RuntimeError & error) {
-    throw RuntimeError(error.what(), " (", path.string(), ")");
-  }
-}
-/// Whether it stands for a node whose name is its ID.
-bool is_explicit(const std::string & name)
-{
-  return name == "Action" || name == "Condition" || name == "Control" || name == "Decorator";
-}
-void verify_count(const Element & element, NodeType type)
-{
-  const size_t count = element.children.size();
-  const std::string node = "The node <" + element.name + "> must ";
-  if (type == NodeType::DECORATOR && count != 1) {
-    fail(element, node + "have exactly 1 child");
-  }
-  if (is_explicit(element.name) && type == NodeType::CONTROL && count == 0) {
-    fail(element, node + "have at least 1 child");
-  }
-  if (is_explicit(element.name) && (type == NodeType::ACTION || type == NodeType::CONDITION) && count != 0) {
-    fail(element, node + "not have any child");
-  }
-}
-void verify_node(const Element & element, const Types & types)
-{
-  const std::string & name = element.name;
-  if ((is_explicit(name) || name == "SubTree") && !element.attribute("ID")) {
-    fail(element, "The node <" + name + "> must have the attribute [ID]");
-  }
-  if (name == "SubTree" && !element.children.empty()) {
-    const bool remaps = element.children.front().name == "remap";
-    fail(element, remaps ? "<remap> was deprecated" : "<SubTree> should not have any child");
-  }
-  if (is_explicit(name)) {
-    verify_count(element, convertFromString<NodeType>(name));
-  } else if (name == "Sequence" || name == "SequenceStar" || name == "Fallback") {
-    if (element.children.empty()) {
-      fail(element, "A Control node must have at least 1 child");
-    }
-  } else if (name != "SubTree") {
-    auto found = types.find(name);
-    if (found == types.end()) {
-      fail(element, "Node not recognized: " + name);
-    }
-    verify_count(element, found->second);
-  }
-  for (const Element & child : element.children) {
-    verify_node(child, types);
-  }
-}
-void verify(const Element & root, const Types & types)
-{
-  if (root.name != "root") {
-    throw RuntimeError("The XML must have a root node called <root>");
-  }
-  size_t models = 0;
-  for (const Element & child : root.children) {
-    models += child.name == "TreeNodesModel";
-    if (child.name == "TreeNodesModel" && models > 1) {
-      fail(child, " Only a single node <TreeNodesModel> is supported");
-    }
-    if (child.name == "BehaviorTree") {
-      if (child.children.size() != 1) {
-        fail(child, "The node <BehaviorTree> must have exactly 1 child");
-      }
-      verify_node(child.children.front(), types);
-    }
-  }
-}
 /// The keys that the ports of a tree's nodes are remapped to.
 void collect_keys(const Element & element, std::set<std::string> & keys)
 {
@@ -156,11 +66,11 @@ void XMLParser::Pimpl::load(Element document, bool add_includes)
       include(child);
     }
   }
-  Types types;
+  description::Types types;
   for (auto & manifest : factory.manifests()) {
     types.emplace(manifest.first, manifest.second.type);
   }
-  verify(root, types);
+  description::verify(root, types);
   for (const Element & child : root.children) {
     if (child.name == "BehaviorTree") {
       const std::string * id = child.attribute("ID");
@@ -183,7 +93,7 @@ void XMLParser::Pimpl::include(const Element & element)
   }
   file = folder / file;
   const fs::path before = std::exchange(folder, file.parent_path());
-  load(read_file(file), true);
+  load(description::read_file(file), true);
   folder = before;
 }
 std::string XMLParser::Pimpl::main_tree() const
@@ -349,11 +259,11 @@ XMLParser::~XMLParser() = default;
 void XMLParser::loadFromFile(const std::string & filename, bool add_includes)
 {
   _p->folder = fs::absolute(filename).parent_path();
-  _p->load(read_file(filename), add_includes);
+  _p->load(description::read_file(filename), add_includes);
 }
 void XMLParser::loadFromText(const std::string & xml_text, bool add_includes)
 {
-  _p->load(read_xml(xml_text), add_includes);
+  _p->load(description::read(xml_text), add_includes);
 }
 std::vector<std::string> XMLParser::registeredBehaviorTrees() const
 {
@@ -387,10 +297,6 @@ void XMLParser::clearInternalState()
   _p = std::make_unique<Pimpl>(factory);
 }
 
-void VerifyXML(const std::string & xml_text, const std::unordered_map<std::string, NodeType> & registered_nodes)
-{
-  verify(read_xml(xml_text), registered_nodes);
-}
 Tree buildTreeFromText(const BehaviorTreeFactory & factory, const std::string & text, const Blackboard::Ptr & blackboard)
 {
   XMLParser parser(factory);

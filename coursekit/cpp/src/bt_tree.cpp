@@ -82,6 +82,15 @@ NodeStatus Tree::tickRoot()
   }
   return status;
 }
+NodeStatus Tree::tickRootWhileRunning(std::chrono::milliseconds sleep_time)
+{
+  NodeStatus status = tickRoot();
+  while (status == NodeStatus::RUNNING) {
+    sleep(sleep_time);
+    status = tickRoot();
+  }
+  return status;
+}
 void Tree::haltTree()
 {
   if (!rootNode()) {

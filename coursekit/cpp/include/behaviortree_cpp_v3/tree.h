@@ -24,6 +24,8 @@ public:
 
   void initialize();
   NodeStatus tickRoot();
+  /// Tick until it has ended, and sleep meanwhile.
+  NodeStatus tickRootWhileRunning(std::chrono::milliseconds sleep_time = std::chrono::milliseconds(10));
   void haltTree();
   TreeNode * rootNode() const {return nodes.empty() ? nullptr : nodes.front().get();}
   Blackboard::Ptr rootBlackboard() {return blackboard_stack.empty() ? nullptr : blackboard_stack.front();}

@@ -1,4 +1,4 @@
-// Tries all of its children from the first at each tick; one that runs has those behind it halted.
+// Tries all of its children from the first at each tick; one that runs has the others halted.
 #pragma once
 #include <string>
 
@@ -12,7 +12,14 @@ public:
   explicit ReactiveFallback(const std::string & name)
   : ControlNode(name, {}) {setRegistrationID("ReactiveFallback");}
 
+  /// Whether LogicError is thrown when another child runs than before; it is not at first.
+  static void EnableException(bool enable);
+  void halt() override;
+
 private:
   NodeStatus tick() override;
+
+  static bool throw_if_multiple_running_;
+  int running_ = -1;
 };
 }  // namespace BT

@@ -14,7 +14,8 @@ namespace BT
 class Any
 {
   template<class T>
-  static constexpr bool is_text_v = std::is_convertible_v<const T &, nonstd::string_view>;
+  static constexpr bool is_text_v = std::is_same_v<T, std::string> || std::is_same_v<T, nonstd::string_view> ||
+    std::is_convertible_v<T, const char *>;
 
 public:
   Any() = default;
@@ -34,20 +35,21 @@ public:
   T cast() const
   {
     static_assert(!std::is_reference_v<T>, "an Any gives values, not references");
+    using Plain = std::remove_cv_t<T>;
     if (empty()) {
       throw std::runtime_error("Any::cast failed because it is empty");
     }
     if (is<T>()) {
       return std::any_cast<T>(value_);
     }
-    if constexpr (std::is_same_v<T, std::string>) {
+    if constexpr (std::is_same_v<Plain, std::string>) {
       return number_as_text(typeid(T));
-    } else if constexpr (std::is_same_v<T, bool>) {
+    } else if constexpr (std::is_same_v<Plain, bool>) {
       return as_bool();
     } else if constexpr (std::is_enum_v<T>) {
       return static_cast<T>(as_integer(typeid(T)));
     } else if constexpr (std::is_arithmetic_v<T>) {
-      return as_number<T>();
+      return as_number<Plain>();
     } else {
       fail(typeid(T));
     }

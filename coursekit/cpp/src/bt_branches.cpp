@@ -1,131 +1,15 @@
-// The nodes of trees that choose among their children.
+// The nodes of trees that choose a child, or tick all of them together.
 #include <algorithm>
 #include <stdexcept>
 
-#include "behaviortree_cpp_v3/controls/fallback_node.h"
 #include "behaviortree_cpp_v3/controls/if_then_else_node.h"
 #include "behaviortree_cpp_v3/controls/parallel_node.h"
-#include "behaviortree_cpp_v3/controls/reactive_fallback.h"
-#include "behaviortree_cpp_v3/controls/reactive_sequence.h"
-#include "behaviortree_cpp_v3/controls/sequence_node.h"
-#include "behaviortree_cpp_v3/controls/sequence_star_node.h"
 #include "behaviortree_cpp_v3/controls/switch_node.h"
 #include "behaviortree_cpp_v3/controls/while_do_else_node.h"
+#include "bt_ticked.hpp"
 
 namespace BT
 {
-namespace
-{
-NodeStatus ticked(TreeNode & child)
-{
-  const NodeStatus status = child.executeTick();
-  return status == NodeStatus::IDLE ? throw LogicError("A child node must never return IDLE") : status;
-}
-}  // namespace
-
-NodeStatus SequenceNode::tick()
-{
-  setStatus(NodeStatus::RUNNING);
-  for (; current_ < childrenCount(); ++current_) {
-    const NodeStatus status = ticked(*children_nodes_[current_]);
-    if (status == NodeStatus::FAILURE) {
-      haltChildren();
-      current_ = 0;
-    }
-    if (status != NodeStatus::SUCCESS) {
-      return status;
-    }
-  }
-  haltChildren();
-  current_ = 0;
-  return NodeStatus::SUCCESS;
-}
-void SequenceNode::halt()
-{
-  current_ = 0;
-  ControlNode::halt();
-}
-
-NodeStatus SequenceStarNode::tick()
-{
-  setStatus(NodeStatus::RUNNING);
-  for (; current_ < childrenCount(); ++current_) {
-    const NodeStatus status = ticked(*children_nodes_[current_]);
-    for (size_t i = current_; status == NodeStatus::FAILURE && i < childrenCount(); ++i) {
-      haltChild(i);
-    }
-    if (status != NodeStatus::SUCCESS) {
-      return status;
-    }
-  }
-  haltChildren();
-  current_ = 0;
-  return NodeStatus::SUCCESS;
-}
-void SequenceStarNode::halt()
-{
-  current_ = 0;
-  ControlNode::halt();
-}
-
-NodeStatus FallbackNode::tick()
-{
-  setStatus(NodeStatus::RUNNING);
-  for (; current_ < childrenCount(); ++current_) {
-    const NodeStatus status = ticked(*children_nodes_[current_]);
-    if (status == NodeStatus::SUCCESS) {
-      haltChildren();
-      current_ = 0;
-    }
-    if (status != NodeStatus::FAILURE) {
-      return status;
-    }
-  }
-  haltChildren();
-  current_ = 0;
-  return NodeStatus::FAILURE;
-}
-void FallbackNode::halt()
-{
-  current_ = 0;
-  ControlNode::halt();
-}
-
-NodeStatus ReactiveSequence::tick()
-{
-  for (size_t index = 0; index < childrenCount(); ++index) {
-    const NodeStatus status = ticked(*children_nodes_[index]);
-    for (size_t i = index + 1; status == NodeStatus::RUNNING && i < childrenCount(); ++i) {
-      haltChild(i);
-    }
-    if (status == NodeStatus::FAILURE) {
-      haltChildren();
-    }
-    if (status != NodeStatus::SUCCESS) {
-      return status;
-    }
-  }
-  haltChildren();
-  return NodeStatus::SUCCESS;
-}
-NodeStatus ReactiveFallback::tick()
-{
-  for (size_t index = 0; index < childrenCount(); ++index) {
-    const NodeStatus status = ticked(*children_nodes_[index]);
-    for (size_t i = index + 1; status == NodeStatus::RUNNING && i < childrenCount(); ++i) {
-      haltChild(i);
-    }
-    if (status == NodeStatus::SUCCESS) {
-      haltChildren();
-    }
-    if (status != NodeStatus::FAILURE) {
-      return status;
-    }
-  }
-  haltChildren();
-  return NodeStatus::FAILURE;
-}
-
 ParallelNode::ParallelNode(const std::string & name, int success_threshold, int failure_threshold)
 : ControlNode(name, {}), success_threshold_(success_threshold), failure_threshold_(failure_threshold)
 {

@@ -398,7 +398,7 @@ def test_nodes_of_nav2_have_servers_work(workspace):
         node("Dock", command=50): "CANCELED",
         dock: "docked after 3 steps; SUCCEEDED",
         node("Dock", server_name="nowhere"): "error: Action server nowhere not available",
-        node("Open", name="door"): "error: Service server door not available",
+        node("Open", name="door", service_name="nowhere"): "error: Service server door not available",
     }
     trees = [whole(tree) for tree in cases]
     done = scripted(workspace, MISSIONS.format(trees=trees))

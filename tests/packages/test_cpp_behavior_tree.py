@@ -378,7 +378,8 @@ with (session := Session(virtual=True)).use():
         return session.launch(make_process(session, find("k_missions", name), words, name=name))
     dock = start("dock")
     mission = start("mission", *{trees})
-    print(mission.wait(60.0), mission.output, dock.output)
+    print(mission.wait(60.0), mission.output)
+    print(dock.output)
     dock.interrupt()
 """
 

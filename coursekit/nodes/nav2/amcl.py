@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from geometry_msgs.msg import PoseWithCovarianceStamped, TransformStamped
@@ -28,6 +28,9 @@ from coursekit.nodes.running import run
 from coursekit.nodes.scanning.lasers import Lasers
 from coursekit.nodes.scanning.planar import of_transform, put
 from coursekit.nodes.scanning.scan_filter import ScanFilter, WakingBuffer, lookup
+
+if TYPE_CHECKING:
+    from builtin_interfaces.msg import Time as TimeMsg
 
 _USUAL = np.diag([0.25, 0.25, 0.06853891945200942])
 """Default covariance of an initial pose: half a metre, 15 degrees."""
@@ -197,14 +200,14 @@ class Amcl(LifecycleNode):
             self.get_logger().warning("Received initial pose request, but AMCL is not yet in the active state")
         self._begin()
 
-    def _look_everywhere(self, _request: Any, response: Any) -> Any:
+    def _look_everywhere(self, _request: Empty.Request, response: Empty.Response) -> Empty.Response:
         self.get_logger().info("Initializing with uniform distribution")
         self._anywhere = True
         self._begin()
         self.get_logger().info("Global initialisation done!")
         return response
 
-    def _force(self, _request: Any, response: Any) -> Any:
+    def _force(self, _request: Empty.Request, response: Empty.Response) -> Empty.Response:
         self.get_logger().info("Requesting no-motion update")
         self._forced = True
         return response
@@ -245,7 +248,9 @@ class Amcl(LifecycleNode):
         distance, turn = self._least
         return abs(motion.x) > distance or abs(motion.y) > distance or abs(motion.theta) > turn
 
-    def _update(self, particles: ParticleFilter, ends: np.ndarray, odometry: Pose2D, farthest: float, stamp: Any) -> None:
+    def _update(
+        self, particles: ParticleFilter, ends: np.ndarray, odometry: Pose2D, farthest: float, stamp: TimeMsg
+    ) -> None:
         """Move and weight the particles, and publish the result."""
         if self._before is not None:
             particles.move(np.array(self._before), np.array(odometry))
@@ -260,7 +265,7 @@ class Amcl(LifecycleNode):
         if self._cloud_publisher.get_subscription_count():
             self._cloud_publisher.publish(cloud_message(particles, self._map_frame, stamp))
 
-    def _publish_transform(self, stamp: Any) -> None:
+    def _publish_transform(self, stamp: TimeMsg) -> None:
         """Publish map → odom, valid slightly into the future."""
         if not self.get_parameter("tf_broadcast").value:
             return

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from geometry_msgs.msg import PoseWithCovarianceStamped
@@ -15,13 +15,16 @@ from coursekit.nav.particle_filter import Estimate, ParticleFilter
 from coursekit.nodes.scanning.planar import plane, put
 from coursekit.slam.scan import Laser
 
+if TYPE_CHECKING:
+    from builtin_interfaces.msg import Time as TimeMsg
+
 POSE_QOS = QoSProfile(depth=1, reliability=ReliabilityPolicy.RELIABLE, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 SHOWN = 2000
 """The maximum number of particles in a message."""
 _PLANE = np.ix_((0, 1, 5), (0, 1, 5))
 
 
-def pose_message(estimate: Estimate, frame: str, stamp: Any) -> PoseWithCovarianceStamped:
+def pose_message(estimate: Estimate, frame: str, stamp: TimeMsg) -> PoseWithCovarianceStamped:
     """Return the pose estimate as a message."""
     msg = PoseWithCovarianceStamped()
     msg.header.frame_id, msg.header.stamp = frame, stamp
@@ -32,7 +35,7 @@ def pose_message(estimate: Estimate, frame: str, stamp: Any) -> PoseWithCovarian
     return msg
 
 
-def cloud_message(particles: ParticleFilter, frame: str, stamp: Any) -> ParticleCloud:
+def cloud_message(particles: ParticleFilter, frame: str, stamp: TimeMsg) -> ParticleCloud:
     """Return the particles as a message, evenly sampled if there are many."""
     msg = ParticleCloud()
     msg.header.frame_id, msg.header.stamp = frame, stamp

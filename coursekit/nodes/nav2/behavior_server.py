@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from geometry_msgs.msg import PolygonStamped, Twist
@@ -22,8 +22,11 @@ from coursekit.nodes.nav2.foreign import ForeignPlugins, where_is
 from coursekit.nodes.nav2.foreign_behavior import ForeignBehavior
 from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.parameters import Obedience, declare
-from coursekit.nodes.nav2.running import Beat, Server, run
+from coursekit.nodes.nav2.running import Beat, Server, SingleGoal, run
 from coursekit.nodes.nav2.whereabouts import Whereabouts
+
+if TYPE_CHECKING:
+    from rclpy.action.goal_handle import ServerGoalHandle
 
 _SERVER: dict[str, Any] = {
     "costmap_topic": "local_costmap/costmap_raw",
@@ -143,7 +146,7 @@ class BehaviorServer(Server):
 
     # -- behaviours
 
-    async def behave(self, handle: Any, kind: Any, name: str, step: Step, *, blind: bool = False) -> Any:
+    async def behave(self, handle: ServerGoalHandle, kind: type[Any], name: str, step: Step, *, blind: bool = False) -> Any:
         """Run a behaviour step by step until it is done, fails, or is cancelled.
 
         It also ends if an obstacle is in the way, unless it is `blind`, that is, does its own checks.
@@ -168,7 +171,9 @@ class BehaviorServer(Server):
         end()
         return result
 
-    def _step(self, action: Any, handle: Any, name: str, step: Step, gone: float, most: float, blind: bool) -> Any:
+    def _step(
+        self, action: SingleGoal, handle: ServerGoalHandle, name: str, step: Step, gone: float, most: float, blind: bool
+    ) -> Any:
         """Run one step. Returns the goal's result once it ends."""
         log = self.get_logger()
         if action.replaced(handle):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import Twist
 from nav2_msgs.action import AssistedTeleop, BackUp, DriveOnHeading, Spin, Wait
@@ -12,10 +12,15 @@ from std_msgs.msg import Empty
 
 from coursekit.geometry.plane import wrap
 
+if TYPE_CHECKING:
+    from rclpy.action.goal_handle import ServerGoalHandle
+
+    from coursekit.nodes.nav2.behavior_server import BehaviorServer
+
 Speeds = tuple[float, float]
 
 
-async def spin(server: Any, name: str, handle: Any) -> Any:
+async def spin(server: BehaviorServer, name: str, handle: ServerGoalHandle) -> Any:
     """Rotate in place by `target_yaw` [rad]."""
     target, turned, last = handle.request.target_yaw, 0.0, server.heading()
     server.get_logger().info(f"Turning {target:.2f} for spin behavior.")
@@ -35,12 +40,12 @@ async def spin(server: Any, name: str, handle: Any) -> Any:
     return await server.behave(handle, Spin, name, step)
 
 
-async def back_up(server: Any, name: str, handle: Any) -> Any:
+async def back_up(server: BehaviorServer, name: str, handle: ServerGoalHandle) -> Any:
     """Drive straight backwards."""
     return await _go(server, handle, BackUp, name, -abs(handle.request.target.x), -abs(handle.request.speed))
 
 
-async def straight(server: Any, name: str, handle: Any) -> Any:
+async def straight(server: BehaviorServer, name: str, handle: ServerGoalHandle) -> Any:
     """Drive straight ahead, or backwards with negative distance and speed."""
     request = handle.request
     if request.target.x * request.speed < 0:
@@ -50,7 +55,9 @@ async def straight(server: Any, name: str, handle: Any) -> Any:
     return await _go(server, handle, DriveOnHeading, name, request.target.x, request.speed)
 
 
-async def _go(server: Any, handle: Any, kind: Any, name: str, distance: float, speed: float) -> Any:
+async def _go(
+    server: BehaviorServer, handle: ServerGoalHandle, kind: type[Any], name: str, distance: float, speed: float
+) -> Any:
     if handle.request.target.y or handle.request.target.z:
         server.get_logger().info(f"Backing up in Y and Z not supported, will only move in X ({name}).")
         handle.abort()
@@ -66,7 +73,7 @@ async def _go(server: Any, handle: Any, kind: Any, name: str, distance: float, s
     return await server.behave(handle, kind, name, step)
 
 
-async def wait(server: Any, name: str, handle: Any) -> Any:
+async def wait(server: BehaviorServer, name: str, handle: ServerGoalHandle) -> Any:
     """Wait without moving."""
     seconds = handle.request.time.sec + handle.request.time.nanosec * 1e-9
 
@@ -78,7 +85,7 @@ async def wait(server: Any, name: str, handle: Any) -> Any:
     return await server.behave(handle, Wait, name, step)
 
 
-async def assisted_teleop(server: Any, name: str, handle: Any) -> Any:
+async def assisted_teleop(server: BehaviorServer, name: str, handle: ServerGoalHandle) -> Any:
     """Follow `cmd_vel_teleop`, slower near obstacles, until `preempt_teleop` or the time is up."""
     wish, ended = Twist(), False
 

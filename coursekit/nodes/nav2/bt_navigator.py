@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from ament_index_python.packages import get_package_share_directory
 from geometry_msgs.msg import PoseStamped
@@ -16,9 +16,13 @@ from tf2_ros import TransformException
 
 from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.nav2.parameters import declare
-from coursekit.nodes.nav2.running import Server, run
+from coursekit.nodes.nav2.running import Server, SingleGoal, run
 from coursekit.nodes.nav2.trip import Crew, Trip, load_tree
 from coursekit.nodes.nav2.whereabouts import Whereabouts, stamped
+
+if TYPE_CHECKING:
+    from rclpy.action.goal_handle import ServerGoalHandle
+    from rclpy.time import Time
 
 _SERVER: dict[str, Any] = {
     "global_frame": "map",
@@ -101,13 +105,13 @@ class BtNavigator(Server):
         except TransformException:
             return None
 
-    async def _go_to(self, handle: Any) -> Any:
+    async def _go_to(self, handle: ServerGoalHandle) -> Any:
         return await self._go(handle, NavigateToPose, [handle.request.pose], self._to_pose)
 
-    async def _go_through(self, handle: Any) -> Any:
+    async def _go_through(self, handle: ServerGoalHandle) -> Any:
         return await self._go(handle, NavigateThroughPoses, list(handle.request.poses), self._through)
 
-    async def _go(self, handle: Any, kind: Any, goals: list[PoseStamped], action: Any) -> Any:
+    async def _go(self, handle: ServerGoalHandle, kind: type[Any], goals: list[PoseStamped], action: SingleGoal) -> Any:
         """Execute a goal of either action."""
         log, here = self.get_logger(), self._pose()
         if not goals or here is None:
@@ -142,12 +146,12 @@ class BtNavigator(Server):
         self._finish(handle, action, end)
         return kind.Result()
 
-    def _file(self, kind: Any) -> str:
+    def _file(self, kind: type[Any]) -> str:
         """Return the tree file of an action: the parameter's, or nav2's default."""
         share = Path(get_package_share_directory("nav2_bt_navigator"))
         return self.text(_TREES[kind]) or str(share / "behavior_trees" / _OWN[kind])
 
-    def _finish(self, handle: Any, action: Any, end: str) -> None:
+    def _finish(self, handle: ServerGoalHandle, action: SingleGoal, end: str) -> None:
         """Set and log how a goal ended."""
         log = self.get_logger()
         if end == "stopped" and handle.is_cancel_requested:
@@ -163,7 +167,7 @@ class BtNavigator(Server):
             log.error("Goal failed")
             handle.abort()
 
-    def _feedback(self, feedback: Any, trip: Trip, begin: Any) -> Any:
+    def _feedback(self, feedback: NavigateToPose.Feedback | NavigateThroughPoses.Feedback, trip: Trip, begin: Time) -> Any:
         here, now = self._pose(), self.get_clock().now()
         if here is not None:
             feedback.current_pose = stamped(here, self._frame, now.to_msg())

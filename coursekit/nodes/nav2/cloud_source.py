@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from geometry_msgs.msg import TransformStamped
@@ -13,13 +13,19 @@ from tf2_sensor_msgs.tf2_sensor_msgs import transform_points
 from coursekit.geometry.plane import Array
 from coursekit.nodes.nav2.scan_source import Source
 
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+    from coursekit.nav.obstacles import ObstacleLayer
+    from coursekit.nodes.nav2.whereabouts import Whereabouts
+
 
 class CloudSource(Source):
     """Points between two heights are obstacles, and the space in front of them is free; others are ignored, as in nav2."""
 
     kind, what = PointCloud2, "cloud"
 
-    def __init__(self, node: Any, where: Any, frame: str, layer: Any, given: dict[str, Any]) -> None:
+    def __init__(self, node: Node, where: Whereabouts, frame: str, layer: ObstacleLayer, given: dict[str, Any]) -> None:
         super().__init__(node, where, frame, layer, given)
         if given["max_obstacle_height"] <= given["min_obstacle_height"]:
             node.get_logger().warning(

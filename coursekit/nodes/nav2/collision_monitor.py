@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from geometry_msgs.msg import Twist
@@ -19,6 +19,11 @@ from coursekit.nodes.nav2.running import Server, run
 from coursekit.nodes.nav2.whereabouts import Whereabouts
 from coursekit.nodes.scanning.planar import of_transform
 from coursekit.nodes.scanning.scan_filter import lookup
+
+if TYPE_CHECKING:
+    from std_msgs.msg import Header
+
+    from coursekit.geometry.plane import Array
 
 _SERVER: dict[str, Any] = {
     "cmd_vel_in_topic": "cmd_vel_raw",
@@ -120,7 +125,7 @@ class CollisionMonitor(Server):
             self._say(self._allowed(wish))
             self._show()
 
-    def around_robot(self, corners: Any, header: Any) -> Any:
+    def around_robot(self, corners: Array, header: Header) -> Array | None:
         """Transform corners (n, 2) from a message's frame to the robot's; None if tf has no transform for that time."""
         try:
             seat = lookup(self._where.buffer, header.frame_id, self._given["base_frame_id"], header.stamp)

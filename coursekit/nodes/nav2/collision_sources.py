@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from geometry_msgs.msg import TransformStamped
@@ -20,6 +20,9 @@ from coursekit.nodes.nav2.whereabouts import Whereabouts
 from coursekit.nodes.scanning.planar import ends_of, of_transform
 from coursekit.nodes.scanning.scan_filter import lookup
 
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
 NOTHING = np.zeros((0, 2))
 _KINDS = {"scan": LaserScan, "pointcloud": PointCloud2, "range": Range}
 _SOURCE = {"type": "scan", "topic": "scan", "enabled": True}
@@ -30,7 +33,7 @@ _RANGE = {"obstacles_angle": math.pi / 180}
 class SensorSource:
     """Keeps a sensor's latest message; `points` are what it saw, relative to where the robot is now."""
 
-    def __init__(self, node: Any, where: Whereabouts, name: str, settings: dict[str, Any]) -> None:
+    def __init__(self, node: Node, where: Whereabouts, name: str, settings: dict[str, Any]) -> None:
         self.node, self.where, self.name, self.settings = node, where, name, settings
         given = declare(node, _SOURCE, name)
         if given["type"] not in _KINDS:
@@ -41,7 +44,7 @@ class SensorSource:
         self._newest: Any = None
         self._heard = node.create_subscription(_KINDS[self.kind], given["topic"], self._hear, qos_profile_sensor_data)
 
-    def _hear(self, msg: Any) -> None:
+    def _hear(self, msg: LaserScan | PointCloud2 | Range) -> None:
         self._newest = msg
 
     def close(self) -> None:
@@ -66,7 +69,7 @@ class SensorSource:
             self.node.get_logger().error(f"[{self.name}]: Failed to get its points: {fault}")
             return NOTHING
 
-    def _around_robot(self, msg: Any) -> Array:
+    def _around_robot(self, msg: LaserScan | PointCloud2 | Range) -> Array:
         buffer, base, odom = self.where.buffer, self.settings["base_frame_id"], self.settings["odom_frame_id"]
         seat = lookup(buffer, base, msg.header.frame_id, msg.header.stamp)
         seen = self._seen(msg, seat)
@@ -75,11 +78,11 @@ class SensorSource:
         then = of_transform(lookup(buffer, odom, base, msg.header.stamp))
         return (self.where.robot(odom).inverse() @ then).transform(seen)
 
-    def _seen(self, msg: Any, seat: TransformStamped) -> Array:
-        if self.kind == "pointcloud":
+    def _seen(self, msg: LaserScan | PointCloud2 | Range, seat: TransformStamped) -> Array:
+        if isinstance(msg, PointCloud2):
             points = transform_points(points_of(msg), seat)
             return points[(points[:, 2] >= self.given["min_height"]) & (points[:, 2] <= self.given["max_height"])][:, :2]
-        flat = _of_scan(msg) if self.kind == "scan" else _of_range(msg, self.given["obstacles_angle"])
+        flat = _of_scan(msg) if isinstance(msg, LaserScan) else _of_range(msg, self.given["obstacles_angle"])
         return transform_points(flat, seat)[:, :2]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from geometry_msgs.msg import Point32, PolygonStamped
@@ -10,6 +10,10 @@ from rcl_interfaces.msg import ParameterDescriptor
 
 from coursekit.nav.zones import Speeds, Zone, pace
 from coursekit.nodes.nav2.parameters import declare
+
+if TYPE_CHECKING:
+    from coursekit.geometry.plane import Array
+    from coursekit.nodes.nav2.collision_monitor import CollisionMonitor
 
 ACTIONS = ("stop", "slowdown", "approach", "limit")
 _ZONE = {
@@ -22,7 +26,7 @@ _ZONE = {
 class RobotZone:
     """A zone, by its name in the parameters; an `approach` zone without points uses the footprint topic."""
 
-    def __init__(self, node: Any, name: str) -> None:
+    def __init__(self, node: CollisionMonitor, name: str) -> None:
         self.node, self.name = node, name
         self.given = declare(node, {**_ZONE, "polygon_pub_topic": name}, name)
         if not node.has_parameter(f"{name}.points"):
@@ -79,7 +83,7 @@ class RobotZone:
         if around is not None:
             self._zone.corners = around
 
-    def wish(self, points: Any, speeds: Speeds) -> Speeds | None:
+    def wish(self, points: Array, speeds: Speeds) -> Speeds | None:
         """Return the speeds that the zone allows, or None if nothing is in the way."""
         known = self._zone.corners is not None or self._zone.radius > 0
         enabled = self.node.get_parameter(f"{self.name}.enabled").value

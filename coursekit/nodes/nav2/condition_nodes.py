@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeNode
+
+if TYPE_CHECKING:
+    from geometry_msgs.msg import PoseStamped
 
 
 class Paced(TreeNode):
@@ -101,7 +104,7 @@ def _drop_passed(node: TreeNode) -> bool:
     return True
 
 
-def _place(pose: Any) -> tuple[float, float]:
+def _place(pose: PoseStamped) -> tuple[float, float]:
     return pose.pose.position.x, pose.pose.position.y
 
 

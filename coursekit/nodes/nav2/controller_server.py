@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import Twist
 from nav2_msgs.action import FollowPath
@@ -20,6 +20,9 @@ from coursekit.nodes.nav2.foreign import ForeignPlugins
 from coursekit.nodes.nav2.foreign_controller import ForeignController, ForeignGoalChecker
 from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import Beat, Server, run
+
+if TYPE_CHECKING:
+    from rclpy.action.goal_handle import ServerGoalHandle
 
 
 class ControllerServer(Server):
@@ -120,7 +123,7 @@ class ControllerServer(Server):
 
     # -- path following
 
-    async def _follow(self, handle: Any) -> Any:
+    async def _follow(self, handle: ServerGoalHandle) -> Any:
         """Drive until the goal is reached, fails, or is cancelled."""
         result, request = FollowPath.Result(), handle.request
         fault = self._unknown(request)
@@ -144,7 +147,7 @@ class ControllerServer(Server):
             beat.stop()
         return result
 
-    def _unknown(self, request: Any) -> str:
+    def _unknown(self, request: FollowPath.Goal) -> str:
         """Return what is wrong with a goal, or ''."""
         if request.controller_id and request.controller_id not in self._controllers:
             known = ", ".join(self._controllers)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from nav2_msgs.msg import CostmapFilterInfo, SpeedLimit
@@ -17,6 +17,9 @@ from coursekit.nodes.nav2.parameters import declare, no_such_plugin
 from coursekit.nodes.nav2.scan_source import in_server_space
 from coursekit.nodes.nav2.whereabouts import Whereabouts
 
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
 _GIVEN: dict[str, Any] = {"enabled": True, "filter_info_topic": "costmap_filter_info", "transform_tolerance": 0.1}
 
 
@@ -25,7 +28,7 @@ class Filter:
 
     types: tuple[int, ...] = ()
 
-    def __init__(self, node: Any, name: str, where: Whereabouts) -> None:
+    def __init__(self, node: Node, name: str, where: Whereabouts) -> None:
         self.node, self.name, self._where = node, name, where
         self.given = declare(node, _GIVEN, name)
         self.info: CostmapFilterInfo | None = None
@@ -99,7 +102,7 @@ class Speed(Filter):
 
     types = (1, 2)
 
-    def __init__(self, node: Any, name: str, where: Whereabouts) -> None:
+    def __init__(self, node: Node, name: str, where: Whereabouts) -> None:
         super().__init__(node, name, where)
         topic = declare(node, {"speed_limit_topic": "speed_limit"}, name)["speed_limit_topic"]
         self._out = node.create_publisher(SpeedLimit, in_server_space(node, topic), 10)
@@ -125,7 +128,7 @@ class Speed(Filter):
 _KINDS = {"nav2_costmap_2d::KeepoutFilter": Keepout, "nav2_costmap_2d::SpeedFilter": Speed}
 
 
-def filters(node: Any, names: list[str], where: Whereabouts) -> list[Filter]:
+def filters(node: Node, names: list[str], where: Whereabouts) -> list[Filter]:
     """Return a costmap's filters. ValueError for unknown types."""
     costmap_filters = []
     for name in names:

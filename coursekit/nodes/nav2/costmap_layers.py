@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from nav_msgs.msg import OccupancyGrid
@@ -22,11 +22,14 @@ from coursekit.nodes.nav2.range_source import RangeSource
 from coursekit.nodes.nav2.scan_source import ScanSource, Source, in_server_space, layer_of
 from coursekit.nodes.nav2.whereabouts import Whereabouts
 
+if TYPE_CHECKING:
+    from coursekit.nodes.nav2.costmap_node import CostmapNode
+
 
 class Layers:
     """Map, obstacles and inflation of a costmap node; `costmap` is the latest result."""
 
-    def __init__(self, node: Any, where: Whereabouts, given: dict[str, Any], robot: Footprint) -> None:
+    def __init__(self, node: CostmapNode, where: Whereabouts, given: dict[str, Any], robot: Footprint) -> None:
         self.node, self.given, self.robot = node, given, robot
         size = given["width"], given["height"], given["resolution"], given["origin_x"], given["origin_y"]
         self.empty = UNKNOWN if given["track_unknown_space"] else FREE

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import array
-from typing import Any
+from typing import TYPE_CHECKING
 
 from geometry_msgs.msg import Point32, PolygonStamped
 from nav2_msgs.msg import Costmap as CostmapMessage
@@ -22,11 +22,14 @@ from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.whereabouts import Whereabouts
 
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
 
 class CostmapNode(PluginsOwner):
     """Updates and publishes a costmap while active, and clears it on request."""
 
-    def __init__(self, name: str, parent: Any) -> None:
+    def __init__(self, name: str, parent: Node) -> None:
         space = parent.get_namespace().rstrip("/")
         local = ["--ros-args", "-r", f"__ns:={space}/{name}", "-r", f"__node:={name}"]
         super().__init__(name, namespace=f"{space}/{name}", cli_args=local, context=parent.context)
@@ -200,16 +203,22 @@ class CostmapNode(PluginsOwner):
         for foreign in self.layers.foreign:
             foreign.reset()
 
-    def _clear(self, _request: Any, response: Any) -> Any:
+    def _clear(
+        self, _request: ClearEntireCostmap.Request, response: ClearEntireCostmap.Response
+    ) -> ClearEntireCostmap.Response:
         self.get_logger().info(f"Received request to clear entirely the {self.get_name()}")
         self.clear()
         return response
 
-    def _clear_around(self, request: Any, response: Any) -> Any:
+    def _clear_around(
+        self, request: ClearCostmapAroundRobot.Request, response: ClearCostmapAroundRobot.Response
+    ) -> ClearCostmapAroundRobot.Response:
         self._clear_square(request.reset_distance, outside=False)
         return response
 
-    def _clear_except(self, request: Any, response: Any) -> Any:
+    def _clear_except(
+        self, request: ClearCostmapExceptRegion.Request, response: ClearCostmapExceptRegion.Response
+    ) -> ClearCostmapExceptRegion.Response:
         self._clear_square(request.reset_distance, outside=True)
         return response
 
@@ -222,7 +231,7 @@ class CostmapNode(PluginsOwner):
         for layer, _ in self.layers.obstacles:
             layer.forget_square(here.x, here.y, side, outside=outside)
 
-    def _get(self, _request: Any, response: Any) -> Any:
+    def _get(self, _request: GetCostmap.Request, response: GetCostmap.Response) -> GetCostmap.Response:
         if self.latest is not None:
             response.map = self._as_costmap(self.latest)
         return response

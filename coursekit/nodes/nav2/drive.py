@@ -18,6 +18,9 @@ from coursekit.nodes.nav2.whereabouts import stamped
 from coursekit.nodes.scanning.planar import plane
 
 if TYPE_CHECKING:
+    from rclpy.action.goal_handle import ServerGoalHandle
+
+    from coursekit.nav.costmap import Costmap
     from coursekit.nodes.nav2.controller_server import ControllerServer
 
 _PLANNER_EXCEPTION = "nav2_core::PlannerException"
@@ -26,7 +29,7 @@ _PLANNER_EXCEPTION = "nav2_core::PlannerException"
 class Drive:
     """One goal of follow_path, executed step by step."""
 
-    def __init__(self, server: ControllerServer, handle: Any, one: Any) -> None:
+    def __init__(self, server: ControllerServer, handle: ServerGoalHandle, one: Any) -> None:
         self.server, self.handle, self.controller = server, handle, one
         self.path = handle.request.path
         self.frame = self.path.header.frame_id or server.costmap.frame
@@ -92,12 +95,12 @@ class Drive:
         self._feed_back(here, points)
         return False
 
-    def _command(self, costs: Any, here: Pose2D, goal: Pose2D, points: np.ndarray) -> Twist:
+    def _command(self, costs: Costmap, here: Pose2D, goal: Pose2D, points: np.ndarray) -> Twist:
         velocity = Twist()
         velocity.linear.x, velocity.angular.z = self._speeds(costs, here, goal, points)
         return velocity
 
-    def _speeds(self, costs: Any, here: Pose2D, goal: Pose2D, points: np.ndarray) -> tuple[float, float]:
+    def _speeds(self, costs: Costmap, here: Pose2D, goal: Pose2D, points: np.ndarray) -> tuple[float, float]:
         now = self.server.speeds
         if self.checker.near(here, goal):
             if not self.controller.blocked(costs, here):
@@ -145,7 +148,7 @@ class ForeignDrive(Drive):
     def _begin(self) -> None:
         self.controller.follow(self.path)
 
-    def _command(self, costs: Any, here: Pose2D, goal: Pose2D, points: np.ndarray) -> Twist:
+    def _command(self, costs: Costmap, here: Pose2D, goal: Pose2D, points: np.ndarray) -> Twist:
         server = self.server
         at = stamped(here, server.costmap.frame, server.get_clock().now().to_msg())
         try:

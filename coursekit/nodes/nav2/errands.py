@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from action_msgs.msg import GoalStatus
 from rclpy.action import ActionClient
 
 from coursekit.nodes.nav2.running import Beat
 
+if TYPE_CHECKING:
+    from rclpy.client import Client
+    from rclpy.node import Node
+
 
 class Errand:
     """An action client for one goal after another."""
 
-    def __init__(self, node: Any, kind: Any, name: str) -> None:
+    def __init__(self, node: Node, kind: type[Any], name: str) -> None:
         self.node, self.name = node, name
         self.client = ActionClient(node, kind, name)
         self._handle: Any = None
@@ -75,7 +79,7 @@ class Errand:
         return self.succeeded
 
 
-async def call(node: Any, client: Any, request: Any = None) -> Any:
+async def call(node: Node, client: Client, request: Any = None) -> Any:
     """Return a service's response, or None if the service is not available."""
     if not client.service_is_ready():
         node.get_logger().warning(f"{client.srv_name} is not available")

@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Iterable
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
-from rclpy.lifecycle import LifecycleNode, TransitionCallbackReturn
+from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
 
 from coursekit.nodes.compiled.classes import CppFault, PluginFault, Program, check, plugins_of, program_of
 from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.node import GroupsApart
 from coursekit.nodes.nav2.parameters import NoPlugin, no_such_plugin
+
+if TYPE_CHECKING:
+    from coursekit.nav.costmap import Costmap
+    from coursekit.nav.footprint import Footprint
+    from coursekit.nodes.nav2.costmap_node import CostmapNode
 
 
 class Foreign:
@@ -42,7 +47,7 @@ class Foreign:
         """End its program."""
         self._program.close()
 
-    def share(self, thing: Any) -> int:
+    def share(self, thing: object) -> int:
         """Let it use an object. Returns the object's number there."""
         return self._program.share(thing)
 
@@ -68,7 +73,7 @@ class PluginsOwner(GroupsApart, LifecycleNode):
         log.error(f"Caught exception in callback for transition {self._state_machine.current_state[0]}")
         log.error(f"Original error: {error}")
 
-    def on_error(self, state: Any) -> TransitionCallbackReturn:
+    def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Become unconfigured."""
         self.get_logger().fatal(f"Lifecycle node {self.get_name()} does not have error state implemented")
         return TransitionCallbackReturn.SUCCESS
@@ -80,7 +85,7 @@ Kind = TypeVar("Kind", bound=Foreign)
 class ForeignPlugins:
     """The C++ classes of a server, by the names of its plugins."""
 
-    def __init__(self, node: Any, costmap: Any = None) -> None:
+    def __init__(self, node: PluginsOwner, costmap: CostmapNode | None = None) -> None:
         self._node, self._costmap = node, costmap
         self._all: dict[str, Foreign] = {}
 
@@ -137,7 +142,7 @@ def where_is(wanted: type[Foreign], name: str, kind: str, known: Iterable[str]) 
         raise NoPlugin(f"Failed to create {what}. Exception: {fault}") from None
 
 
-def packed_costs(costs: Any, robot: Any) -> bytes:
+def packed_costs(costs: Costmap, robot: Footprint) -> bytes:
     """Pack costs and a robot's outline; `Costmap2DROS::renew` reads them."""
     place = struct.pack("<3d", costs.resolution, costs.x, costs.y)
     cells = packed(*costs.cells.shape, costs.cells.tobytes())

@@ -40,7 +40,7 @@ class ForeignController(Foreign):
         """Call setSpeedLimit."""
         self.ask("limit", rest=struct.pack("<dq", speed, percentage))
 
-    def command(self, here: PoseStamped, velocity: Twist, checker: Any) -> Twist:
+    def command(self, here: PoseStamped, velocity: Twist, checker: GoalChecker | ForeignGoalChecker) -> Twist:
         """Call computeVelocityCommands."""
         if id(checker) not in self._lent:
             self._lent[id(checker)] = self.share(answering(checker))

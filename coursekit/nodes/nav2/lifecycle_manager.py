@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import rclpy
 from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState
@@ -68,11 +66,13 @@ class LifecycleManager(Node):
             return
         self.get_logger().error("Failed to bring up all requested nodes. Aborting bringup.")
 
-    def _manage(self, request: Any, response: Any) -> Any:
+    def _manage(
+        self, request: ManageLifecycleNodes.Request, response: ManageLifecycleNodes.Response
+    ) -> ManageLifecycleNodes.Response:
         response.success = self._run(request.command)
         return response
 
-    def _is_active(self, _request: Any, response: Any) -> Any:
+    def _is_active(self, _request: Trigger.Request, response: Trigger.Response) -> Trigger.Response:
         response.success = self._active
         return response
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from nav_msgs.msg import OccupancyGrid
@@ -12,10 +12,13 @@ from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from coursekit.geometry.rotation import yaw_of
 from coursekit.nav.map_file import GridMap
 
+if TYPE_CHECKING:
+    from builtin_interfaces.msg import Time as TimeMsg
+
 MAP_QOS = QoSProfile(depth=1, reliability=ReliabilityPolicy.RELIABLE, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 
-def to_message(grid: GridMap, frame: str, stamp: Any) -> OccupancyGrid:
+def to_message(grid: GridMap, frame: str, stamp: TimeMsg) -> OccupancyGrid:
     """Return a map as a message; its origin's yaw becomes a quaternion."""
     msg = OccupancyGrid()
     msg.header.frame_id = frame

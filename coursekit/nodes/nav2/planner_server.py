@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import PoseStamped
 from nav2_msgs.action import ComputePathThroughPoses, ComputePathToPose
@@ -24,6 +24,10 @@ from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.nav2.whereabouts import path_message, stamped
 from coursekit.nodes.scanning.planar import plane
+
+if TYPE_CHECKING:
+    from builtin_interfaces.msg import Time as TimeMsg
+    from rclpy.action.goal_handle import ServerGoalHandle
 
 _SERVER = {"planner_plugins": ["GridBased"], "expected_planner_frequency": 1.0}
 PATIENCE = 30
@@ -107,13 +111,15 @@ class PlannerServer(Server):
 
     # -- planning
 
-    async def _to_pose(self, handle: Any) -> Any:
+    async def _to_pose(self, handle: ServerGoalHandle) -> Any:
         return await self._answer(handle, ComputePathToPose.Result(), [handle.request.goal])
 
-    async def _through_poses(self, handle: Any) -> Any:
+    async def _through_poses(self, handle: ServerGoalHandle) -> Any:
         return await self._answer(handle, ComputePathThroughPoses.Result(), handle.request.goals)
 
-    async def _answer(self, handle: Any, result: Any, goals: list[Any]) -> Any:
+    async def _answer(
+        self, handle: ServerGoalHandle, result: ComputePathToPose.Result | ComputePathThroughPoses.Result, goals: list[Any]
+    ) -> Any:
         """Plan through the goals, and tell."""
         if not await self._costs_come(handle):
             handle.canceled() if handle.is_cancel_requested else handle.abort()
@@ -138,7 +144,9 @@ class PlannerServer(Server):
                 f"Planner loop missed its desired rate of {wanted:.4f} Hz. Current loop rate is {1 / seconds:.4f} Hz"
             )
 
-    def _plan(self, request: Any, goals: list[Any], stamp: Any) -> Path:
+    def _plan(
+        self, request: ComputePathToPose.Goal | ComputePathThroughPoses.Goal, goals: list[Any], stamp: TimeMsg
+    ) -> Path:
         """Return the whole way. Raises PlanError, TransformException."""
         name = request.planner_id or next(iter(self._planners))
         if name not in self._planners:
@@ -181,7 +189,7 @@ class PlannerServer(Server):
         before = next((end for last, end in self._ends if last.distance(to) < costs.resolution), None)
         return path_message(planner.plan(costs, at, to, before), self.costmap.frame, start.header.stamp)
 
-    async def _costs_come(self, handle: Any) -> bool:
+    async def _costs_come(self, handle: ServerGoalHandle) -> bool:
         """Wait a little for the first map and the first transform; whether someone still wants the path."""
         beat = Beat(self, 0.1)
         try:
@@ -204,7 +212,7 @@ class PlannerServer(Server):
             )
         return costs
 
-    def _is_valid(self, request: Any, response: Any) -> Any:
+    def _is_valid(self, request: IsPathValid.Request, response: IsPathValid.Response) -> IsPathValid.Response:
         costs = self.costmap.latest
         if costs is None:
             return response

@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Awaitable, Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from rclpy.action import ActionServer, CancelResponse, GoalResponse
-from rclpy.lifecycle import LifecycleNode
+from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
 from rclpy.task import Future
 
 from coursekit.nodes.nav2.foreign import PluginsOwner
 from coursekit.nodes.running import spin_to_the_end
+
+if TYPE_CHECKING:
+    from rclpy.action.goal_handle import ServerGoalHandle
+    from rclpy.node import Node
 
 
 def run(make: Callable[[], LifecycleNode], args: list[str] | None = None) -> int:
@@ -24,7 +28,7 @@ def run(make: Callable[[], LifecycleNode], args: list[str] | None = None) -> int
 class Beat:
     """A periodic timer for coroutines, on the node's clock: `await beat.next()`; `stop()` ends it."""
 
-    def __init__(self, node: Any, period: float) -> None:
+    def __init__(self, node: Node, period: float) -> None:
         self._node, self._waiting = node, Future()
         self._timer = node.create_timer(period, self._tick)
 
@@ -41,7 +45,7 @@ class Beat:
         self._node.destroy_timer(self._timer)
 
 
-async def pause(node: Any, seconds: float) -> None:
+async def pause(node: Node, seconds: float) -> None:
     """Sleep on the node's clock."""
     beat = Beat(node, seconds)
     try:
@@ -57,7 +61,7 @@ class SingleGoal:
     `replaced(handle)` and ends when that is true.
     """
 
-    def __init__(self, node: Any, kind: Any, name: str, work: Callable[[Any], Awaitable[Any]]) -> None:
+    def __init__(self, node: Node, kind: type[Any], name: str, work: Callable[[Any], Awaitable[Any]]) -> None:
         self.node, self.active, self._work = node, False, work
         self.current: Any = None
         self.fresh = True
@@ -74,14 +78,14 @@ class SingleGoal:
             )
         return GoalResponse.ACCEPT if self.active else GoalResponse.REJECT
 
-    async def _run(self, handle: Any) -> Any:
+    async def _run(self, handle: ServerGoalHandle) -> Any:
         self.fresh, self.current = self.current is None, handle
         result = await self._work(handle)
         if self.current is handle:
             self.current = None
         return result
 
-    def replaced(self, handle: Any) -> bool:
+    def replaced(self, handle: ServerGoalHandle) -> bool:
         """Whether a newer goal has arrived, or the server has been deactivated."""
         return self.current is not handle or not self.active
 
@@ -117,26 +121,26 @@ class Server(PluginsOwner):
         """A parameter as text."""
         return str(self.get_parameter(name).value)
 
-    def serve(self, kind: Any, name: str, work: Callable[[Any], Awaitable[Any]]) -> SingleGoal:
+    def serve(self, kind: type[Any], name: str, work: Callable[[Any], Awaitable[Any]]) -> SingleGoal:
         """Create an action server."""
         self.actions.append(SingleGoal(self, kind, name, work))
         return self.actions[-1]
 
-    def on_activate(self, state: Any) -> Any:
+    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Accept goals."""
         self.get_logger().info("Activating")
         for action in self.actions:
             action.wake()
         return super().on_activate(state)
 
-    def on_deactivate(self, state: Any) -> Any:
+    def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Reject goals."""
         self.get_logger().info("Deactivating")
         for action in self.actions:
             action.sleep()
         return super().on_deactivate(state)
 
-    def on_cleanup(self, state: Any) -> Any:
+    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Destroy the action servers."""
         self.get_logger().info("Cleaning up")
         for action in self.actions:

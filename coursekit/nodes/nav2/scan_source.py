@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from geometry_msgs.msg import TransformStamped
@@ -16,6 +16,11 @@ from coursekit.nodes.nav2.whereabouts import Whereabouts
 from coursekit.nodes.scanning.planar import fault_of, of_transform, upside_down
 from coursekit.nodes.scanning.scan_filter import ScanFilter, lookup
 
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+    from coursekit.nav.costmap import Costmap
+
 
 class Source:
     """Marks and clears a layer with the messages of a topic, once tf has the sensor's pose at their time."""
@@ -24,7 +29,7 @@ class Source:
     what: str
     """The type of its messages, and the word for one in log messages."""
 
-    def __init__(self, node: Any, where: Whereabouts, frame: str, layer: ObstacleLayer, given: dict[str, Any]) -> None:
+    def __init__(self, node: Node, where: Whereabouts, frame: str, layer: ObstacleLayer, given: dict[str, Any]) -> None:
         self.node, self.layer, self.given, self._where, self._frame = node, layer, given, where, frame
         self.filter = ScanFilter(node, where.buffer, frame, 10, self._take)
         self._heard = node.create_subscription(
@@ -99,13 +104,13 @@ class ScanSource(Source):
         return np.column_stack([length * np.cos(angles[used]), length * np.sin(angles[used])]), marks
 
 
-def layer_of(like: Any, given: list[dict[str, Any]]) -> ObstacleLayer:
+def layer_of(like: Costmap, given: list[dict[str, Any]]) -> ObstacleLayer:
     """An empty layer with the largest marking and clearing ranges among its sources."""
     mark = max((source["obstacle_max_range"] for source in given), default=math.inf)
     return ObstacleLayer(like, mark, max((source["raytrace_max_range"] for source in given), default=math.inf))
 
 
-def in_server_space(node: Any, topic: str) -> str:
+def in_server_space(node: Node, topic: str) -> str:
     """Resolve a topic in the namespace of the costmap's server: relative names do not start in the costmap's own namespace.
 
     >>> from types import SimpleNamespace

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from nav2_msgs.action import SmoothPath
@@ -17,6 +17,12 @@ from coursekit.nodes.nav2.parameters import Obedience, declare, no_such_plugin
 from coursekit.nodes.nav2.running import Beat, Server, run
 from coursekit.nodes.nav2.whereabouts import path_message
 from coursekit.nodes.scanning.planar import plane
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from geometry_msgs.msg import PoseStamped
+    from rclpy.action.goal_handle import ServerGoalHandle
 
 _SERVER: dict[str, Any] = {
     "costmap_topic": "global_costmap/costmap_raw",
@@ -85,7 +91,7 @@ class SmootherServer(Server):
         cells = np.array(msg.data, dtype=np.uint8).reshape(meta.size_y, meta.size_x)
         self._costs = Costmap(cells, float(f"{meta.resolution:.6g}"), meta.origin.position.x, meta.origin.position.y)
 
-    async def _smooth(self, handle: Any) -> Any:
+    async def _smooth(self, handle: ServerGoalHandle) -> Any:
         request, result, begin = handle.request, SmoothPath.Result(), self.get_clock().now()
         beat = Beat(self, 0.1)
         for _ in range(PATIENCE):
@@ -109,7 +115,7 @@ class SmootherServer(Server):
         handle.succeed()
         return result
 
-    def _fault(self, name: str, poses: Any) -> str:
+    def _fault(self, name: str, poses: Sequence[PoseStamped]) -> str:
         if name not in self._rounds:
             return f"SmoothPath called with smoother name {name}, which does not exist. Known: {', '.join(self._rounds)}"
         return "Smoother: the path is empty" if not poses else "Smoother: no costmap has been heard yet"

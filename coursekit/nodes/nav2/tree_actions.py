@@ -138,7 +138,7 @@ class PlanToPose(ActionNode):
             asked.start, asked.use_start = self.get("start"), True
         return asked
 
-    def done(self, result: Any) -> None:
+    def done(self, result: ComputePathToPose.Result | ComputePathThroughPoses.Result) -> None:
         """Keep the path as a candidate."""
         self._new = result.path
 
@@ -165,7 +165,7 @@ class Follow(ActionNode):
         names = {name: self.get(name, "") for name in ("controller_id", "goal_checker_id")}
         return FollowPath.Goal(path=self.path, **names)
 
-    def done(self, result: Any) -> None:
+    def done(self, result: FollowPath.Result) -> None:
         """Record that no path is driven any more."""
         self.board.pop("driven", None)
 
@@ -189,13 +189,13 @@ class Smooth(ActionNode):
             check_for_collisions=str(self.get("check_for_collisions", "")).lower() in ("true", "1"),
         )  # fmt: skip
 
-    def done(self, result: Any) -> None:
+    def done(self, result: SmoothPath.Result) -> None:
         """Store the smoothed path."""
         self.put("smoothed_path", result.path)
         self.put("was_completed", result.was_completed)
 
 
-def _ordered(name: str, action: Any, by: str, make: Callable[[TreeNode], Any]) -> type[ActionNode]:
+def _ordered(name: str, action: type[Any], by: str, make: Callable[[TreeNode], Any]) -> type[ActionNode]:
     """A recovery that sends one goal to an action."""
     return type(name, (ActionNode,), {"kind": action, "server": by, "recovers": True, "goal": make})
 
@@ -262,7 +262,7 @@ class PathIsValid(CallNode):
         """Check the current path."""
         return IsPathValid.Request(path=self.get("path"))
 
-    def answered(self, answer: Any) -> bool:
+    def answered(self, answer: IsPathValid.Response) -> bool:
         """Whether the path is free."""
         return bool(answer.is_valid)
 

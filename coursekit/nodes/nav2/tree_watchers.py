@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy.qos import qos_profile_system_default
 from sensor_msgs.msg import BatteryState
 
 from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeNode
 
+if TYPE_CHECKING:
+    from nav_msgs.msg import Path
 
-def length(path: Any) -> float:
+
+def length(path: Path) -> float:
     """Return the length of a path message [m]."""
     points = [(pose.pose.position.x, pose.pose.position.y) for pose in path.poses]
     return sum(math.dist(first, second) for first, second in pairwise(points))
@@ -80,7 +83,7 @@ class Detour(TreeNode):
         self.path = new
         return status
 
-    def _is_detour(self, new: Any) -> bool:
+    def _is_detour(self, new: Path) -> bool:
         if self.path is None or new == self.path or not self.path.poses:
             return False
         before = length(self.path)

@@ -6,7 +6,7 @@ import math
 from collections import deque
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import PoseStamped
 from rclpy.action import ActionClient
@@ -27,6 +27,10 @@ from coursekit.nodes.nav2.tree_actions import ACTIONS
 from coursekit.nodes.nav2.tree_watchers import WATCHERS
 from coursekit.nodes.scanning.planar import points_of
 
+if TYPE_CHECKING:
+    from rclpy.node import Node
+    from rclpy.qos import QoSProfile
+
 KINDS: dict[str, type[TreeNode]] = {**CONTROLS, **BRANCHES, **ACTIONS, **CONDITIONS, **WATCHERS}
 MOST_BYTES = 2**20
 
@@ -34,27 +38,27 @@ MOST_BYTES = 2**20
 class Crew:
     """The resources that the trees' nodes share: clients, messages, and the robot's pose."""
 
-    def __init__(self, node: Any, where: Callable[[], Pose2D | None], place_of: Callable[[PoseStamped], Pose2D]) -> None:
+    def __init__(self, node: Node, where: Callable[[], Pose2D | None], place_of: Callable[[PoseStamped], Pose2D]) -> None:
         self.node, self.pose, self._place_of = node, where, place_of
         self.goes_on = False
         """Whether a newer goal replaces this one; the robot is then not stopped in between."""
         self._clients: dict[tuple[Any, str], Any] = {}
         self._heard: dict[str, tuple[Any, deque[Any]]] = {}
 
-    def client(self, kind: Any, name: str) -> ActionClient:
+    def client(self, kind: type[Any], name: str) -> ActionClient:
         """The client of an action."""
         if (kind, name) not in self._clients:
             self._clients[kind, name] = ActionClient(self.node, kind, name)
         client: ActionClient = self._clients[kind, name]
         return client
 
-    def service(self, kind: Any, name: str) -> Any:
+    def service(self, kind: type[Any], name: str) -> Any:
         """The client of a service."""
         if (kind, name) not in self._clients:
             self._clients[kind, name] = self.node.create_client(kind, name)
         return self._clients[kind, name]
 
-    def listen(self, topic: str, kind: Any = PoseStamped, qos: Any = 10) -> deque[Any]:
+    def listen(self, topic: str, kind: type[Any] = PoseStamped, qos: QoSProfile | int = 10) -> deque[Any]:
         """A queue with the newest message of a topic, or empty."""
         if topic not in self._heard:
             kept: deque[Any] = deque(maxlen=1)

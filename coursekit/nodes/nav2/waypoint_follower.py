@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from nav2_msgs.action import FollowWaypoints, NavigateToPose
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
@@ -14,6 +14,10 @@ from coursekit.nodes.nav2.foreign import ForeignPlugins
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import Server, run
 from coursekit.nodes.nav2.waypoint_tasks import task_of
+
+if TYPE_CHECKING:
+    from geometry_msgs.msg import PoseStamped
+    from rclpy.action.goal_handle import ServerGoalHandle
 
 _SERVER: dict[str, Any] = {
     "stop_on_failure": True,
@@ -50,7 +54,7 @@ class WaypointFollower(Server):
             self.destroy_subscription(self._task.subscription)
         return super().on_cleanup(state)
 
-    async def _follow(self, handle: Any) -> Any:
+    async def _follow(self, handle: ServerGoalHandle) -> Any:
         """Go to all poses and report missed ones; with `stop_on_failure`, the first missed pose aborts the goal."""
         result, log = FollowWaypoints.Result(), self.get_logger()
         poses = handle.request.poses
@@ -79,7 +83,7 @@ class WaypointFollower(Server):
         handle.succeed()
         return result
 
-    async def _visit(self, pose: Any, number: int, missed: list[int], stop: Callable[[], bool]) -> bool:
+    async def _visit(self, pose: PoseStamped, number: int, missed: list[int], stop: Callable[[], bool]) -> bool:
         """Go to a pose and do the task there; return whether both went well. A pose that was not reached is `missed`."""
         log, goes_on = self.get_logger(), not self._given["stop_on_failure"]
         good = await self._go.do(NavigateToPose.Goal(pose=pose), stop)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from geometry_msgs.msg import PoseStamped
 from rclpy.duration import Duration
@@ -16,6 +16,9 @@ from coursekit.nodes.nav2.foreign import ForeignPlugins
 from coursekit.nodes.nav2.foreign_behavior import ForeignTask
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import pause
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 LOOK_SECONDS = 1 / 50
 Stop = Callable[[], bool]
@@ -35,7 +38,7 @@ class WaitAtWaypoint:
 
     DEFAULTS: dict[str, Any] = {"enabled": True, "waypoint_pause_duration": 0}
 
-    def __init__(self, node: Any, given: dict[str, Any]) -> None:
+    def __init__(self, node: Node, given: dict[str, Any]) -> None:
         self._node, self.subscription = node, None
         self._seconds = given["waypoint_pause_duration"] * 1e-3 if given["enabled"] else 0.0
 
@@ -51,7 +54,7 @@ class InputAtWaypoint:
 
     DEFAULTS: dict[str, Any] = {"enabled": True, "timeout": 10.0, "input_topic": "input_at_waypoint/input"}
 
-    def __init__(self, node: Any, given: dict[str, Any]) -> None:
+    def __init__(self, node: Node, given: dict[str, Any]) -> None:
         self._node, self._given, self._heard = node, given, False
         node.get_logger().info(f"InputAtWaypoint: Subscribing to input topic {given['input_topic']}.")
         self.subscription = node.create_subscription(Empty, given["input_topic"], self._hear, 1)
@@ -80,7 +83,7 @@ class PhotoAtWaypoint:
         "enabled": True, "image_topic": "/camera/color/image_raw", "save_dir": "/tmp/waypoint_images", "image_format": "png",
     }  # fmt: skip
 
-    def __init__(self, node: Any, given: dict[str, Any]) -> None:
+    def __init__(self, node: Node, given: dict[str, Any]) -> None:
         self._node, self._given, self._picture, self.subscription = node, given, Image(), None
         self._folder = Path(given["save_dir"])
         self._enabled = given["enabled"] and self._make_folder()
@@ -136,7 +139,7 @@ KINDS: dict[str, Any] = {
 }
 
 
-def task_of(node: Any, name: str, foreign: ForeignPlugins) -> Task:
+def task_of(node: Node, name: str, foreign: ForeignPlugins) -> Task:
     """Return the task that the parameters under `name.` describe. Raises NoPlugin, CppFault."""
     plugin = declare(node, {"plugin": "nav2_waypoint_follower::WaitAtWaypoint"}, name)["plugin"]
     if plugin not in KINDS:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from geometry_msgs.msg import PoseStamped
@@ -12,15 +12,19 @@ from rclpy.executors import SingleThreadedExecutor
 from rclpy.time import Time
 from tf2_ros import Buffer, TransformException, TransformListener
 
-from coursekit.geometry.plane import Pose2D
+from coursekit.geometry.plane import Array, Pose2D
 from coursekit.nodes.scanning.planar import of_transform, plane, to_pose
 from coursekit.nodes.scanning.scan_filter import WakingBuffer
+
+if TYPE_CHECKING:
+    from builtin_interfaces.msg import Time as TimeMsg
+    from rclpy.node import Node
 
 
 class Whereabouts:
     """The transforms that a node of nav2 needs; lookups raise TransformException if a transform is missing."""
 
-    def __init__(self, node: Any, base: str, listener: Any = None) -> None:
+    def __init__(self, node: Node, base: str, listener: Node | None = None) -> None:
         """`listener` is the node that subscribes to tf, if it is another node: remappings of tf apply to its namespace."""
         self.node, self.base = node, base
         self.buffer = WakingBuffer(node=node)
@@ -89,14 +93,14 @@ class Whereabouts:
         return self.between(frame, msg.header.frame_id or frame) @ here
 
 
-def stamped(pose: Pose2D, frame: str, stamp: Any) -> PoseStamped:
+def stamped(pose: Pose2D, frame: str, stamp: TimeMsg) -> PoseStamped:
     """A pose as a message."""
     msg = PoseStamped()
     msg.header.frame_id, msg.header.stamp, msg.pose = frame, stamp, to_pose(pose)
     return msg
 
 
-def path_message(poses: Any, frame: str, stamp: Any) -> Path:
+def path_message(poses: Array, frame: str, stamp: TimeMsg) -> Path:
     """Poses (n, 3) as a path."""
     msg = Path()
     msg.header.frame_id, msg.header.stamp = frame, stamp

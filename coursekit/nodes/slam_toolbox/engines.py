@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_file import GridMap, load_map
@@ -15,6 +15,10 @@ from coursekit.slam.localizer import Localizer
 from coursekit.slam.parameters import SlamParameters
 from coursekit.slam.scan import Scan
 from coursekit.slam.slam import Result, Slam
+
+if TYPE_CHECKING:
+    from builtin_interfaces.msg import Time as TimeMsg
+    from visualization_msgs.msg import MarkerArray
 
 NEAR, TURN = 1.5, 0.7
 """The tolerance of a given pose [m], [rad]."""
@@ -27,7 +31,7 @@ class Engine(Protocol):
     def pose(self) -> Pose2D: ...
     def add(self, scan: Scan, odometry: Pose2D) -> Result: ...
     def grid(self) -> GridMap | None: ...
-    def markers(self, last: Result | None, frame: str, stamp: Any) -> Any: ...
+    def markers(self, last: Result | None, frame: str, stamp: TimeMsg) -> MarkerArray: ...
 
 
 class Mapping:
@@ -52,7 +56,7 @@ class Mapping:
         grid = self.slam.map()
         return grid_map(grid) if grid.log_odds.size else None
 
-    def markers(self, last: Result | None, frame: str, stamp: Any) -> Any:
+    def markers(self, last: Result | None, frame: str, stamp: TimeMsg) -> MarkerArray:
         """The pose graph."""
         return graph_markers(self.slam, last, frame, stamp)
 
@@ -91,7 +95,7 @@ class Localizing:
         """The map."""
         return self._cells
 
-    def markers(self, last: Result | None, frame: str, stamp: Any) -> Any:
+    def markers(self, last: Result | None, frame: str, stamp: TimeMsg) -> MarkerArray:
         """A text about the last match."""
         return status_markers(last, self.pose, frame, stamp)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from array import array
-from typing import Any
+from typing import TYPE_CHECKING
 
 from nav_msgs.msg import MapMetaData, OccupancyGrid
 from rclpy.node import Node
@@ -11,6 +11,9 @@ from rclpy.node import Node
 from coursekit.nav.map_file import GridMap
 from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.slam import grid as slam_grid
+
+if TYPE_CHECKING:
+    from builtin_interfaces.msg import Time as TimeMsg
 
 
 class MapTopic:
@@ -22,7 +25,7 @@ class MapTopic:
         self._frame = frame
         self.latest: OccupancyGrid | None = None
 
-    def publish(self, grid: GridMap, stamp: Any) -> None:
+    def publish(self, grid: GridMap, stamp: TimeMsg) -> None:
         """Publish a map with its stamp."""
         msg = OccupancyGrid()
         msg.header.frame_id, msg.header.stamp = self._frame, stamp

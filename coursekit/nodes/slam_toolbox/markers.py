@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from geometry_msgs.msg import Point
@@ -14,12 +14,15 @@ from coursekit.geometry.plane import Array, Pose2D
 from coursekit.nodes.scanning.planar import to_pose
 from coursekit.slam.slam import Result, Slam
 
+if TYPE_CHECKING:
+    from builtin_interfaces.msg import Time as TimeMsg
+
 DOUBTED = 0.1
 """Loops with a trust below this are shown as rejected."""
 RED, GREEN, BLUE, WHITE = (1.0, 0.1, 0.1), (0.1, 0.8, 0.2), (0.2, 0.4, 1.0), (1.0, 1.0, 1.0)
 
 
-def graph_markers(slam: Slam, last: Result | None, frame: str, stamp: Any) -> MarkerArray:
+def graph_markers(slam: Slam, last: Result | None, frame: str, stamp: TimeMsg) -> MarkerArray:
     """The pose graph in the map's frame."""
     edges, poses = slam.graph.edges, slam.graph.poses
     doubted = edges.robust & (slam.graph.trust() < DOUBTED) if len(edges.i) else edges.robust
@@ -34,7 +37,7 @@ def graph_markers(slam: Slam, last: Result | None, frame: str, stamp: Any) -> Ma
     return _array([*markers, status_marker(last, slam.pose, counts)], frame, stamp)
 
 
-def status_markers(last: Result | None, pose: Pose2D, frame: str, stamp: Any) -> MarkerArray:
+def status_markers(last: Result | None, pose: Pose2D, frame: str, stamp: TimeMsg) -> MarkerArray:
     """The status text alone, for a map that does not change."""
     return _array([status_marker(last, pose, "localising")], frame, stamp)
 
@@ -74,7 +77,7 @@ def _list(space: str, kind: int, size: float, color: tuple[float, float, float],
     return marker
 
 
-def _array(markers: Iterable[Marker], frame: str, stamp: Any) -> MarkerArray:
+def _array(markers: Iterable[Marker], frame: str, stamp: TimeMsg) -> MarkerArray:
     """The markers with their frame and time."""
     all_markers = list(markers)
     for marker in all_markers:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
 
 import rclpy
 from geometry_msgs.msg import PoseWithCovarianceStamped
@@ -88,7 +87,7 @@ def make_map_and_localization() -> SlamToolbox:
     services = Services(node)
     _listen_for_poses(node)
 
-    def switch(request: Any, response: Any) -> Any:
+    def switch(request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
         response.message = services.set_localization(request.data)
         response.success = not response.message
         mode = "localization" if isinstance(node.engine, Localizing) else "mapping"

@@ -54,13 +54,13 @@ class Services:
 
     # -- the map
 
-    def _get_map(self, _request: Any, response: Any) -> Any:
+    def _get_map(self, _request: GetMap.Request, response: GetMap.Response) -> GetMap.Response:
         grid = self._node.map_topic.latest
         if grid is not None:
             response.map = grid
         return response
 
-    def _save(self, request: Any, response: Any) -> Any:
+    def _save(self, request: SaveMap.Request, response: SaveMap.Response) -> SaveMap.Response:
         """Save the map in nav2's format."""
         log, name = self._node.get_logger(), request.name.data
         self._node.publish_map()
@@ -84,7 +84,9 @@ class Services:
 
     # -- the session
 
-    def _serialize(self, request: Any, response: Any) -> Any:
+    def _serialize(
+        self, request: SerializePoseGraph.Request, response: SerializePoseGraph.Response
+    ) -> SerializePoseGraph.Response:
         """Save the pose graph with its scans."""
         log, engine = self._node.get_logger(), self._node.engine
         response.result = SerializePoseGraph.Response.RESULT_FAILED_TO_WRITE_FILE
@@ -101,7 +103,9 @@ class Services:
         response.result = SerializePoseGraph.Response.RESULT_SUCCESS
         return response
 
-    def _deserialize(self, request: Any, response: Any) -> Any:
+    def _deserialize(
+        self, request: DeserializePoseGraph.Request, response: DeserializePoseGraph.Response
+    ) -> DeserializePoseGraph.Response:
         kind, pose = DeserializePoseGraph.Request, request.initial_pose
         if request.match_type == kind.UNSET:
             self._node.get_logger().error("Deserialization called without valid match type set. Aborting.")
@@ -144,7 +148,7 @@ class Services:
             self._node.use(Mapping(slam))
         return ""
 
-    def _reset(self, request: Any, response: Any) -> Any:
+    def _reset(self, request: Reset.Request, response: Reset.Response) -> Reset.Response:
         """Start an empty map."""
         self._node.use(Mapping(Slam(self._node.slam_params)))
         self._set("paused_new_measurements", bool(request.pause_new_measurements))
@@ -152,7 +156,7 @@ class Services:
         response.result = Reset.Response.RESULT_SUCCESS
         return response
 
-    def _close_loops(self, _request: Any, response: Any) -> Any:
+    def _close_loops(self, _request: LoopClosure.Request, response: LoopClosure.Response) -> LoopClosure.Response:
         """Optimize the graph with all loops found so far."""
         if isinstance(self._node.engine, Mapping):
             self._node.engine.slam.finish()
@@ -164,7 +168,7 @@ class Services:
     def _set(self, name: str, value: bool) -> None:
         self._node.set_parameters([Parameter(name, value=value)])
 
-    def _pause(self, _request: Any, response: Any) -> Any:
+    def _pause(self, _request: Pause.Request, response: Pause.Response) -> Pause.Response:
         paused = not self._node.paused
         self._set("paused_new_measurements", paused)
         now = "pause taking new measurements." if paused else "actively taking new measurements."
@@ -172,18 +176,20 @@ class Services:
         response.status = True
         return response
 
-    def _toggle(self, _request: Any, response: Any) -> Any:
+    def _toggle(
+        self, _request: ToggleInteractive.Request, response: ToggleInteractive.Response
+    ) -> ToggleInteractive.Response:
         on = not self._node.get_parameter("enable_interactive_mode").value
         self._set("enable_interactive_mode", on)
         self._node.get_logger().info(f"SlamToolbox: Toggling {'on' if on else 'off'} interactive mode.")
         return response
 
-    def _clear(self, _request: Any, response: Any) -> Any:
+    def _clear(self, _request: Clear.Request, response: Clear.Response) -> Clear.Response:
         """Redraw the markers. There are no manual changes to discard, because nothing can be moved by hand."""
         self._node.publish_map()
         return response
 
-    def _clear_queue(self, _request: Any, response: Any) -> Any:
+    def _clear_queue(self, _request: ClearQueue.Request, response: ClearQueue.Response) -> ClearQueue.Response:
         self._node.get_logger().info("SynchronousSlamToolbox: Clearing all queued scans to add to map.")
         response.status = self._node.forget_waiting()
         return response

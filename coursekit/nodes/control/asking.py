@@ -28,7 +28,7 @@ class Asker:
     def __init__(self, node: Node, manager: str, wait: float = 10.0) -> None:
         self.node, self.manager, self.wait = node, manager.rstrip("/"), wait
 
-    def ask(self, kind: Any, service: str, **fields: Any) -> Any:
+    def ask(self, kind: type[Any], service: str, **fields: Any) -> Any:
         """Call a service and return its response. Raises NoManager."""
         name = f"{self.manager}/{service}"
         client = self.node.create_client(kind, name)

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from control_msgs.action import GripperCommand
 from rclpy.action import ActionServer, CancelResponse, GoalResponse
 from rclpy.task import Future
 
 from .controller import ControlError, Controller
+
+if TYPE_CHECKING:
+    from rclpy.action.goal_handle import ServerGoalHandle
 
 
 class GripperActionController(Controller):
@@ -53,16 +56,16 @@ class GripperActionController(Controller):
         self._active = False
         self._finish("abort", False)
 
-    def _wanted(self, _goal: Any) -> GoalResponse:
+    def _wanted(self, _goal: GripperCommand.Goal) -> GoalResponse:
         self.log.info("Received & accepted new action goal" if self._active else "Controller is not running")
         return GoalResponse.ACCEPT if self._active else GoalResponse.REJECT
 
-    def _cancel(self, _handle: Any) -> CancelResponse:
+    def _cancel(self, _handle: ServerGoalHandle) -> CancelResponse:
         self._target = self.interfaces.state(f"{self.joint}/position")
         self._finish("canceled", False)
         return CancelResponse.ACCEPT
 
-    async def _execute(self, handle: Any) -> Any:
+    async def _execute(self, handle: ServerGoalHandle) -> Any:
         self._finish("abort", False)
         done = self._done = Future(executor=self.node.executor)
         self._handle = handle

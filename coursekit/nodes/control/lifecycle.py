@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from coursekit.nodes.compiled.classes import CppFault
 
 from .hardware import ACTIVE, FINALIZED, INACTIVE, TRANSITIONS, UNCONFIGURED, Hardware
+
+if TYPE_CHECKING:
+    from rclpy.impl.rcutils_logger import RcutilsLogger
 
 _WAYS: dict[str, dict[str, tuple[str, ...]]] = {
     UNCONFIGURED: {INACTIVE: ("cleanup",), ACTIVE: ("deactivate", "cleanup")},
@@ -21,7 +24,7 @@ _DOING = {
 }  # fmt: skip
 
 
-def bring(hardware: Hardware, target: str, log: Any) -> bool:
+def bring(hardware: Hardware, target: str, log: RcutilsLogger) -> bool:
     """Bring hardware to a state; return whether it is there."""
     if hardware.state == FINALIZED != target:
         log.warning(f"hardware '{hardware.info.name}' is in finalized state and can be only destroyed.")
@@ -29,7 +32,7 @@ def bring(hardware: Hardware, target: str, log: Any) -> bool:
     return all(_go(hardware, name, log) for name in _WAYS[target].get(hardware.state, ()))
 
 
-def _go(hardware: Hardware, name: str, log: Any) -> bool:
+def _go(hardware: Hardware, name: str, log: RcutilsLogger) -> bool:
     label = hardware.info.name
     log.info(f"'{name}' hardware '{label}' ")
     try:

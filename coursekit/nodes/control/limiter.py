@@ -60,7 +60,7 @@ def _limits(ask: Callable[[str, Any], Any], prefix: str, kind: str) -> tuple[flo
     return (-most if math.isnan(least) else least), most
 
 
-def _or_nan(value: Any) -> Any:
+def _or_nan(value: float | None) -> float:
     return math.nan if value is None else value
 
 

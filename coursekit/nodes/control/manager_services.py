@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from controller_manager_msgs.msg import ControllerState, HardwareComponentState, HardwareInterface
 from controller_manager_msgs.srv import (
     ConfigureController,
@@ -45,25 +43,29 @@ class ManagerServices:
         ):  # fmt: skip
             manager.node.create_service(kind, f"~/{name}", answer)
 
-    def _load(self, request: Any, answer: Any) -> Any:
+    def _load(self, request: LoadController.Request, answer: LoadController.Response) -> LoadController.Response:
         answer.ok = self._manager.load(request.name)
         return answer
 
-    def _configure(self, request: Any, answer: Any) -> Any:
+    def _configure(
+        self, request: ConfigureController.Request, answer: ConfigureController.Response
+    ) -> ConfigureController.Response:
         answer.ok = self._manager.configure(request.name)
         return answer
 
-    def _unload(self, request: Any, answer: Any) -> Any:
+    def _unload(self, request: UnloadController.Request, answer: UnloadController.Response) -> UnloadController.Response:
         answer.ok = self._manager.unload(request.name)
         return answer
 
-    def _switch(self, request: Any, answer: Any) -> Any:
+    def _switch(self, request: SwitchController.Request, answer: SwitchController.Response) -> SwitchController.Response:
         start = [*request.activate_controllers, *request.start_controllers]
         stop = [*request.deactivate_controllers, *request.stop_controllers]
         answer.ok = self._manager.switch(start, stop, request.strictness == SwitchController.Request.STRICT)
         return answer
 
-    def _reload(self, request: Any, answer: Any) -> Any:
+    def _reload(
+        self, request: ReloadControllerLibraries.Request, answer: ReloadControllerLibraries.Response
+    ) -> ReloadControllerLibraries.Response:
         busy = [name for name, loaded in self._manager.loaded.items() if loaded.state == "active"]
         if busy and not request.force_kill:
             self._manager.log.error("Cannot reload controller libraries because there are active controllers")
@@ -73,7 +75,7 @@ class ManagerServices:
         answer.ok = all(gone)
         return answer
 
-    def _controllers(self, _request: Any, answer: Any) -> Any:
+    def _controllers(self, _request: ListControllers.Request, answer: ListControllers.Response) -> ListControllers.Response:
         for name, loaded in self._manager.loaded.items():
             msg = ControllerState(name=name, state=loaded.state, type=loaded.type, claimed_interfaces=loaded.claimed)
             if loaded.state != "unconfigured":
@@ -82,12 +84,16 @@ class ManagerServices:
             answer.controller.append(msg)
         return answer
 
-    def _types(self, _request: Any, answer: Any) -> Any:
+    def _types(
+        self, _request: ListControllerTypes.Request, answer: ListControllerTypes.Response
+    ) -> ListControllerTypes.Response:
         answer.types = sorted({*self._manager.makers, *foreign_types()})
         answer.base_classes = [BASE] * len(answer.types)
         return answer
 
-    def _interfaces(self, _request: Any, answer: Any) -> Any:
+    def _interfaces(
+        self, _request: ListHardwareInterfaces.Request, answer: ListHardwareInterfaces.Response
+    ) -> ListHardwareInterfaces.Response:
         for hardware in self._manager.hardware:
             answer.command_interfaces += self._told(hardware, list(hardware.commands))
             answer.state_interfaces += self._told(hardware, list(hardware.states))
@@ -98,7 +104,9 @@ class ManagerServices:
         there = hardware.is_available
         return [HardwareInterface(name=name, is_available=there, is_claimed=name in claimed) for name in names]
 
-    def _components(self, _request: Any, answer: Any) -> Any:
+    def _components(
+        self, _request: ListHardwareComponents.Request, answer: ListHardwareComponents.Response
+    ) -> ListHardwareComponents.Response:
         for hardware in self._manager.hardware:
             info = hardware.info
             msg = HardwareComponentState(name=info.name, type=info.kind, class_type=info.plugin)
@@ -108,7 +116,9 @@ class ManagerServices:
             answer.component.append(msg)
         return answer
 
-    def _set_component(self, request: Any, answer: Any) -> Any:
+    def _set_component(
+        self, request: SetHardwareComponentState.Request, answer: SetHardwareComponentState.Response
+    ) -> SetHardwareComponentState.Response:
         component = next((each for each in self._manager.hardware if each.info.name == request.name), None)
         target = request.target_state.label or STATES.get(request.target_state.id, "")
         if component is None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import deque
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from geometry_msgs.msg import TransformStamped
@@ -13,6 +13,9 @@ from nav_msgs.msg import Odometry
 from tf2_msgs.msg import TFMessage
 
 from .controller import stamp
+
+if TYPE_CHECKING:
+    from rclpy.publisher import Publisher
 
 
 class Reckoning:
@@ -24,8 +27,8 @@ class Reckoning:
     def __init__(
         self,
         frames: tuple[str, str],
-        out: Any,
-        tf: Any,
+        out: Publisher,
+        tf: Publisher | None,
         period_ns: int = 0,
         *,
         spreads: Sequence[Sequence[float]] = ((), ()),

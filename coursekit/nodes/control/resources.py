@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from coursekit.nodes.compiled.classes import CppFault, PluginFault, plugins_of, program_of
 
 from .description import HardwareInfo
 from .driver import Driver
 from .hardware import MOCKS, GenericSystem, Hardware
+
+if TYPE_CHECKING:
+    from rclpy.impl.rcutils_logger import RcutilsLogger
 
 _BASE = "hardware_interface::{}Interface"
 
@@ -17,7 +20,7 @@ class WrongInterfaces(Exception):
     """Hardware without all interfaces of its description; the message is the resource manager's."""
 
 
-def load(info: HardwareInfo, description: str, log: Any) -> Hardware | None:
+def load(info: HardwareInfo, description: str, log: RcutilsLogger) -> Hardware | None:
     """Make and initialize hardware; None, with log messages, if that fails. Raises WrongInterfaces."""
     log.info(f"Loading hardware '{info.name}' ")
     try:
@@ -40,7 +43,7 @@ def load(info: HardwareInfo, description: str, log: Any) -> Hardware | None:
     return hardware
 
 
-def _initialize(hardware: Driver, description: str, log: Any) -> bool:
+def _initialize(hardware: Driver, description: str, log: RcutilsLogger) -> bool:
     info = hardware.info
     try:
         if hardware.initialize(description):

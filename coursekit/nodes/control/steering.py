@@ -63,8 +63,8 @@ class SteeringController(Controller):
         middle = told.get("wheel_track", 0.0)
         self._track = told.get(f"{drives}_wheel_track", middle), told.get(f"{steers}_wheel_track", middle)
 
-    def _hear(self, msg: Any) -> None:
-        twist = getattr(msg, "twist", msg)
+    def _hear(self, msg: Twist | TwistStamped) -> None:
+        twist = msg.twist if isinstance(msg, TwistStamped) else msg
         if math.isfinite(twist.linear.x) and math.isfinite(twist.angular.z):
             self._wish, self._heard_ns = (twist.linear.x, twist.angular.z), self.now_ns
 

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING
 
 from coursekit.urdf.errors import close
 
 from .controller import Controller, Interfaces
+
+if TYPE_CHECKING:
+    from rclpy.impl.rcutils_logger import RcutilsLogger
 
 
 @dataclass
@@ -26,7 +29,12 @@ class Switching:
     """One switch; a `strict` one is done completely or not at all. `closed` are the interfaces that are not available."""
 
     def __init__(
-        self, loaded: Mapping[str, Loaded], interfaces: Interfaces, log: Any, strict: bool, closed: Set[str] = frozenset()
+        self,
+        loaded: Mapping[str, Loaded],
+        interfaces: Interfaces,
+        log: RcutilsLogger,
+        strict: bool,
+        closed: Set[str] = frozenset(),
     ) -> None:
         self._loaded, self._interfaces, self._log, self._strict = loaded, interfaces, log, strict
         self._closed = closed

@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .trajectory import Array
 from .trajectory_messages import seconds
+
+if TYPE_CHECKING:
+    from control_msgs.action import FollowJointTrajectory
 
 
 @dataclass
@@ -34,7 +37,7 @@ class Tolerances:
         """Whether the errors at the goal are within tolerance."""
         return _within(error, self.goal) and (speed is None or _within(speed, self.stopped))
 
-    def asked(self, goal: Any, joints: Sequence[str]) -> Tolerances:
+    def asked(self, goal: FollowJointTrajectory.Goal, joints: Sequence[str]) -> Tolerances:
         """Return a copy with the tolerances of an action goal: 0 leaves a value unchanged, below 0 is unlimited."""
         tolerances = Tolerances(
             self.path.copy(), self.goal.copy(), self.stopped.copy(), self.path_speed.copy(), self.goal_time

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from control_msgs.action import FollowJointTrajectory
@@ -18,6 +18,9 @@ from .tolerances import Tolerances
 from .trajectory import Array, Point, Trajectory
 from .trajectory_messages import fault_of, message_of, points_of
 from .trajectory_parameters import KINDS, TrajectoryParameters
+
+if TYPE_CHECKING:
+    from rclpy.action.goal_handle import ServerGoalHandle
 
 Result = FollowJointTrajectory.Result
 
@@ -70,7 +73,7 @@ class JointTrajectoryController(Controller):
     def _fault(self, msg: JointTrajectory) -> str:
         return fault_of(msg, self.joints, self.told.partial, self.told.moving_end, self.now_ns)
 
-    def _wanted(self, goal: Any) -> GoalResponse:
+    def _wanted(self, goal: FollowJointTrajectory.Goal) -> GoalResponse:
         self.log.info("Received new action goal")
         if not self.active:
             self.log.error("Can't accept new action goals. Controller is not running.")
@@ -82,7 +85,7 @@ class JointTrajectoryController(Controller):
         self.log.info("Accepted new action goal")
         return GoalResponse.ACCEPT
 
-    def _cancel(self, handle: Any) -> CancelResponse:
+    def _cancel(self, handle: ServerGoalHandle) -> CancelResponse:
         self.log.info("Got request to cancel goal")
         if self._goal is not None and bytes(handle.goal_id.uuid) == bytes(self._goal.goal_id.uuid):
             self.log.info("Canceling active action goal because cancel callback received.")
@@ -90,7 +93,7 @@ class JointTrajectoryController(Controller):
             self._finish("canceled", Result())
         return CancelResponse.ACCEPT
 
-    async def _execute(self, handle: Any) -> Any:
+    async def _execute(self, handle: ServerGoalHandle) -> Any:
         self._preempt()
         done = self._done = Future(executor=self.node.executor)
         self._goal = handle
@@ -186,7 +189,7 @@ class JointTrajectoryController(Controller):
         self.hold()
         self._finish("aborted", Result(error_code=code, error_string=text))
 
-    def _finish(self, how: str, result: Any) -> None:
+    def _finish(self, how: str, result: FollowJointTrajectory.Result) -> None:
         done, self._done, self._goal = self._done, None, None
         if done is not None:
             done.set_result((how, result))
@@ -211,7 +214,9 @@ class JointTrajectoryController(Controller):
         for publisher in self._out:
             publisher.publish(msg)
 
-    def _query(self, request: Any, answer: Any) -> Any:
+    def _query(
+        self, request: QueryTrajectoryState.Request, answer: QueryTrajectoryState.Response
+    ) -> QueryTrajectoryState.Response:
         if not self.active or self.trajectory is None:
             answer.message = "Can't sample trajectory. Controller is not active."
             self.log.error(answer.message)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 from builtin_interfaces.msg import Duration
@@ -13,7 +12,7 @@ from trajectory_msgs.msg import JointTrajectory, JointTrajectoryPoint
 from .trajectory import Array, Point
 
 
-def seconds(duration: Any) -> float:
+def seconds(duration: Duration) -> float:
     """Convert a duration to seconds."""
     return float(duration.sec + duration.nanosec * 1e-9)
 
@@ -52,7 +51,7 @@ def fault_of(msg: JointTrajectory, joints: Sequence[str], partial: bool, moving_
     return ""
 
 
-def _point_fault(point: Any, count: int, number: int) -> str:
+def _point_fault(point: JointTrajectoryPoint, count: int, number: int) -> str:
     for kind in ("positions", "velocities", "accelerations"):
         values = getattr(point, kind)
         if kind == "positions" and not values:
@@ -68,7 +67,7 @@ def points_of(msg: JointTrajectory, joints: Sequence[str], at: Array) -> list[Po
     """Return the points in the order of the controller's joints; unnamed joints keep their positions (`at`)."""
     place = [list(joints).index(name) for name in msg.joint_names]
 
-    def sorted_(values: Any, usual: Array) -> Array | None:
+    def sorted_(values: Sequence[float], usual: Array) -> Array | None:
         if not values:
             return None
         points = usual.copy()

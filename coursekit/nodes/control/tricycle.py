@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 from ackermann_msgs.msg import AckermannDrive
 from geometry_msgs.msg import Twist, TwistStamped
@@ -55,12 +54,12 @@ class TricycleController(Controller):
         window = 1 if self._open_loop else int(self.parameter("velocity_rolling_window_size", 10))
         return Reckoning(frames, self.node.create_publisher(Odometry, "~/odom", 10), tf, spreads=spreads, window=window)
 
-    def _hear(self, msg: Any) -> None:
-        twist = getattr(msg, "twist", msg)
+    def _hear(self, msg: Twist | TwistStamped) -> None:
+        twist = msg.twist if isinstance(msg, TwistStamped) else msg
         if math.isfinite(twist.linear.x) and math.isfinite(twist.angular.z):
             self._wish, self._heard_ns = (twist.linear.x, twist.angular.z), self.now_ns
 
-    def _reset(self, _request: Any, response: Any) -> Any:
+    def _reset(self, _request: Empty.Request, response: Empty.Response) -> Empty.Response:
         self._reckoning.restart()
         return response
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from geometry_msgs.msg import PoseWithCovarianceStamped, TwistWithCovarianceStamped
+from geometry_msgs.msg import PoseWithCovarianceStamped, Twist, TwistWithCovarianceStamped
 from nav_msgs.msg import Odometry
 from rclpy.node import Node
 from rclpy.qos import QoSProfile, ReliabilityPolicy
@@ -19,6 +19,10 @@ from coursekit.nodes.robot_localization.geometry import pose_of
 from coursekit.nodes.robot_localization.health import Health
 from coursekit.nodes.robot_localization.preparing import Preparing
 from coursekit.nodes.robot_localization.sources import Source
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 _KINDS: dict[str, Any] = {
     "odom": Odometry, "pose": PoseWithCovarianceStamped, "twist": TwistWithCovarianceStamped, "imu": Imu,
@@ -48,7 +52,7 @@ class Ears:
     def _hearing(self, source: Source) -> Callable[[Any], None]:
         take = getattr(self, f"_take_{source.kind}")
 
-        def hear(msg: Any) -> None:
+        def hear(msg: Odometry | PoseWithCovarianceStamped | TwistWithCovarianceStamped | Imu) -> None:
             stamp = Time.from_msg(msg.header.stamp).nanoseconds
             if self._in_time(source, stamp):
                 take(source, stamp, msg)
@@ -93,7 +97,7 @@ class Ears:
         self._take_pose(source, stamp, msg)
         self._twist(source, stamp, msg.child_frame_id, msg.twist.twist, msg.twist.covariance)
 
-    def _take_pose(self, source: Source, stamp: int, msg: Any) -> None:
+    def _take_pose(self, source: Source, stamp: int, msg: Odometry | PoseWithCovarianceStamped) -> None:
         if source.part("pose").any():
             pose = pose_of(msg.pose.pose.position, msg.pose.pose.orientation)
             frame = msg.header.frame_id
@@ -102,7 +106,7 @@ class Ears:
     def _take_twist(self, source: Source, stamp: int, msg: TwistWithCovarianceStamped) -> None:
         self._twist(source, stamp, msg.header.frame_id, msg.twist.twist, msg.twist.covariance)
 
-    def _twist(self, source: Source, stamp: int, frame: str, twist: Any, covariance: Any) -> None:
+    def _twist(self, source: Source, stamp: int, frame: str, twist: Twist, covariance: NDArray[np.float64]) -> None:
         if source.part("twist").any():
             state = self._estimator.filter.now.state
             self._add(source, lambda: self._preparing.twist(source, frame, stamp, twist, covariance, state))

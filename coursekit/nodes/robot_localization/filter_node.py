@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 from geometry_msgs.msg import AccelWithCovarianceStamped, PoseWithCovarianceStamped, Twist, TwistStamped
 from nav_msgs.msg import Odometry
@@ -168,11 +166,11 @@ class FilterNode(Node):
         now_ns = self.get_clock().now().nanoseconds
         self._estimator.filter.now = Estimate(wrapped(state), covariance, now_ns, before.begun)
 
-    def _serve_pose(self, request: Any, response: Any) -> Any:
+    def _serve_pose(self, request: SetPose.Request, response: SetPose.Response) -> SetPose.Response:
         self._set_pose(request.pose)
         return response
 
-    def _enable(self, _request: Any, response: Any) -> Any:
+    def _enable(self, _request: Empty.Request, response: Empty.Response) -> Empty.Response:
         log, name = self.get_logger(), self.get_name()
         if self._enabled:
             already = "the filter was already enabled! Use param disabled_at_startup."
@@ -182,7 +180,9 @@ class FilterNode(Node):
             self._enabled = True
         return response
 
-    def _toggle(self, request: Any, response: Any) -> Any:
+    def _toggle(
+        self, request: ToggleFilterProcessing.Request, response: ToggleFilterProcessing.Response
+    ) -> ToggleFilterProcessing.Response:
         if request.on == self._on:
             self.get_logger().warning("Service was called to toggle filter processing but state was already as requested.")
             response.status = False
@@ -191,10 +191,10 @@ class FilterNode(Node):
         self._on, response.status = bool(request.on), True
         return response
 
-    def _command(self, msg: Any) -> None:
-        stamped, now = isinstance(msg, TwistStamped), self.get_clock().now().nanoseconds
-        twist = msg.twist if stamped else msg
-        time_ns = Time.from_msg(msg.header.stamp).nanoseconds if stamped else now
+    def _command(self, msg: Twist | TwistStamped) -> None:
+        now = self.get_clock().now().to_msg()
+        twist, stamp = (msg.twist, msg.header.stamp) if isinstance(msg, TwistStamped) else (msg, now)
+        time_ns = Time.from_msg(stamp).nanoseconds
         if self._control is not None:
             self._control.command(np.concatenate([vector(twist.linear), vector(twist.angular)]), time_ns)
 

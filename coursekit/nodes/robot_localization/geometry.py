@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from coursekit.geometry.pose import Pose, Quaternion, matrix
 from coursekit.geometry.rotation import quaternion_of
 from coursekit.nav.fusion.state import Array, Mask
+
+if TYPE_CHECKING:
+    from geometry_msgs.msg import Point, Vector3
+    from geometry_msgs.msg import Quaternion as QuaternionMsg
+    from numpy.typing import NDArray
 
 
 def quaternion(angles: Iterable[float]) -> Quaternion:
@@ -23,7 +28,7 @@ def quaternion(angles: Iterable[float]) -> Quaternion:
     return quaternion_of((roll, pitch, yaw))
 
 
-def unit(q: Any) -> Quaternion:
+def unit(q: QuaternionMsg) -> Quaternion:
     """A message's quaternion, normalized; a quaternion of zeros or with non-finite values means no rotation."""
     length = math.sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w)
     if not length > 0 or not math.isfinite(length):
@@ -31,12 +36,12 @@ def unit(q: Any) -> Quaternion:
     return (q.x / length, q.y / length, q.z / length, q.w / length)
 
 
-def pose_of(position: Any, orientation: Any) -> Pose:
+def pose_of(position: Point | Vector3, orientation: QuaternionMsg) -> Pose:
     """A position and a quaternion of a message as a tuple."""
     return (position.x, position.y, position.z, *unit(orientation))
 
 
-def vector(v: Any) -> Array:
+def vector(v: Vector3) -> Array:
     """A message's x, y and z."""
     return np.array([v.x, v.y, v.z])
 
@@ -46,7 +51,7 @@ def turning(pose: Pose) -> Array:
     return np.array(matrix(pose))[:3, :3]
 
 
-def square(numbers: Any) -> Array:
+def square(numbers: NDArray[np.float64]) -> Array:
     """A message's covariance, row by row, as a matrix."""
     flat = np.array(numbers, float)
     side = math.isqrt(len(flat))

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
-from geometry_msgs.msg import AccelWithCovarianceStamped, TransformStamped
+from geometry_msgs.msg import AccelWithCovarianceStamped, Point, TransformStamped, Vector3
 from nav_msgs.msg import Odometry
 from rclpy.time import Time
 
@@ -13,8 +13,11 @@ from coursekit.nav.fusion.kalman import Estimate
 from coursekit.nav.fusion.state import ACCELERATION, ANGLES, ANGULAR, LINEAR, POSE, POSITION, TWIST
 from coursekit.nodes.robot_localization.geometry import quaternion
 
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
-def _put(target: Any, numbers: Any) -> None:
+
+def _put(target: Point | Vector3, numbers: Iterable[float]) -> None:
     target.x, target.y, target.z = (float(number) for number in numbers)
 
 

@@ -195,7 +195,7 @@ class NavsatTransform(Node):
 
     # -- services
 
-    def _serve_datum(self, request: Any, response: Any) -> Any:
+    def _serve_datum(self, request: SetDatum.Request, response: SetDatum.Response) -> SetDatum.Response:
         place = request.geo_pose.position
         fix = (place.latitude, place.longitude, place.altitude)
         if is_place(fix):
@@ -204,7 +204,7 @@ class NavsatTransform(Node):
             self.get_logger().error(f"({fix[0]}, {fix[1]}, {fix[2]}) is no place on the Earth: the datum stays")
         return response
 
-    def _serve_from(self, request: Any, response: Any) -> Any:
+    def _serve_from(self, request: FromLL.Request, response: FromLL.Response) -> FromLL.Response:
         place = request.ll_point
         if self._bridge is None:
             self.get_logger().error("No transform available (yet)")
@@ -212,7 +212,7 @@ class NavsatTransform(Node):
             response.map_point = self._point(self._bridge.to_world((place.latitude, place.longitude, place.altitude)))
         return response
 
-    def _serve_to(self, request: Any, response: Any) -> Any:
+    def _serve_to(self, request: ToLL.Request, response: ToLL.Response) -> ToLL.Response:
         point = request.map_point
         if self._bridge is None:
             self.get_logger().error("No transform available (yet)")
@@ -221,7 +221,7 @@ class NavsatTransform(Node):
             response.ll_point = GeoPoint(latitude=latitude, longitude=longitude, altitude=altitude)
         return response
 
-    def _serve_zone(self, request: Any, response: Any) -> Any:
+    def _serve_zone(self, request: SetUTMZone.Request, response: SetUTMZone.Response) -> SetUTMZone.Response:
         """Use that UTM zone from now on."""
         try:
             plane = plane_at((0.0, 0.0, 0.0), local=False, zone=request.utm_zone)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,6 +13,12 @@ from coursekit.nav.fusion.state import ACCELERATION, ANGLES, ANGULAR, LINEAR, PO
 from coursekit.nodes.robot_localization.frames import Frames
 from coursekit.nodes.robot_localization.geometry import quaternion, square, turned, turned_mask, turning, unit, vector
 from coursekit.nodes.robot_localization.sources import Source
+
+if TYPE_CHECKING:
+    from geometry_msgs.msg import Quaternion as QuaternionMsg
+    from geometry_msgs.msg import Twist
+    from numpy.typing import NDArray
+    from sensor_msgs.msg import Imu
 
 
 class Preparing:
@@ -38,7 +44,9 @@ class Preparing:
 
     # -- poses
 
-    def pose(self, source: Source, frame: str, stamp_ns: int, pose: Pose, covariance: Any) -> Measurement | None:
+    def pose(
+        self, source: Source, frame: str, stamp_ns: int, pose: Pose, covariance: NDArray[np.float64]
+    ) -> Measurement | None:
         """A pose in a fixed frame; None for the first pose of a differential source."""
         used, own = source.part("pose"), square(covariance)
         if source.differential:
@@ -47,7 +55,9 @@ class Preparing:
         here = compose(seat, between(self._first.setdefault(source.name, pose), pose) if source.relative else pose)
         return self._absolute(source, stamp_ns, here, own, used, turning(seat))
 
-    def heading(self, source: Source, frame: str, stamp_ns: int, q: Any, covariance: Any) -> Measurement | None:
+    def heading(
+        self, source: Source, frame: str, stamp_ns: int, q: QuaternionMsg, covariance: NDArray[np.float64]
+    ) -> Measurement | None:
         """The orientation of an IMU; its message's frame gives its mounting on the robot."""
         seat = self._frames.pose(self._base, frame or self._base, stamp_ns)
         pose = compose((0.0, 0.0, 0.0, *unit(q)), inverse((0.0, 0.0, 0.0, *seat[3:])))
@@ -83,7 +93,9 @@ class Preparing:
 
     # -- speeds and accelerations
 
-    def twist(self, source: Source, frame: str, stamp_ns: int, twist: Any, covariance: Any, state: Array) -> Measurement:
+    def twist(
+        self, source: Source, frame: str, stamp_ns: int, twist: Twist, covariance: NDArray[np.float64], state: Array
+    ) -> Measurement:
         """A velocity of a frame of the robot. `state` is the filter's: an off-centre sensor moves when the robot rotates."""
         seat = self._frames.pose(self._base, frame or self._base, stamp_ns)
         rotation, used = turning(seat), source.part("twist")
@@ -94,7 +106,7 @@ class Preparing:
         used[LINEAR], used[ANGULAR] = turned_mask(used[LINEAR], rotation), turned_mask(used[ANGULAR], rotation)
         return self._made(source, "twist", stamp_ns, values, own, used)
 
-    def acceleration(self, source: Source, frame: str, stamp_ns: int, imu: Any, state: Array) -> Measurement:
+    def acceleration(self, source: Source, frame: str, stamp_ns: int, imu: Imu, state: Array) -> Measurement:
         """The acceleration of an IMU, which at rest measures 9.8 m/s² upwards; without gravity if its source says so."""
         seat = self._frames.pose(self._base, frame or self._base, stamp_ns)
         rotation, used, felt = turning(seat), source.part("acceleration"), vector(imu.linear_acceleration)
@@ -107,7 +119,7 @@ class Preparing:
         return self._made(source, "acceleration", stamp_ns, values, own, used)
 
     @staticmethod
-    def _attitude(imu: Any, seat: Pose, state: Array) -> Pose:
+    def _attitude(imu: Imu, seat: Pose, state: Array) -> Pose:
         """The orientation of an IMU in the world: from its message or, if that has none, from the filter."""
         if abs(imu.orientation_covariance[0] + 1) < 1e-9:
             body = (0.0, 0.0, 0.0, *quaternion(state[ANGLES]))

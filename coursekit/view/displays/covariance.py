@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from coursekit.view.scene import Pose
 from coursekit.view.scene_shapes import Colour, Shape, Triangles, ball, rotation
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 _POSITION: Colour = (0.8, 0.2, 0.8, 0.3)
 _HEADING: Colour = (1.0, 1.0, 0.5, 0.5)
@@ -17,7 +20,7 @@ _THIN = 0.001
 _STEPS = 12
 
 
-def doubt(covariance: Any, pose: Pose) -> list[Shape]:
+def doubt(covariance: NDArray[np.float64], pose: Pose) -> list[Shape]:
     """Return the shapes of a 6x6 covariance, in the frame of its pose; empty if it is not a covariance."""
     matrix = np.asarray(covariance, float).reshape(6, 6)
     if not np.isfinite(matrix).all():

@@ -15,6 +15,7 @@ from .facts import Fact, header_facts, point_text, world
 from .silence import why_nothing
 
 if TYPE_CHECKING:
+    import numpy as np
     from rclpy.node import Node
 
     from coursekit.view.scene_stage import Stage
@@ -131,7 +132,7 @@ class Display:
         """Apply changed options: the next `draw` must rebuild everything from the data at hand."""
         scene.clear(self.key)
 
-    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+    def facts(self, name: str, thing: Thing, here: np.ndarray, stage: Stage) -> list[Fact]:
         """Return the facts of one of the display's things, clicked at `here` [m] in the thing's own frame."""
         return [("Frame", stage.fixed_frame), ("Clicked", point_text(world(thing, here)))]
 
@@ -215,7 +216,7 @@ class StampedDisplay(Display):
         if self.shown is not None:
             self.put_back([self.shown])
 
-    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+    def facts(self, name: str, thing: Thing, here: np.ndarray, stage: Stage) -> list[Fact]:
         """Return the frame and stamp of the message, and the clicked point in the fixed frame."""
         return [*header_facts(self.shown), ("Clicked", point_text(world(thing, here)))]
 

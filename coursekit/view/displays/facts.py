@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from coursekit.view.scene import Pose, Thing
 from coursekit.view.scene_shapes import Points, rotation
 
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from numpy.typing import ArrayLike
+
 Fact = tuple[str, str]
 """(name, value)"""
 
 
-def point_text(point: Any) -> str:
+def point_text(point: Iterable[float]) -> str:
     """Format a point in metres.
 
     >>> point_text((1.0, -0.001, 0.25))
@@ -48,14 +53,14 @@ def header_facts(msg: Any) -> list[Fact]:
     return [("Frame", header.frame_id), ("Time", f"{stamp.sec}.{stamp.nanosec // 1_000_000:03d} s")]
 
 
-def local(thing: Thing, point: Any) -> np.ndarray:
+def local(thing: Thing, point: ArrayLike) -> np.ndarray:
     """Transform a point from the fixed frame to the thing's frame [m]."""
     turn = rotation(np.array(thing.pose[3:]))
     local: np.ndarray = ((np.asarray(point, float) - thing.pose[:3]) @ turn) / thing.scale
     return local
 
 
-def world(thing: Thing, point: Any) -> np.ndarray:
+def world(thing: Thing, point: ArrayLike) -> np.ndarray:
     """Transform a point from the thing's frame to the fixed frame [m]."""
     turn = rotation(np.array(thing.pose[3:]))
     world: np.ndarray = (np.asarray(point, float) * thing.scale) @ turn.T + thing.pose[:3]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,13 +14,20 @@ from .display import StampedDisplay
 from .kept import KeptDisplay
 
 if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from geometry_msgs.msg import Point, Point32
+    from geometry_msgs.msg import PointStamped as PointMsg
+    from geometry_msgs.msg import PolygonStamped as PolygonMsg
+    from nav_msgs.msg import GridCells as GridCellsMsg
+
     from coursekit.view.scene_stage import Stage
 
 _THIN = 0.002
 """The height of a cell [m]"""
 
 
-def places(points: Any) -> np.ndarray:
+def places(points: Iterable[Point | Point32]) -> np.ndarray:
     """Convert a list of points to an array (n, 3); ValueError if a coordinate is not finite."""
     places = np.array([(point.x, point.y, point.z) for point in points], float).reshape(-1, 3)
     if not np.isfinite(places).all():
@@ -29,7 +36,7 @@ def places(points: Any) -> np.ndarray:
 
 
 class _Points(StampedDisplay):
-    def points_of(self, points: Any, scene: Scene) -> np.ndarray | None:
+    def points_of(self, points: Iterable[Point | Point32], scene: Scene) -> np.ndarray | None:
         """Return the points, or None after reporting invalid ones."""
         try:
             checked = places(points)
@@ -51,7 +58,7 @@ class Polygon(_Points):
 
     kind = "Polygon"
 
-    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+    def show(self, msg: PolygonMsg, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw lines from corner to corner and back to the first."""
         corners = self.points_of(msg.polygon.points, scene)
         if corners is None:
@@ -66,7 +73,7 @@ class GridCells(_Points):
 
     kind = "GridCells"
 
-    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+    def show(self, msg: GridCellsMsg, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw a flat box for each cell."""
         centres = self.points_of(msg.cells, scene)
         if centres is None:
@@ -84,7 +91,7 @@ class PointStamped(KeptDisplay, _Points):
 
     kind = "PointStamped"
 
-    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+    def show(self, msg: PointMsg, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw a ball of `radius`."""
         if self.points_of([msg.point], scene) is None:
             return

@@ -18,6 +18,8 @@ from .facts import Fact
 from .poses import numbers
 
 if TYPE_CHECKING:
+    from map_msgs.msg import OccupancyGridUpdate
+    from nav_msgs.msg import OccupancyGrid
     from rclpy.node import Node
 
     from coursekit.view.scene_stage import Stage
@@ -90,7 +92,7 @@ class Map(StampedDisplay):
             self._paint(scene)
             self._stay(stage, scene)
 
-    def _change(self, part: Any) -> bool:
+    def _change(self, part: OccupancyGridUpdate) -> bool:
         """Apply a partial update to the shown map. Returns whether it fits."""
         info = self.shown.info
         fits = 0 <= part.x <= info.width - part.width and 0 <= part.y <= info.height - part.height
@@ -105,7 +107,7 @@ class Map(StampedDisplay):
         self.shown.data = cells.ravel().tolist()
         return True
 
-    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+    def show(self, msg: OccupancyGrid, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Paint the map."""
         info = msg.info
         if not info.width or not info.height or info.width * info.height != len(msg.data):
@@ -116,7 +118,7 @@ class Map(StampedDisplay):
         self._paint(scene)
         self.move(pose, scene)
 
-    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+    def facts(self, name: str, thing: Thing, here: np.ndarray, stage: Stage) -> list[Fact]:
         """Return the clicked cell and its value."""
         info = self.shown.info
         column, row = (int(here[axis] // info.resolution) for axis in (0, 1))
@@ -134,7 +136,7 @@ class Map(StampedDisplay):
         image = painted(cells, self.options["color_scheme"])
         scene.put(self.key, "map", Picture(image, *size, self.options["alpha"]))
 
-    def pose_of(self, msg: Any, stage: Stage) -> Pose:
+    def pose_of(self, msg: OccupancyGrid, stage: Stage) -> Pose:
         """Return the current pose of the map's frame, else the last: as in RViz, a map outlives its stamp."""
         try:
             return stage.pose(msg.header.frame_id, stage.now())

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -27,8 +27,11 @@ from coursekit.view.scene_shapes import (
 
 from .poses import ribbon
 
+if TYPE_CHECKING:
+    from visualization_msgs.msg import Marker
 
-def shapes_of(msg: Any) -> list[Shape]:
+
+def shapes_of(msg: Marker) -> list[Shape]:
     """Return a marker's shapes in its own frame; ValueError (or its subclass MeshError) if it cannot be shown."""
     make = _MAKERS.get(msg.type)
     if make is None:
@@ -36,18 +39,18 @@ def shapes_of(msg: Any) -> list[Shape]:
     return make(msg)
 
 
-def _colour(msg: Any) -> Colour:
+def _colour(msg: Marker) -> Colour:
     return (msg.color.r, msg.color.g, msg.color.b, msg.color.a)
 
 
-def _points(msg: Any, multiple: int = 1) -> np.ndarray:
+def _points(msg: Marker, multiple: int = 1) -> np.ndarray:
     points = np.array([(point.x, point.y, point.z) for point in msg.points], float).reshape(-1, 3)
     if len(points) % multiple:
         raise ValueError(f"{len(points)} points, not a multiple of {multiple}")
     return points
 
 
-def _colours(msg: Any, count: int) -> np.ndarray | None:
+def _colours(msg: Marker, count: int) -> np.ndarray | None:
     if not msg.colors:
         return None
     if len(msg.colors) != count:
@@ -55,20 +58,20 @@ def _colours(msg: Any, count: int) -> np.ndarray | None:
     return np.array([(color.r, color.g, color.b, color.a) for color in msg.colors])
 
 
-def _scale(msg: Any) -> np.ndarray:
+def _scale(msg: Marker) -> np.ndarray:
     return np.array([msg.scale.x, msg.scale.y, msg.scale.z])
 
 
-def _body(msg: Any, body: tuple[np.ndarray, np.ndarray]) -> list[Shape]:
+def _body(msg: Marker, body: tuple[np.ndarray, np.ndarray]) -> list[Shape]:
     return [Triangles(body[0] * _scale(msg), body[1], _colour(msg))]
 
 
-def _cylinder(msg: Any) -> list[Shape]:
+def _cylinder(msg: Marker) -> list[Shape]:
     vertices, faces = tube(-0.5, 0.5, 0.5, sides=24)
     return _body(msg, (vertices[:, [2, 1, 0]] * (1, -1, 1), faces))
 
 
-def _arrow(msg: Any) -> list[Shape]:
+def _arrow(msg: Marker) -> list[Shape]:
     """Return an arrow along x from the pose, or between two points.
 
     Between points, scale.x is the shaft's diameter, scale.y the head's diameter, scale.z the head's length.
@@ -89,7 +92,7 @@ def _arrow(msg: Any) -> list[Shape]:
     return [Triangles(shape.vertices @ towards(end - start).T + start, shape.faces, shape.colour)]
 
 
-def _line(msg: Any, pairs: bool) -> list[Shape]:
+def _line(msg: Marker, pairs: bool) -> list[Shape]:
     points = _points(msg, 2 if pairs else 1)
     colours = _colours(msg, len(points))
     starts, ends = (points[0::2], points[1::2]) if pairs else (points[:-1], points[1:])
@@ -108,7 +111,7 @@ def _line(msg: Any, pairs: bool) -> list[Shape]:
     return [Band(vertices, faces, _colour(msg), each, ends, float(msg.scale.x), shades)]
 
 
-def _list(msg: Any, body: tuple[np.ndarray, np.ndarray]) -> list[Shape]:
+def _list(msg: Marker, body: tuple[np.ndarray, np.ndarray]) -> list[Shape]:
     points = _points(msg)
     colours = _colours(msg, len(points))
     if not len(points):
@@ -118,7 +121,7 @@ def _list(msg: Any, body: tuple[np.ndarray, np.ndarray]) -> list[Shape]:
     return [Triangles(vertices, faces, _colour(msg), each)]
 
 
-def _dots(msg: Any) -> list[Shape]:
+def _dots(msg: Marker) -> list[Shape]:
     points = _points(msg)
     colours = _colours(msg, len(points))
     if not len(points):
@@ -126,18 +129,18 @@ def _dots(msg: Any) -> list[Shape]:
     return [Points(points, msg.scale.x, _colour(msg), None if colours is None else colours[:, :3])]
 
 
-def _text(msg: Any) -> list[Shape]:
+def _text(msg: Marker) -> list[Shape]:
     return [Label(msg.text, _colour(msg), msg.scale.z)]
 
 
-def _mesh(msg: Any) -> list[Shape]:
+def _mesh(msg: Marker) -> list[Shape]:
     scale = tuple(float(size) for size in _scale(msg))
     surfaces = surfaces_of(Mesh(msg.mesh_resource, scale), Path.cwd())  # type: ignore[arg-type]
     own = msg.mesh_use_embedded_materials
     return [Triangles(surface.vertices, surface.faces, surface.colour if own else _colour(msg)) for surface in surfaces]
 
 
-def _triangle_list(msg: Any) -> list[Shape]:
+def _triangle_list(msg: Marker) -> list[Shape]:
     points = _points(msg, 3)
     if not len(points):
         return []

@@ -16,6 +16,9 @@ from .marker_shapes import shapes_of
 from .poses import finite, numbers
 
 if TYPE_CHECKING:
+    import numpy as np
+    from visualization_msgs.msg import Marker as MarkerMsg
+
     from coursekit.view.scene_stage import Stage
 
 ADD, DELETE, DELETE_ALL = 0, 2, 3
@@ -54,7 +57,7 @@ class Marker(Display):
         for marker in self.living.values():
             marker.drawn = False
 
-    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+    def facts(self, name: str, thing: Thing, here: np.ndarray, stage: Stage) -> list[Fact]:
         """Return namespace, id and type of a marker, and its pose."""
         if name not in self.living:
             return super().facts(name, thing, here, stage)
@@ -62,7 +65,7 @@ class Marker(Display):
         what = [("Namespace", msg.ns), ("Id", f"{msg.id}"), ("Type", TYPES[msg.type])]
         return [*what, *([("Text", msg.text)] if msg.text else []), *header_facts(msg), *pose_facts(numbers(msg.pose))]
 
-    def markers(self, msg: Any) -> list[Any]:
+    def markers(self, msg: MarkerMsg) -> list[Any]:
         """Return the markers of a message."""
         return [msg]
 
@@ -78,7 +81,7 @@ class Marker(Display):
         self._place(stage, scene)
         scene.keep_only(self.key, set(self.living))
 
-    def _apply(self, marker: Any, now: int) -> None:
+    def _apply(self, marker: MarkerMsg, now: int) -> None:
         name = f"{marker.ns}/{marker.id}"
         if marker.action == DELETE_ALL:
             self.living = {key: shown for key, shown in self.living.items() if marker.ns and shown.msg.ns != marker.ns}
@@ -114,7 +117,7 @@ class Marker(Display):
         elif self.count:
             self.say("Markers", "Ok", f"{len(self.living)} marker{'s' * (len(self.living) != 1)}")
 
-    def _pose(self, msg: Any, stage: Stage) -> Pose:
+    def _pose(self, msg: MarkerMsg, stage: Stage) -> Pose:
         """Return the marker's pose: a `frame_locked` one follows its frame, others stay at the pose of their stamp."""
         frame = stage.pose(msg.header.frame_id) if msg.frame_locked else stage.pose_at(msg.header, newest=True)
         own = numbers(msg.pose)

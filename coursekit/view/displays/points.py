@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,6 +14,10 @@ from .display import StampedDisplay
 from .facts import Fact, header_facts, nearest_dot, point_text, world
 
 if TYPE_CHECKING:
+    from sensor_msgs.msg import LaserScan as LaserScanMsg
+    from sensor_msgs.msg import PointCloud as PointCloudMsg
+    from sensor_msgs.msg import PointCloud2 as PointCloud2Msg
+
     from coursekit.view.scene_stage import Stage
 
 MOST = 200_000
@@ -59,7 +63,7 @@ class _Dots(StampedDisplay):
         super().redraw(scene)
         self._ends = {}
 
-    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+    def facts(self, name: str, thing: Thing, here: np.ndarray, stage: Stage) -> list[Fact]:
         """Return the facts of the dot nearest to the click."""
         dot = nearest_dot(thing, here)
         if dot is None:
@@ -117,7 +121,7 @@ class LaserScan(_Dots):
         bright = msg.intensities
         return facts + ([("Intensity", f"{bright[beam]:g}")] if beam < len(bright) else [])
 
-    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+    def show(self, msg: LaserScanMsg, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw dots at the ends of the beams."""
         ranges = np.asarray(msg.ranges, float)
         angles = msg.angle_min + np.arange(len(ranges)) * msg.angle_increment
@@ -135,7 +139,7 @@ class PointCloud(_Dots):
 
     kind = "PointCloud"
 
-    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+    def show(self, msg: PointCloudMsg, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw dots."""
         points = np.array([(point.x, point.y, point.z) for point in msg.points], float).reshape(-1, 3)
         bright = next((np.array(channel.values, float) for channel in msg.channels if channel.name == "intensity"), None)
@@ -148,7 +152,7 @@ class PointCloud2(_Dots):
 
     kind = "PointCloud2"
 
-    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+    def show(self, msg: PointCloud2Msg, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw dots."""
         try:
             table = read_cloud(msg)
@@ -171,7 +175,7 @@ class PointCloud2(_Dots):
         return None if how == "FlatColor" else rainbow(height)
 
 
-def read_cloud(msg: Any) -> np.ndarray:
+def read_cloud(msg: PointCloud2Msg) -> np.ndarray:
     """Convert a sensor_msgs/PointCloud2 to a table with its field names; ValueError if sizes do not match."""
     order = ">" if msg.is_bigendian else "<"
     for field in msg.fields:

@@ -19,6 +19,14 @@ from .facts import Fact, header_facts, pose_facts
 from .kept import KeptDisplay
 
 if TYPE_CHECKING:
+    from geometry_msgs.msg import Pose as PoseMsg
+    from geometry_msgs.msg import PoseArray as PoseArrayMsg
+    from geometry_msgs.msg import PoseStamped as PoseStampedMsg
+    from geometry_msgs.msg import PoseWithCovarianceStamped as PoseWithCovarianceMsg
+    from nav2_msgs.msg import ParticleCloud as ParticleCloudMsg
+    from nav_msgs.msg import Odometry as OdometryMsg
+    from nav_msgs.msg import Path as PathMsg
+
     from coursekit.view.scene_stage import Stage
 
 
@@ -26,7 +34,7 @@ ABOVE = np.array([0.0, 0.0, 0.01])
 """The height of a path above the floor [m]."""
 
 
-def numbers(pose: Any) -> Pose:
+def numbers(pose: PoseMsg) -> Pose:
     """Return the numbers of a geometry_msgs/Pose; a zero quaternion counts as no rotation, as in RViz."""
     p, q = pose.position, pose.orientation
     size = math.sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w)
@@ -52,11 +60,11 @@ class PoseStamped(StampedDisplay):
 
     kind = "Pose"
 
-    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+    def facts(self, name: str, thing: Thing, here: np.ndarray, stage: Stage) -> list[Fact]:
         """Return the pose of the message."""
         return [*header_facts(self.shown), *pose_facts(numbers(self.shown.pose))]
 
-    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+    def show(self, msg: PoseStampedMsg, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw an arrow or axes."""
         if not finite(numbers(msg.pose)):
             self.say("Message", "Error", "Message contained invalid floating point values (nans or infs)")
@@ -77,11 +85,11 @@ class PoseWithCovariance(StampedDisplay):
 
     kind = "PoseWithCovariance"
 
-    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+    def facts(self, name: str, thing: Thing, here: np.ndarray, stage: Stage) -> list[Fact]:
         """Return the pose of the message."""
         return [*header_facts(self.shown), *pose_facts(numbers(self.shown.pose.pose))]
 
-    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+    def show(self, msg: PoseWithCovarianceMsg, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw the pose's shape and its uncertainty."""
         here = numbers(msg.pose.pose)
         if not finite(here):
@@ -105,7 +113,7 @@ class PoseArray(StampedDisplay):
 
     kind = "PoseArray"
 
-    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+    def show(self, msg: PoseArrayMsg, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw arrows."""
         poses = np.array([pose for pose in map(numbers, msg.poses) if finite(pose)]).reshape(-1, 7)
         self.say("Poses", "Ok", f"{len(poses)} poses")
@@ -120,7 +128,7 @@ class ParticleCloud(StampedDisplay):
 
     kind = "ParticleCloud"
 
-    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+    def show(self, msg: ParticleCloudMsg, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw flat arrows."""
         weighted = [(numbers(particle.pose), particle.weight) for particle in msg.particles]
         good = [(place, weight) for place, weight in weighted if finite(place) and math.isfinite(weight)]
@@ -167,7 +175,7 @@ class Odometry(Display):
         for back, (msg, here) in enumerate(reversed(self.trail)):
             scene.put(self.key, f"{self._made - back}", *self._shapes(msg, here))
 
-    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+    def facts(self, name: str, thing: Thing, here: np.ndarray, stage: Stage) -> list[Fact]:
         """Return the pose of an arrow, and the velocity there."""
         back = self._made - int(name)
         if back >= len(self.trail):
@@ -198,7 +206,7 @@ class Odometry(Display):
         same = min(1.0, abs(sum(a * b for a, b in zip(before[3:], now[3:], strict=True))))
         return 2 * math.acos(same) > self.options["angle_tolerance"]
 
-    def _add(self, msg: Any, here: Pose, pose: Pose, scene: Scene) -> None:
+    def _add(self, msg: OdometryMsg, here: Pose, pose: Pose, scene: Scene) -> None:
         self.trail.append((msg, here))
         self._made += 1
         scene.put(self.key, f"{self._made}", *self._shapes(msg, here), pose=pose)
@@ -209,7 +217,7 @@ class Odometry(Display):
         self.trail.pop(0)
         scene.remove(self.key, f"{self._made - len(self.trail)}")
 
-    def _shapes(self, msg: Any, here: Pose) -> list[Shape]:
+    def _shapes(self, msg: OdometryMsg, here: Pose) -> list[Shape]:
         return shapes_of_pose(self.options) + (doubt(msg.pose.covariance, here) if self.options["covariance"] else [])
 
 
@@ -219,7 +227,7 @@ class Path(KeptDisplay):
     kind = "Path"
     length = "buffer_length"
 
-    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+    def show(self, msg: PathMsg, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw a ribbon through the poses."""
         points = np.array([numbers(stamped.pose)[:3] for stamped in msg.poses]).reshape(-1, 3)
         points = points[np.isfinite(points).all(axis=1)]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from coursekit.view.scene import Pose, Scene
 from coursekit.view.scene_shapes import Triangles, colour_of, tube
@@ -11,6 +11,8 @@ from coursekit.view.scene_shapes import Triangles, colour_of, tube
 from .kept import KeptDisplay
 
 if TYPE_CHECKING:
+    from sensor_msgs.msg import Range as RangeMsg
+
     from coursekit.view.scene_stage import Stage
 
 
@@ -20,7 +22,7 @@ class Range(KeptDisplay):
     kind = "Range"
     length = "buffer_length"
 
-    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+    def show(self, msg: RangeMsg, pose: Pose, stage: Stage, scene: Scene) -> None:
         """Draw a cone along x from the sensor; none if the range is outside the limits."""
         far = msg.range
         if math.isinf(far) and msg.min_range == msg.max_range:

@@ -15,6 +15,8 @@ from .display import Display, NoTransform
 from .facts import Fact, pose_facts
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from coursekit.view.scene_stage import Stage
 
 
@@ -52,7 +54,7 @@ class RobotModel(Display):
         if self._text:
             self._read(self._text, scene)
 
-    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+    def facts(self, name: str, thing: Thing, here: np.ndarray, stage: Stage) -> list[Fact]:
         """Return the link, its joint and its pose."""
         joints = self.robot.joints.values() if self.robot is not None else ()
         held = [("Joint", f"{joint.name} ({joint.type})") for joint in joints if joint.child == name]

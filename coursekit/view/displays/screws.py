@@ -12,6 +12,10 @@ from coursekit.view.scene_shapes import Colour, Triangles, arrow, colour_of, sca
 from .kept import KeptDisplay
 
 if TYPE_CHECKING:
+    from geometry_msgs.msg import AccelStamped as AccelMsg
+    from geometry_msgs.msg import TwistStamped as TwistMsg
+    from geometry_msgs.msg import WrenchStamped as WrenchMsg
+
     from coursekit.view.scene_stage import Stage
 
 _SMALL = 0.01
@@ -74,7 +78,7 @@ class Wrench(_Screw):
     kind = "Wrench"
     names = ("force", "torque")
 
-    def vectors(self, msg: Any) -> tuple[Any, Any]:
+    def vectors(self, msg: WrenchMsg) -> tuple[Any, Any]:
         """Return force and torque."""
         return msg.wrench.force, msg.wrench.torque
 
@@ -84,7 +88,7 @@ class TwistStamped(_Screw):
 
     kind = "TwistStamped"
 
-    def vectors(self, msg: Any) -> tuple[Any, Any]:
+    def vectors(self, msg: TwistMsg) -> tuple[Any, Any]:
         """Return the linear and angular velocity."""
         return msg.twist.linear, msg.twist.angular
 
@@ -94,6 +98,6 @@ class AccelStamped(_Screw):
 
     kind = "AccelStamped"
 
-    def vectors(self, msg: Any) -> tuple[Any, Any]:
+    def vectors(self, msg: AccelMsg) -> tuple[Any, Any]:
         """Return the linear and angular acceleration."""
         return msg.accel.linear, msg.accel.angular

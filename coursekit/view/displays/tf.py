@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -46,7 +46,7 @@ class TF(Display):
         scene.keep_only(self.key, names)
         self._tell(stage, poses, lost, old)
 
-    def facts(self, name: str, thing: Thing, here: Any, stage: Stage) -> list[Fact]:
+    def facts(self, name: str, thing: Thing, here: np.ndarray, stage: Stage) -> list[Fact]:
         """Return the frame, its parent, the age of its last change, and its pose in the fixed frame."""
         frame = name.partition(" ")[2]
         parent = stage.buffer.parent(frame) or "none"

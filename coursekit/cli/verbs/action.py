@@ -9,7 +9,9 @@ from coursekit.cli import ask
 if TYPE_CHECKING:
     from argparse import Namespace
 
+    from rclpy.action import ActionClient
     from rclpy.node import Node
+    from rclpy.task import Future
 
 
 def register(subparsers: Any) -> None:
@@ -129,14 +131,14 @@ def _offered(node: Node) -> list[str]:
 class _Sending:
     """One goal in progress."""
 
-    def __init__(self, node: Node, client: Any, name: str, feedback: bool) -> None:
+    def __init__(self, node: Node, client: ActionClient, name: str, feedback: bool) -> None:
         self._node = node
         self._client = client
         self._name = name
         self._feedback = self._show_feedback if feedback else None
         self._handle: Any = None
 
-    def _finish(self, future: Any) -> Any:
+    def _finish(self, future: Future) -> Any:
         import rclpy
 
         rclpy.spin_until_future_complete(self._node, future)

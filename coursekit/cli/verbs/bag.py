@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from coursekit.cli import ask, bag_play, bag_record
 from coursekit.cli.bag_arguments import add_reader, refuse, refusing
 
 if TYPE_CHECKING:
+    import argparse
     from argparse import Namespace
 
 _PLUGINS = {
@@ -27,7 +28,7 @@ _BASES = {
 }
 
 
-def register(subparsers: Any) -> None:
+def register(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add the command."""
     parser = subparsers.add_parser("bag", help="Various rosbag related sub-commands")
     verbs = parser.add_subparsers(title="Verbs", dest="_verb", required=True)
@@ -46,7 +47,7 @@ def register(subparsers: Any) -> None:
     reindex.set_defaults(main=make_metadata)
 
 
-def _register_convert(verbs: Any) -> None:
+def _register_convert(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     convert = verbs.add_parser("convert", help="Given an input bag, write out a new bag with different settings")
     convert.add_argument(
         "-i",

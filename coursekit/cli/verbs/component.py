@@ -12,6 +12,7 @@ from coursekit.processes.executables import find, packages
 from coursekit.processes.session import current
 
 if TYPE_CHECKING:
+    import argparse
     from argparse import Namespace
 
 _SERVICES = {
@@ -21,7 +22,7 @@ _SERVICES = {
 }
 
 
-def register(subparsers: Any) -> None:
+def register(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add the command."""
     parser = subparsers.add_parser("component", help="Various component related sub-commands")
     verbs = parser.add_subparsers(title="Verbs", dest="_verb", required=True)
@@ -48,7 +49,7 @@ def register(subparsers: Any) -> None:
     unload.set_defaults(main=unload_components)
 
 
-def _add_component(verb: Any) -> None:
+def _add_component(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("package_name", help="Name of the package where the component is to be found")
     verb.add_argument("plugin_name", help="Type name of the component to be loaded")
     verb.add_argument("-n", "--node-name", default="", help="Component node name")

@@ -12,6 +12,7 @@ from coursekit.cli import ask, control_lists
 from coursekit.nodes.control.asking import Asker, NoManager
 
 if TYPE_CHECKING:
+    import argparse
     from argparse import Namespace
 
 HELP = {
@@ -30,7 +31,7 @@ HELP = {
 _LOGS = "check controller_manager logs"
 
 
-def register(subparsers: Any) -> None:
+def register(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add the command."""
     parser = subparsers.add_parser("control", help="Various control related sub-commands")
     verbs = parser.add_subparsers(title="Verbs", dest="_verb", required=True)
@@ -135,28 +136,28 @@ def _chains(_asker: Asker, _args: Namespace) -> str:
     return "view_controller_chains draws chained controllers with graphviz: there are none here"
 
 
-def _name(verb: Any) -> None:
+def _name(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("controller_name", help="Name of the controller")
 
 
-def _list_options(verb: Any) -> None:
+def _list_options(verb: argparse.ArgumentParser) -> None:
     for option in ("claimed-interfaces", "required-state-interfaces", "required-command-interfaces", "chained-interfaces",
                    "reference-interfaces"):  # fmt: skip
         verb.add_argument(f"--{option}", action="store_true", help=f"List controller's {option.replace('-', ' ')}")
     verb.add_argument("-v", "--verbose", action="store_true", help="List all of them")
 
 
-def _load_options(verb: Any) -> None:
+def _load_options(verb: argparse.ArgumentParser) -> None:
     _name(verb)
     verb.add_argument("--set-state", choices=["inactive", "active"], help="Set the state of the loaded controller")
 
 
-def _state_options(verb: Any) -> None:
+def _state_options(verb: argparse.ArgumentParser) -> None:
     _name(verb)
     verb.add_argument("state", choices=["inactive", "active"], help="State in which the controller should be changed to")
 
 
-def _switch_options(verb: Any) -> None:
+def _switch_options(verb: argparse.ArgumentParser) -> None:
     for option in ("activate", "deactivate", "start", "stop"):
         verb.add_argument(f"--{option}", nargs="*", default=[], help=f"Names of the controllers to {option}")
     verb.add_argument("--strict", action="store_true", help="Strict switch")
@@ -165,7 +166,7 @@ def _switch_options(verb: Any) -> None:
     verb.add_argument("--switch-timeout", default=5.0, help="Timeout for switching controllers")
 
 
-def _component_options(verb: Any) -> None:
+def _component_options(verb: argparse.ArgumentParser) -> None:
     verb.add_argument("hardware_component_name", help="Name of the hardware component to be changed")
     verb.add_argument("state", choices=["unconfigured", "inactive", "active"], help="State in which it should be changed to")
 

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from coursekit.cli import ask, daemon
 from coursekit.cli.attach import domain_id
 
 if TYPE_CHECKING:
+    import argparse
     from argparse import Namespace
 
 
-def register(subparsers: Any) -> None:
+def register(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add the command."""
     parser = subparsers.add_parser("daemon", help="Various daemon related sub-commands")
     verbs = parser.add_subparsers(title="Verbs", dest="_verb", required=True)

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from coursekit.cli import checks, doctor_hello, graph_report
 
 if TYPE_CHECKING:
+    import argparse
     from argparse import Namespace
 
 
-def register(subparsers: Any) -> None:
+def register(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add the command under both names."""
     for name in ("doctor", "wtf"):
         parser = subparsers.add_parser(name, help="Check ROS setup and other potential issues")

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from coursekit.cli import ask
 
 if TYPE_CHECKING:
+    import argparse
     from argparse import Namespace
 
 _DATA = b"Hello World!"
 
 
-def register(subparsers: Any) -> None:
+def register(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add the command."""
     parser = subparsers.add_parser("multicast", help="Various multicast related sub-commands")
     verbs = parser.add_subparsers(title="Verbs", dest="_verb", required=True)

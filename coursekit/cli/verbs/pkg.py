@@ -9,7 +9,7 @@ from coursekit.packages import listing
 from coursekit.packages.create import add_create_arguments, create
 
 
-def register(subparsers: Any) -> None:
+def register(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add the command `pkg` with its verbs; each sets `main`, a function of the parsed arguments."""
     parser = subparsers.add_parser("pkg", help="Various package related sub-commands")
     verbs = parser.add_subparsers(
@@ -23,33 +23,33 @@ def register(subparsers: Any) -> None:
     _xml(verbs)
 
 
-def _create(verbs: Any) -> None:
+def _create(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = verbs.add_parser("create", help="Create a new ROS 2 package")
     add_create_arguments(parser)
     parser.set_defaults(main=create)
 
 
-def _list(verbs: Any) -> None:
+def _list(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     verbs.add_parser("list", help="Output a list of available packages").set_defaults(
         main=listing.list_packages
     )
 
 
-def _prefix(verbs: Any) -> None:
+def _prefix(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = verbs.add_parser("prefix", help="Output the prefix path of a package")
     _package_argument(parser)
     parser.add_argument("--share", action="store_true", help="Show share directory for the package")
     parser.set_defaults(main=listing.print_prefix)
 
 
-def _executables(verbs: Any) -> None:
+def _executables(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = verbs.add_parser("executables", help="Output a list of package specific executables")
     _package_argument(parser, nargs="?")
     parser.add_argument("--full-path", action="store_true", help="Show full path of each executable")
     parser.set_defaults(main=listing.print_executables)
 
 
-def _xml(verbs: Any) -> None:
+def _xml(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     parser = verbs.add_parser("xml", help="Output the package xml manifest or a specific tag")
     _package_argument(parser)
     parser.add_argument("-t", "--tag", help="The package's xml's tag to print")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import argparse
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from coursekit.cli import ask
 
@@ -27,7 +27,7 @@ WHY = (
 )
 
 
-def register(subparsers: Any) -> None:
+def register(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Add the command."""
     parser = subparsers.add_parser("security", help="Various security related sub-commands", epilog=WHY)
     verbs = parser.add_subparsers(title="Verbs", dest="_verb", required=True)

@@ -13,6 +13,7 @@ from coursekit.rcl.names import is_hidden
 if TYPE_CHECKING:
     from argparse import Namespace
 
+    from rclpy.client import Client
     from rclpy.node import Node
 
 
@@ -103,7 +104,7 @@ def _service_type(name: str) -> Any:
         raise ask.Unhappy("The passed service type is invalid") from None
 
 
-def _wait(client: Any, name: str, kind: str) -> None:
+def _wait(client: Client, name: str, kind: str) -> None:
     """Wait without a limit, as on a robot; after a while print the reason."""
     if client.wait_for_service(ask.WAIT_SECONDS):
         return
@@ -130,7 +131,7 @@ def _filled(request: Any, values: dict[str, Any]) -> Any:
     return request
 
 
-def _call_once(node: Node, client: Any, request: Any) -> None:
+def _call_once(node: Node, client: Client, request: Any) -> None:
     import rclpy
 
     print(f"requester: making request: {request!r}\n")
@@ -144,7 +145,7 @@ def _call_once(node: Node, client: Any, request: Any) -> None:
     print(f"response:\n{future.result()!r}\n")
 
 
-def _silence(client: Any) -> str:
+def _silence(client: Client) -> str:
     """Return the probable reason for a missing response."""
     if client.service_is_ready():
         return "A node offers the service, but does not answer: is it busy, or does nothing spin it?"

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from coursekit.cli import ask, topic_echo, topic_pub, topic_rates
 
 if TYPE_CHECKING:
+    import argparse
     from argparse import Namespace
 
 
@@ -39,7 +40,7 @@ def _topic_argument(parser: Any) -> None:
     parser.add_argument("topic_name", help="Name of the ROS topic (e.g. '/chatter')").completer = ask.complete_topics
 
 
-def _register_list(verbs: Any) -> None:
+def _register_list(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     lister = verbs.add_parser("list", help="Output a list of available topics")
     lister.add_argument("-t", "--show-types", action="store_true", help="Additionally show the topic type")
     lister.add_argument("-c", "--count-topics", action="store_true", help="Only display the number of topics")

@@ -149,9 +149,9 @@ class SimulatedDrive(Controller):
         self._active = False
         self._sensor.robot.command(0.0, 0.0, now_ns=self._sensor.simulation.now_ns)
 
-    def _hear(self, msg: Any) -> None:
+    def _hear(self, msg: Twist | TwistStamped) -> None:
         if self._active:
-            twist = getattr(msg, "twist", msg)
+            twist = msg.twist if isinstance(msg, TwistStamped) else msg
             self._sensor.robot.command(twist.linear.x, twist.angular.z, now_ns=self._sensor.simulation.now_ns)
 
     def update(self, now_ns: int, dt: float) -> None:

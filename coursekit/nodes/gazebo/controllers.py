@@ -4,23 +4,26 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import yaml
 
 from coursekit.files import read_text
-from coursekit.nodes.control.description import read_hardware
+from coursekit.nodes.control.description import HardwareInfo, read_hardware
 from coursekit.nodes.control.frames import odometry_frames
 from coursekit.nodes.control.types import DRIVE
 from coursekit.sim.motors import Reach
 from coursekit.sim.robot import Drive
-from coursekit.urdf import MeshError
+from coursekit.urdf import Limit, MeshError
 from coursekit.urdf.resources import find_file
 from coursekit.urdf.xml_tree import Element
 
 from .blueprint import Blueprint
 from .devices import ControlDevice, Device, OdometryDevice
 from .ros_names import names_of
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 MANAGER = "controller_manager"
 LIMITS = (
@@ -65,7 +68,7 @@ def read_controllers(plugin: Element, model: Blueprint, namespace: str) -> tuple
     return drive, [device]
 
 
-def _reach(limit: Any) -> Reach:
+def _reach(limit: Limit | None) -> Reach:
     """Return the range and speed limits of a joint; continuous ones have no limits."""
     if limit is None:
         return Reach()
@@ -107,7 +110,7 @@ def _flat(data: dict[str, Any]) -> dict[str, Any]:
     return flat
 
 
-def _rolling(hardware: Any, model: Blueprint) -> Drive | None:
+def _rolling(hardware: Iterable[HardwareInfo], model: Blueprint) -> Drive | None:
     """Return the drive of wheels commanded only by speed; their poses give their separation and radius."""
     wheels = [
         part.name for info in hardware for part in info.components

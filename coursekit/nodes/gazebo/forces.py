@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from gazebo_msgs.srv import ApplyJointEffort, ApplyLinkWrench, JointRequest, LinkRequest
 
@@ -11,18 +11,21 @@ from coursekit.sim.push import Push
 
 from .whereabouts import WORLD
 
+if TYPE_CHECKING:
+    from coursekit.nodes.gazebo.server import Gazebo
+
 
 class Forces:
     """The services of a simulator's node."""
 
-    def __init__(self, gazebo: Any) -> None:
+    def __init__(self, gazebo: Gazebo) -> None:
         self._gazebo, self._log = gazebo, gazebo.get_logger()
         gazebo.create_service(ApplyLinkWrench, "apply_link_wrench", self._push)
         gazebo.create_service(LinkRequest, "clear_link_wrenches", lambda asked, answer: self._end(asked.link_name, answer))
         gazebo.create_service(ApplyJointEffort, "apply_joint_effort", self._turn)
         gazebo.create_service(JointRequest, "clear_joint_efforts", lambda asked, answer: self._end(asked.joint_name, answer))
 
-    def _push(self, request: Any, answer: Any) -> Any:
+    def _push(self, request: ApplyLinkWrench.Request, answer: ApplyLinkWrench.Response) -> ApplyLinkWrench.Response:
         now, around = self._gazebo.advance(), self._gazebo.around
         try:
             if "::" not in request.link_name:
@@ -48,7 +51,7 @@ class Forces:
         push = Push(model, force.x, force.y, request.wrench.torque.z + lever, *_times(request, now), label=request.link_name)
         return self._begin(push, answer, "")
 
-    def _turn(self, request: Any, answer: Any) -> Any:
+    def _turn(self, request: ApplyJointEffort.Request, answer: ApplyJointEffort.Response) -> ApplyJointEffort.Response:
         now, name = self._gazebo.advance(), request.joint_name
         for robot in self._gazebo.simulation.robots.values():
             drive = robot.model.drive
@@ -62,7 +65,7 @@ class Forces:
         self._log.error(f"Joint [{name}] is no wheel of a robot; efforts on other joints are not simulated")
         return answer
 
-    def _begin(self, push: Push, answer: Any, text: str) -> Any:
+    def _begin(self, push: Push, answer: ApplyLinkWrench.Response | ApplyJointEffort.Response, text: str) -> Any:
         if not push.finite:
             answer.status_message = "force and torque must be finite numbers"
             return answer
@@ -70,7 +73,7 @@ class Forces:
         answer.success, answer.status_message = True, text
         return answer
 
-    def _end(self, label: str, answer: Any) -> Any:
+    def _end(self, label: str, answer: LinkRequest.Response | JointRequest.Response) -> Any:
         self._gazebo.advance()
         pushes = self._gazebo.simulation.pushes
         kept = [push for push in pushes if push.label != label]
@@ -80,7 +83,7 @@ class Forces:
         return answer
 
 
-def _times(request: Any, now: int) -> tuple[int, int | None]:
+def _times(request: ApplyLinkWrench.Request | ApplyJointEffort.Request, now: int) -> tuple[int, int | None]:
     """Return the start and end [ns]; None for no end."""
     begin = max(now, request.start_time.sec * 10**9 + request.start_time.nanosec)
     long = request.duration.sec * 10**9 + request.duration.nanosec

@@ -52,7 +52,7 @@ class Nobody:
         """Return 0."""
         return 0
 
-    def publish(self, _msg: Any) -> None:
+    def publish(self, _msg: object) -> None:
         """Do nothing."""
 
 
@@ -77,7 +77,7 @@ class SensorPublisher:
         """Restart at a time."""
         self._begin, self._count, self.due_ns = begin_ns, 0, begin_ns
 
-    def publisher(self, kind: Any, topic: str, qos: Any = 10) -> Any:
+    def publisher(self, kind: type[Any], topic: str, qos: QoSProfile | int = 10) -> Any:
         """Make a publisher that is closed with the sensor; without a topic, one without subscribers."""
         if not topic:
             return Nobody()

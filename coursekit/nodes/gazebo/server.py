@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from geometry_msgs.msg import Twist, TwistStamped
@@ -50,6 +50,9 @@ from .warm_up import warm_up
 from .wheel_frames import WheelPublisher
 from .whereabouts import Whereabouts
 from .world_of import open_world
+
+if TYPE_CHECKING:
+    from coursekit.sim.robot import Robot
 
 FURTHER: dict[type, type[SensorPublisher]] = {
     CameraDevice: CameraPublisher, DepthDevice: DepthPublisher, ControlDevice: ControlPublisher,
@@ -114,7 +117,7 @@ class Gazebo(Node):
         self.assemblies[model.name] = model
         self.tell(model.notes)
 
-    def _equip(self, model: Assembly, robot: Any) -> None:
+    def _equip(self, model: Assembly, robot: Robot) -> None:
         begin = self.time.now()
         sensors = self.sensors[model.name] = []
         for number, device in enumerate(self.working(model)):
@@ -126,7 +129,7 @@ class Gazebo(Node):
                 twist = TwistStamped if device.stamped else Twist
                 bend = device.by_rate
 
-                def hear(msg: Any, bend: bool = bend) -> None:
+                def hear(msg: Twist | TwistStamped, bend: bool = bend) -> None:
                     self._command(robot, msg, bend)
 
                 heard = node.create_subscription(twist, device.command_topic, hear, 10)
@@ -136,13 +139,13 @@ class Gazebo(Node):
         """Return the devices of a model that are active in this world."""
         return model.devices
 
-    def _command(self, robot: Any, msg: Any, by_rate: bool = False) -> None:
+    def _command(self, robot: Robot, msg: Twist | TwistStamped, by_rate: bool = False) -> None:
         self.advance()
-        msg = getattr(msg, "twist", msg)
-        ahead, turn = msg.linear.x, msg.angular.z
-        if by_rate:  # the wheel angle of a car with this rotation rate
-            turn = math.atan(robot.model.drive.wheelbase * turn / ahead) if ahead else 0.0
-        robot.command(ahead, turn, msg.linear.y, now_ns=self.simulation.now_ns)
+        twist, drive = msg.twist if isinstance(msg, TwistStamped) else msg, robot.model.drive
+        ahead, turn = twist.linear.x, twist.angular.z
+        if by_rate and drive is not None:  # the wheel angle of a car with this rotation rate
+            turn = math.atan(drive.wheelbase * turn / ahead) if ahead else 0.0
+        robot.command(ahead, turn, twist.linear.y, now_ns=self.simulation.now_ns)
 
     def node_of(self, full_name: str) -> Any:
         """Return the node of a plugin, made on first use."""

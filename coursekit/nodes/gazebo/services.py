@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
 
 from gazebo_msgs.srv import DeleteEntity, GetModelList, SpawnEntity
 from std_srvs.srv import Empty
@@ -15,11 +15,14 @@ from .sdf_world import read_entity
 from .sensor_publishers import stamp_of
 from .whereabouts import planar_pose
 
+if TYPE_CHECKING:
+    from coursekit.nodes.gazebo.server import Gazebo
+
 
 class Services:
     """The services of a simulator's node."""
 
-    def __init__(self, node: Any) -> None:
+    def __init__(self, node: Gazebo) -> None:
         self._node, self._around = node, node.around
         make = node.create_service
         make(SpawnEntity, "spawn_entity", self._spawn)
@@ -32,7 +35,7 @@ class Services:
 
     # -- spawning
 
-    def _spawn(self, request: Any, answer: Any) -> Any:
+    def _spawn(self, request: SpawnEntity.Request, answer: SpawnEntity.Response) -> SpawnEntity.Response:
         answer.success = False
         try:
             model = read_entity(request.xml, request.robot_namespace, None, self._node.newer, request.name)
@@ -58,7 +61,7 @@ class Services:
             number += 1
         return f"{name}_{number}" if number else name
 
-    def _delete(self, request: Any, answer: Any) -> Any:
+    def _delete(self, request: DeleteEntity.Request, answer: DeleteEntity.Response) -> DeleteEntity.Response:
         if request.name not in self._around.models():
             answer.success, answer.status_message = False, f"Entity [{request.name}] does not exist"
             return answer
@@ -68,15 +71,15 @@ class Services:
 
     # -- time
 
-    def _restart(self, time: bool, answer: Any) -> Any:
+    def _restart(self, time: bool, answer: Empty.Response) -> Empty.Response:
         self._node.restart(time)
         return answer
 
-    def _pause(self, pause: bool, answer: Any) -> Any:
+    def _pause(self, pause: bool, answer: Empty.Response) -> Empty.Response:
         self._node.pause(pause)
         return answer
 
-    def _list(self, _request: Any, answer: Any) -> Any:
+    def _list(self, _request: GetModelList.Request, answer: GetModelList.Response) -> GetModelList.Response:
         answer.header.stamp = stamp_of(self._node.advance())
         answer.model_names, answer.success = self._around.models(), True
         return answer

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from coursekit.core.clock import Clock
 
 MOST_BEHIND_NS = 50_000_000
 """The maximum lag [ns]: a slower computer slows the simulation down instead of making it jump."""
@@ -18,7 +21,7 @@ class SimTime:
     200
     """
 
-    def __init__(self, clock: Any, paused: bool = False) -> None:
+    def __init__(self, clock: Clock, paused: bool = False) -> None:
         self._clock = clock
         self.paused = paused
         self.speed = 1.0

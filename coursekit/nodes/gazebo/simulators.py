@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 from coursekit.processes.live_things import LiveThings
 from coursekit.sim.simulation import Simulation
 
 from .sim_time import SimTime
+
+if TYPE_CHECKING:
+    from coursekit.nodes.gazebo.assembly import Assembly
 
 
 class Simulator(Protocol):
@@ -32,7 +35,7 @@ class Simulator(Protocol):
 
     def restart(self, time: bool) -> None: ...
 
-    def put(self, model: Any) -> None: ...
+    def put(self, model: Assembly) -> None: ...
 
     def delete(self, name: str) -> None: ...
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from gazebo_msgs.msg import EntityState, LinkStates, ModelStates
 from gazebo_msgs.srv import GetEntityState, SetEntityState, SetModelConfiguration
@@ -16,11 +16,16 @@ from .sensor_publishers import heading, stamp_of
 from .whereabouts import WORLD, Speed, planar_pose
 from .world_plugins import StatePlugin
 
+if TYPE_CHECKING:
+    from rclpy.publisher import Publisher
+
+    from coursekit.nodes.gazebo.server import Gazebo
+
 
 class States:
     """The simulated plugin. If the world does not load it, the simulator's node provides it without link states."""
 
-    def __init__(self, gazebo: Any, plugin: StatePlugin | None) -> None:
+    def __init__(self, gazebo: Gazebo, plugin: StatePlugin | None) -> None:
         self._gazebo, self._around = gazebo, gazebo.around
         node = self._node = gazebo.node_of(plugin.names.full_node) if plugin else gazebo
         named = plugin.names.topic if plugin else str
@@ -31,15 +36,15 @@ class States:
         self._links = node.create_publisher(LinkStates, named("link_states"), 10) if plugin else None
         node.create_timer(1.0 / (plugin.rate if plugin else 10.0), self._tell)
 
-    def _get(self, request: Any, answer: Any) -> Any:
+    def _get(self, request: GetEntityState.Request, answer: GetEntityState.Response) -> GetEntityState.Response:
         answer.header.stamp = stamp_of(self._gazebo.advance())
         answer.header.frame_id = request.reference_frame or "world"
         try:
             place, speed = self._around.where(request.name)
             if request.reference_frame not in WORLD:
                 base, drift = self._around.where(request.reference_frame)
-                speed = tuple(one - other for one, other in zip(speed, drift, strict=True))
-                place, speed = base.inverse() @ place, _turned(speed, -base.theta)
+                relative = [one - other for one, other in zip(speed, drift, strict=True)]
+                place, speed = base.inverse() @ place, _turned(relative, -base.theta)
         except LookupError as error:
             self._node.get_logger().error(f"GetEntityState: {error.args[0]}")
             return answer
@@ -47,7 +52,7 @@ class States:
         answer.success = True
         return answer
 
-    def _set(self, request: Any, answer: Any) -> Any:
+    def _set(self, request: SetEntityState.Request, answer: SetEntityState.Response) -> SetEntityState.Response:
         state = request.state
         speed = (state.twist.linear.x, state.twist.linear.y, state.twist.angular.z)
         try:
@@ -63,7 +68,9 @@ class States:
         answer.success = True
         return answer
 
-    def _joints(self, request: Any, answer: Any) -> Any:
+    def _joints(
+        self, request: SetModelConfiguration.Request, answer: SetModelConfiguration.Response
+    ) -> SetModelConfiguration.Response:
         robot = self._gazebo.simulation.robots.get(request.model_name)
         if robot is None:
             answer.status_message = f"set_joint_positions: model [{request.model_name}] does not exist"
@@ -81,7 +88,7 @@ class States:
         if self._links is not None:
             self._publish(self._links, LinkStates, self._around.links())
 
-    def _publish(self, publisher: Any, kind: Any, names: list[str]) -> None:
+    def _publish(self, publisher: Publisher, kind: type[Any], names: list[str]) -> None:
         if not publisher.get_subscription_count():
             return
         self._gazebo.advance()

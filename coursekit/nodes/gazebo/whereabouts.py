@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING
 
 from geometry_msgs.msg import Pose
 
 from coursekit.geometry.plane import Pose2D
 from coursekit.geometry.rotation import yaw_of
 from coursekit.sim.errors import known
+
+if TYPE_CHECKING:
+    from coursekit.nodes.gazebo.server import Gazebo
 
 WORLD = ("", "world", "map", "/map")
 """Names that stand for the world frame."""
@@ -19,7 +22,7 @@ Speed = tuple[float, float, float]
 class Whereabouts:
     """Poses of what a simulator's node contains; `name` is a model's, or `model::link`."""
 
-    def __init__(self, node: Any) -> None:
+    def __init__(self, node: Gazebo) -> None:
         self._node = node
         self.deleted: set[str] = set()
         """Models from the world file that were deleted."""

@@ -19,6 +19,11 @@ from coursekit.nodes.compiled.frames import Unpacker, packed
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from rclpy.action.goal_handle import ServerGoalHandle
+    from rclpy.node import Node
+    from rclpy.service import Service
+    from rclpy.task import Future
+
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
 
@@ -29,10 +34,10 @@ _ACCEPT_CANCEL = 2
 class _RefusesAll:
     """Responds like rclcpp's servers: if no goal may be canceled, the whole request is rejected."""
 
-    def __init__(self, service: Any) -> None:
+    def __init__(self, service: Service) -> None:
         self._service = service
 
-    def send_response(self, response: Any, header: Any) -> None:
+    def send_response(self, response: CancelGoal.Response, header: Any) -> None:
         """Send the response."""
         if response.return_code == CancelGoal.Response.ERROR_NONE and not response.goals_canceling:
             response.return_code = CancelGoal.Response.ERROR_REJECTED
@@ -42,7 +47,9 @@ class _RefusesAll:
 class CompiledActionServer(ActionServer):
     """Asks the program whether to accept a goal, also by its id, and notifies it of accepted goals."""
 
-    def __init__(self, host: Host, handlers: tuple[int, int, int], node: Any, kind: Any, name: str, **options: Any) -> None:
+    def __init__(
+        self, host: Host, handlers: tuple[int, int, int], node: Node, kind: type[Any], name: str, **options: Any
+    ) -> None:
         self._host = host
         self._goal_handler, self._accepted_handler, self._cancel_handler = handlers
         self._asked = local()
@@ -69,14 +76,14 @@ class CompiledActionServer(ActionServer):
         self._asked.answer = answer
         return GoalResponse.ACCEPT if answer in (_ACCEPT_AND_EXECUTE, _ACCEPT_AND_DEFER) else GoalResponse.REJECT
 
-    def _tell(self, handle: Any) -> None:
+    def _tell(self, handle: ServerGoalHandle) -> None:
         self._host.call(self._accepted_handler, packed(bytes(handle.goal_id.uuid)))
 
-    def _decide_cancel(self, handle: Any) -> CancelResponse:
+    def _decide_cancel(self, handle: ServerGoalHandle) -> CancelResponse:
         answer = self._host.call(self._cancel_handler, packed(bytes(handle.goal_id.uuid))).integer()
         return CancelResponse.ACCEPT if answer == _ACCEPT_CANCEL else CancelResponse.REJECT
 
-    async def _cancel_asked(self, service: Any, request: Any, header: Any) -> None:
+    async def _cancel_asked(self, service: Service, request: CancelGoal.Request, header: Any) -> None:
         await super()._cancel_asked(_RefusesAll(service), request, header)
 
     def goal(self, key: bytes) -> Any:
@@ -103,7 +110,7 @@ class CompiledActionServer(ActionServer):
         self.end(key, "canceled", serialize(self._action_type.Result()))
 
 
-def _nothing(_handle: Any) -> None:
+def _nothing(_handle: ServerGoalHandle) -> None:
     """Never called: the program executes its goals itself."""
 
 
@@ -172,7 +179,7 @@ class _Sent:
                 return
         self._tell_feedback(message)
 
-    def answered(self, future: Any) -> None:
+    def answered(self, future: Future) -> None:
         """Handle the response: pass it on, then the held feedback in order."""
         self._tell_answer(future)
         while early := self._waiting():
@@ -201,7 +208,7 @@ class CompiledActionClient(ActionClient):
         future = self.send_goal_async(deserialize(goal, self._action_type.Goal), feedback_callback=sent.heard)
         future.add_done_callback(sent.answered)
 
-    def _tell_answer(self, number: int, future: Any) -> None:
+    def _tell_answer(self, number: int, future: Future) -> None:
         handle = future.result()
         key = bytes(handle.goal_id.uuid)
         if handle.accepted:
@@ -216,7 +223,7 @@ class CompiledActionClient(ActionClient):
         """Request a goal's result for the program."""
         self.goals[key].get_result_async().add_done_callback(partial(self._tell_result, key))
 
-    def _tell_result(self, key: bytes, future: Any) -> None:
+    def _tell_result(self, key: bytes, future: Future) -> None:
         response = future.result()
         self.goals.pop(key, None)
         self.host.call(self.result_handler, packed(key, response.status) + serialize(response.result))
@@ -228,7 +235,7 @@ class CompiledActionClient(ActionClient):
         request.goal_info.stamp = Time(nanoseconds=stamp_ns).to_msg()
         self._cancel_client.call_async(request).add_done_callback(partial(self._tell_cancelled, number))
 
-    def _tell_cancelled(self, number: int, future: Any) -> None:
+    def _tell_cancelled(self, number: int, future: Future) -> None:
         self.host.call(self.cancel_handler, packed(number) + serialize(future.result()))
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, NoReturn
+from typing import NoReturn
 
 from coursekit.cpp.age import is_of_another_age
 from coursekit.nodes.compiled.channel import Gone
@@ -77,7 +77,7 @@ class Program:
         except Gone:
             self._end()
 
-    def share(self, thing: Any) -> int:
+    def share(self, thing: object) -> int:
         """Let it use an object of this process. Returns its number there."""
         return self._part.keep(thing)
 

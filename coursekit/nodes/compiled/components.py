@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rcl_interfaces.msg import Parameter as ParameterMessage
 from rclpy.parameter import Parameter
@@ -16,6 +16,7 @@ from coursekit.systems import signal_names
 if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
+    from coursekit.processes.base_process import BaseProcess
 
 
 class ComponentOfProgram(LoadedComponent):
@@ -29,7 +30,7 @@ class ComponentOfProgram(LoadedComponent):
         host.process.cleanups.append(self.process.kill)
         self.process.on_exit(self._ended)
 
-    def _ended(self, process: Any) -> None:
+    def _ended(self, process: BaseProcess) -> None:
         """Handle a component's end; a crash aborts the program, as with a component in a library."""
         if process.exit_code and not self._unloaded and not self._host.over:
             self._host.process.send_signal(signal_names.ABORT)

@@ -27,6 +27,8 @@ from coursekit.nodes.compiled.sharing import facts
 from coursekit.nodes.components.loading import LoadedComponent
 
 if TYPE_CHECKING:
+    from rclpy.task import Future
+
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
 
@@ -241,7 +243,7 @@ def do_send_request(host: Host, _channel: Channel, frame: Unpacker) -> None:
     client.numbers[own] = number
     future = client.call_async(deserialize(frame.rest(), client.srv_type.Request))
 
-    def answered(done: Any) -> None:
+    def answered(done: Future) -> None:
         client.numbers.pop(own, None)
         host.call(client.handler, packed(number) + serialize(done.result()))
 

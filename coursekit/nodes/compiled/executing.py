@@ -18,6 +18,8 @@ from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.living import living_context
 
 if TYPE_CHECKING:
+    from rclpy.task import Task
+
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
 
@@ -100,7 +102,7 @@ def _run_one(executor: Executor) -> bool:
     return True
 
 
-def _run(task: Any) -> None:
+def _run(task: Task) -> None:
     """Run a callback and raise its exception."""
     task()
     error = task.exception()
@@ -111,7 +113,7 @@ def _run(task: Any) -> None:
 class Work:
     """A callback whose group counts as executing, but which the program has not run yet."""
 
-    def __init__(self, executor: Any, task: Any, entity: Any) -> None:
+    def __init__(self, executor: Executor, task: Task, entity: Any) -> None:
         self._executor, self._task, self._entity = executor, task, entity
 
     def run(self) -> None:
@@ -138,7 +140,7 @@ def do_next_work(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     return packed(host.keep(Work(executor, task, entity)), _number_of(host, entity))
 
 
-def _number_of(host: Host, entity: Any) -> int:
+def _number_of(host: Host, entity: object) -> int:
     """Return the number of what a node destroys as this entity; 0 if the program does not know it."""
     kept = list(host.things.items())
     return next((number for number, thing in kept if isinstance(thing, tuple) and thing[-1] is entity), 0)

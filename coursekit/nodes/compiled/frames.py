@@ -43,7 +43,7 @@ class Unpacker:
         """Read the next text; invalid UTF-8 is replaced."""
         return self.blob().decode(errors="replace")
 
-    def message(self, cls: Any) -> Any:
+    def message(self, cls: type[Any]) -> Any:
         """Read the next message."""
         return deserialize(self.blob(), cls)
 

@@ -56,6 +56,7 @@ from coursekit.processes.process import ProcessKilled, current_process
 from coursekit.processes.session import current
 
 if TYPE_CHECKING:
+    from coursekit.core.clock import Event
     from coursekit.nodes.compiled.part import Part
 
 VIRTUAL, STOPPING, SIMULATED = 1, 2, 4
@@ -184,7 +185,7 @@ class Host:
         self._workers.end()
         return self._child.wait()
 
-    def _watch(self, ended: Any) -> None:
+    def _watch(self, ended: Event) -> None:
         self.output.pass_all_on()
         self._child.wait()
         ended.set()
@@ -210,7 +211,7 @@ class Host:
                 self._channels.append(channel)
                 self.session.spawn(channel.serve)
 
-    def _on_signal(self, signum: int, _frame: Any) -> None:
+    def _on_signal(self, signum: int, _frame: object) -> None:
         if signum in self.caught:
             self.context.copy().run(program.tell_signal, self, signum)  # first, as on a robot: woken threads print too
         self.stopping = True
@@ -257,7 +258,7 @@ class Host:
         """Handle a request without a result: on the virtual clock, a loop of them lets time pass."""
         self.clock.poll(_IDLE_WEIGHT)
 
-    def keep(self, thing: Any) -> int:
+    def keep(self, thing: object) -> int:
         """Register an object made by the program. Returns its number."""
         with self._lock:
             number = len(self.things) + 1

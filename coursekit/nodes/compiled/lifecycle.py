@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from rclpy._rclpy_pybind11 import RCLError
-from rclpy.lifecycle import LifecycleNodeMixin, TransitionCallbackReturn
+from rclpy.lifecycle import LifecycleNodeMixin, LifecycleState, TransitionCallbackReturn
 from rclpy.lifecycle.state_machine import STATES, Transition
 from rclpy.logging import get_logger
 
@@ -30,7 +30,7 @@ class CompiledLifecycleNode(LifecycleNodeMixin, CompiledNode):
         self._host, self._handler = host, handler
         LifecycleNodeMixin.__init__(self, enable_communication_interface=communicates)
 
-    def _rclpy_call_back(self, before: Any) -> TransitionCallbackReturn:
+    def _rclpy_call_back(self, before: LifecycleState) -> TransitionCallbackReturn:
         through = self._state_machine.current_state[0]
         told = packed(through, before.state_id)
         answer = TransitionCallbackReturn(self._host.call(self._handler, told).integer())

@@ -17,6 +17,8 @@ from coursekit.nodes.compiled.channel import CallbackFailed, Gone
 from coursekit.nodes.compiled.frames import Unpacker, packed
 
 if TYPE_CHECKING:
+    from rclpy.node import Node
+
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
 
@@ -57,7 +59,7 @@ class News:
 class Listener:
     """Called with all arrivals at a source."""
 
-    def __init__(self, host: Host, node: Any, entity: Any) -> None:
+    def __init__(self, host: Host, node: Node, entity: Any) -> None:
         self._host, self._entity = host, entity
         self.logger: str = node.get_logger().name
         self.handlers: dict[int, int] = {}

@@ -10,6 +10,7 @@ from coursekit.nodes.compiled.frames import Unpacker
 
 if TYPE_CHECKING:
     from rclpy.context import Context
+    from rclpy.node import Node
 
     from coursekit.nodes.compiled.host import Host
 
@@ -26,7 +27,7 @@ def living_node(host: Host, frame: Unpacker, what: str) -> Any:
     return node
 
 
-def check_context_of_timer(node: Any) -> None:
+def check_context_of_timer(node: Node) -> None:
     """Raise RCLError if the context of a timer's node has ended."""
     if not node.context.ok():
         raise RCLError(

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy.callback_groups import CallbackGroup
 from rclpy.node import Node
 
 from coursekit.nodes.cpp_node import CppNode
+
+if TYPE_CHECKING:
+    from rclpy.executors import Executor
 
 
 class GroupsApart(Node):
@@ -18,7 +21,7 @@ class GroupsApart(Node):
         """Groups separate from the node, and the executors that serve them."""
         super().__init__(node_name, **options)
 
-    def set_apart(self, group: CallbackGroup, executor: Any = None) -> None:
+    def set_apart(self, group: CallbackGroup, executor: Executor | None = None) -> None:
         """Assign a group to an executor, or to none."""
         self._apart[group] = executor
         for entity in self._rclpy_entities():
@@ -38,7 +41,7 @@ class GroupsApart(Node):
         _serve(entity, self._apart[group])
         return entity
 
-    def _rclpy_attach(self, executor: Any) -> None:
+    def _rclpy_attach(self, executor: Executor) -> None:
         for entity in self._rclpy_entities():
             if entity.callback_group not in self._apart:
                 executor._attach(entity)
@@ -48,7 +51,7 @@ class CompiledNode(GroupsApart, CppNode):
     """A node of a compiled program."""
 
 
-def _serve(entity: Any, executor: Any) -> None:
+def _serve(entity: Any, executor: Executor | None) -> None:
     if executor is not None:
         executor._attach(entity)
         return

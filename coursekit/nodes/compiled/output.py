@@ -7,7 +7,6 @@ import subprocess
 import threading
 from collections.abc import Callable
 from time import monotonic as _now  # the real one: in a process, `time` uses the session's clock
-from typing import Any
 
 from coursekit.systems.pipes import never_wait, read_now, wait_readable
 
@@ -41,7 +40,7 @@ class ChildOutput:
         self._write(self._streams[pipe], data.decode(errors="replace"))
         return True
 
-    def wait_for(self, awaited: Any, seconds: float | None = None) -> bool:
+    def wait_for(self, awaited: socket.socket, seconds: float | None = None) -> bool:
         """Wait in real time for input there, passing on output meanwhile; False when both pipes are closed.
 
         TimeoutError after `seconds`.

@@ -24,6 +24,8 @@ from coursekit.nodes.cpp_node import wrong_type
 from coursekit.rcl import parameter_file
 
 if TYPE_CHECKING:
+    from rclpy.node import Node
+
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
 
@@ -68,7 +70,7 @@ def told(error: ParameterException) -> str:
     return name if isinstance(error, ParameterNotDeclaredException) else str(text)
 
 
-def _declare_empty(node: Any, given: Parameter, descriptor: ParameterDescriptor, ignore: bool) -> bytes:
+def _declare_empty(node: Node, given: Parameter, descriptor: ParameterDescriptor, ignore: bool) -> bytes:
     """Declare an empty array, whose element type is unknown from its Python value."""
     kind = None if descriptor.dynamic_typing else given.type_
     declared = node.declare_parameter(given.name, kind, descriptor, ignore)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import signal
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import rclpy
 from rclpy.impl.logging_state import logging_state
@@ -13,6 +13,7 @@ from rclpy.signals import shutdown_all
 from coursekit.nodes.compiled.frames import Unpacker, packed
 
 if TYPE_CHECKING:
+    from coursekit.core.clock import Waiter
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
 
@@ -75,7 +76,7 @@ def do_sleep(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     return packed(int(not host.stopping and context.ok()))
 
 
-def _sleep(host: Host, waiter: Any, until: int, goes_on: Callable[[], bool]) -> None:
+def _sleep(host: Host, waiter: Waiter, until: int, goes_on: Callable[[], bool]) -> None:
     while not host.stopping and host.clock.steady() < until and goes_on():
         waiter.wait(until)
 

@@ -3,11 +3,16 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy.clock import Clock, ClockType
 from rclpy.qos import qos_profile_system_default
 from statistics_msgs.msg import MetricsMessage, StatisticDataPoint, StatisticDataType
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
+    from coursekit.core.clock import Clock as SessionClock
 
 _MS = 1e6
 """Nanoseconds per millisecond."""
@@ -50,7 +55,7 @@ class Samples:
 class TopicStatistics:
     """Collects statistics of a subscription's messages."""
 
-    def __init__(self, node: Any, clock: Any, topic: str, period: float) -> None:
+    def __init__(self, node: Node, clock: SessionClock, topic: str, period: float) -> None:
         self._node, self._clock = node, clock
         self._publisher = node.create_publisher(MetricsMessage, topic, qos_profile_system_default)
         self._timer = node.create_timer(period, self._publish, clock=Clock(clock_type=ClockType.STEADY_TIME))

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 class Hearing:
     """The processing of a subscription's messages: its filter, its statistics, the program's callback."""
 
-    def __init__(self, host: Host, kind: Any, handler: int, ignored: Collection[bytes]) -> None:
+    def __init__(self, host: Host, kind: type[Any], handler: int, ignored: Collection[bytes]) -> None:
         self._host, self._kind, self._handler, self._ignored = host, kind, handler, ignored
         self.filter: Test | None = None
         self.statistics: TopicStatistics | None = None
@@ -37,7 +37,7 @@ class Hearing:
             return False
         return self.filter is None or self.filter(deserialize(data, self._kind))
 
-    def heard(self, data: bytes, info: Any) -> None:
+    def heard(self, data: bytes, info: dict[str, Any]) -> None:
         """Pass a message to the program."""
         if not self.wants(data, info["publisher_gid"]):
             return
@@ -48,7 +48,7 @@ class Hearing:
         )
 
 
-def packed_info(sent: int, received: int, gid: Any) -> bytes:
+def packed_info(sent: int, received: int, gid: bytes) -> bytes:
     """Pack the content of the C++ class MessageInfo."""
     return packed(sent, received, bytes(gid))
 

@@ -89,7 +89,7 @@ def answer(value: Any) -> bytes:
     return packed(TUPLE, len(items)) + b"".join(map(answer, items))
 
 
-def _matrix(array: Any) -> bytes:
+def _matrix(array: np.ndarray) -> bytes:
     name = _OTHERS.get(array.dtype.name, array.dtype.name)
     array = np.ascontiguousarray(array, name)
     rows, cols, channels = (*array.shape, 1, 1)[:3] if array.ndim < 4 else (array.shape[0], array[0].size, 1)

@@ -11,14 +11,17 @@ from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.waiting import entity_of
 
 if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+
     from coursekit.nodes.compiled.channel import Channel
     from coursekit.nodes.compiled.host import Host
+    from coursekit.nodes.compiled.node import GroupsApart
 
 
 class CompiledWaitable:
     """Represents a waitable of the program: it may be ready when one of its entities is."""
 
-    def __init__(self, host: Host, node: Any, group: Any, handler: int) -> None:
+    def __init__(self, host: Host, node: GroupsApart, group: CallbackGroup, handler: int) -> None:
         self._host, self._node, self._handler = host, node, handler
         self.callback_group = group
         self._waited_for: dict[int, Any] = {}

@@ -5,15 +5,18 @@ from __future__ import annotations
 import socket
 import threading
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING
 
 from coursekit.nodes.compiled.channel import Channel, Gone
+
+if TYPE_CHECKING:
+    from coursekit.core.clock import Clock, Event
 
 
 class _Wish:
     """A request for a thread of the program."""
 
-    def __init__(self, came: Any) -> None:
+    def __init__(self, came: Event) -> None:
         self.came = came
         self.channel: Channel | None = None
 
@@ -21,7 +24,7 @@ class _Wish:
 class Workers:
     """Idle and starting threads; `accept` waits on the virtual clock for the next one."""
 
-    def __init__(self, clock: Any, accept: Callable[[], Channel]) -> None:
+    def __init__(self, clock: Clock, accept: Callable[[], Channel]) -> None:
         self._clock, self._accept = clock, accept
         self._lock = threading.Lock()
         self._control: socket.socket | None = None

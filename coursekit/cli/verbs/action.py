@@ -8,6 +8,7 @@ from coursekit.cli import ask
 
 if TYPE_CHECKING:
     from argparse import Namespace
+    from collections.abc import Callable
 
     from rclpy.action import ActionClient
     from rclpy.node import Node
@@ -83,7 +84,9 @@ def show_info(args: Namespace) -> int:
     return 0
 
 
-def _nodes_with(node: Node, action: str, find: Any) -> list[tuple[str, list[str]]]:
+def _nodes_with(
+    node: Node, action: str, find: Callable[[Node, str, str], list[tuple[str, list[str]]]]
+) -> list[tuple[str, list[str]]]:
     nodes = []
     for other in list(ask.graph().nodes):
         types = dict(find(node, other.name, other.namespace)).get(action)

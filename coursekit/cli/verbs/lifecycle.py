@@ -43,7 +43,7 @@ def _nodes(hidden: bool) -> list[str]:
     return [name for name in ask.node_names(hidden) if name in names]
 
 
-def _ask(node: Node, name: str, kind: type[Any], service: str, request: Any) -> Any:
+def _ask(node: Node, name: str, kind: type[Any], service: str, request: object) -> Any:
     import rclpy
 
     client = node.create_client(kind, f"{name}/{service}")

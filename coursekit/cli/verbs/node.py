@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from ros2node.api import INFO_NONUNIQUE_WARNING_TEMPLATE
 
 from coursekit.cli import ask
-from coursekit.core.graph import names_and_types
+from coursekit.core.graph import GraphNode, names_and_types
 from coursekit.rcl.names import is_hidden
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ def _section(title: str, pairs: list[tuple[str, list[str]]]) -> None:
     print("\n".join(f"    {name}: {', '.join(types)}" for name, types in pairs))
 
 
-def _actions(node: Any, hidden: bool) -> None:
+def _actions(node: GraphNode, hidden: bool) -> None:
     from rclpy.action import graph as action_graph
 
     with ask.command_node() as asking:

@@ -13,6 +13,7 @@ from coursekit.files import write_whole
 
 if TYPE_CHECKING:
     from argparse import Namespace
+    from collections.abc import Callable
 
     from rclpy.node import Node
 
@@ -44,7 +45,7 @@ def register(subparsers: Any) -> None:
     _parameter_name(_verb(verbs, "delete", "Delete parameter", delete_parameter))
 
 
-def _verb(verbs: Any, name: str, text: str, main: Any, node: str | None = None) -> Any:
+def _verb(verbs: Any, name: str, text: str, main: Callable[[Namespace], int], node: str | None = None) -> Any:
     parser = verbs.add_parser(name, help=text)
     parser.add_argument("node_name", nargs=node, help="Name of the ROS node").completer = ask.complete_nodes
     ask.add_hidden_flag(parser, "nodes")

@@ -29,6 +29,8 @@ from coursekit.wiring import COMPILED_HOST
 if TYPE_CHECKING:
     from argparse import Namespace
 
+    from coursekit.processes.base_process import BaseProcess
+
 PREFIX = "[ros2run]:"
 
 
@@ -89,7 +91,7 @@ def _pass_on() -> Any:
     return write
 
 
-def _wait(process: Any) -> int:
+def _wait(process: BaseProcess) -> int:
     """Wait for the process's end. Ctrl-C is forwarded to it, and `kill` ends it as well."""
     own = current_process()
 

@@ -121,7 +121,7 @@ def _wait(client: Client, name: str, kind: str) -> None:
     client.wait_for_service()
 
 
-def _filled(request: Any, values: dict[str, Any]) -> Any:
+def _filled(request: object, values: dict[str, Any]) -> object:
     from rosidl_runtime_py import set_message_fields
 
     try:
@@ -131,7 +131,7 @@ def _filled(request: Any, values: dict[str, Any]) -> Any:
     return request
 
 
-def _call_once(node: Node, client: Client, request: Any) -> None:
+def _call_once(node: Node, client: Client, request: object) -> None:
     import rclpy
 
     print(f"requester: making request: {request!r}\n")

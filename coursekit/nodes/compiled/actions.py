@@ -37,7 +37,7 @@ class _RefusesAll:
     def __init__(self, service: Service) -> None:
         self._service = service
 
-    def send_response(self, response: CancelGoal.Response, header: Any) -> None:
+    def send_response(self, response: CancelGoal.Response, header: object) -> None:
         """Send the response."""
         if response.return_code == CancelGoal.Response.ERROR_NONE and not response.goals_canceling:
             response.return_code = CancelGoal.Response.ERROR_REJECTED
@@ -71,7 +71,7 @@ class CompiledActionServer(ActionServer):
             handle._update_state(GoalEvent.EXECUTE)
         return handle
 
-    def _decide(self, goal: Any) -> GoalResponse:
+    def _decide(self, goal: object) -> GoalResponse:
         answer = self._host.call(self._goal_handler, packed(self._asked.key) + serialize(goal)).integer()
         self._asked.answer = answer
         return GoalResponse.ACCEPT if answer in (_ACCEPT_AND_EXECUTE, _ACCEPT_AND_DEFER) else GoalResponse.REJECT
@@ -83,7 +83,7 @@ class CompiledActionServer(ActionServer):
         answer = self._host.call(self._cancel_handler, packed(bytes(handle.goal_id.uuid))).integer()
         return CancelResponse.ACCEPT if answer == _ACCEPT_CANCEL else CancelResponse.REJECT
 
-    async def _cancel_asked(self, service: Service, request: CancelGoal.Request, header: Any) -> None:
+    async def _cancel_asked(self, service: Service, request: CancelGoal.Request, header: object) -> None:
         await super()._cancel_asked(_RefusesAll(service), request, header)
 
     def goal(self, key: bytes) -> Any:
@@ -171,7 +171,7 @@ class _Sent:
         self._answered = False
         self._lock = Lock()
 
-    def heard(self, message: Any) -> None:
+    def heard(self, message: object) -> None:
         """Handle feedback."""
         with self._lock:
             if not self._answered:

@@ -194,11 +194,11 @@ def do_service(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     return packed(host.keep((node, "destroy_service", service)), service.service_name)
 
 
-def _unused(_request: Any, response: Any) -> Any:
+def _unused(_request: object, response: Any) -> Any:
     return response
 
 
-def _answer(host: Host, handler: int, service: Any, request: Any, header: Any) -> None:
+def _answer(host: Host, handler: int, service: Any, request: object, header: object) -> None:
     number = next(_requests)
     service.unanswered[number] = header
     result = host.call(handler, packed(number) + serialize(request))

@@ -59,7 +59,7 @@ class News:
 class Listener:
     """Called with all arrivals at a source."""
 
-    def __init__(self, host: Host, node: Node, entity: Any) -> None:
+    def __init__(self, host: Host, node: Node, entity: object) -> None:
         self._host, self._entity = host, entity
         self.logger: str = node.get_logger().name
         self.handlers: dict[int, int] = {}

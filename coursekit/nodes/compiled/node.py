@@ -33,7 +33,7 @@ class GroupsApart(Node):
         group = entity.callback_group
         _serve(entity, self._apart.get(group, self.executor))
 
-    def _rclpy_own(self, kept: list[Any], entity: Any, group: Any) -> Any:
+    def _rclpy_own(self, kept: list[Any], entity: Any, group: CallbackGroup) -> Any:
         if group not in self._apart:
             return super()._rclpy_own(kept, entity, group)
         group.add_entity(entity)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rclpy.clock import Clock, ClockType
 from rclpy.qos import qos_profile_system_default
@@ -66,7 +66,7 @@ class TopicStatistics:
         self._start = self._clock.now()
         self._ages, self._periods = Samples(), Samples()
 
-    def hear(self, message: Any) -> None:
+    def hear(self, message: object) -> None:
         """Count a received message."""
         now = self._clock.now()
         if self._last is not None:

@@ -60,7 +60,7 @@ def do_wait(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     return packed(*map(int, ready))
 
 
-def entity_of(thing: Any) -> Any:
+def entity_of(thing: object) -> Any:
     """Return the program's object without its destroy method."""
     return thing[2] if isinstance(thing, tuple) else thing
 

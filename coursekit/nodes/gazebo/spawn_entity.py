@@ -151,7 +151,7 @@ class SpawnEntityNode(Node):
 
     # -- services
 
-    def _ask(self, kind: type[Any], name: str, request: Any, timeout: float, module: str) -> Any:
+    def _ask(self, kind: type[Any], name: str, request: object, timeout: float, module: str) -> Any:
         """Return a service's response, or None if the service is not available in time."""
         full = f"{self.args.gazebo_namespace}/{name}"
         client = self.create_client(kind, full)

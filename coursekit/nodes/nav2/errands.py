@@ -28,7 +28,7 @@ class Errand:
         """Destroy the client."""
         self.client.destroy()
 
-    async def begin(self, goal: Any) -> bool:
+    async def begin(self, goal: object) -> bool:
         """Send a goal. Returns whether it was accepted."""
         self._result = None
         if not self.client.server_is_ready():
@@ -63,7 +63,7 @@ class Errand:
             await self._handle.cancel_goal_async()
             await self._result
 
-    async def do(self, goal: Any, stop: Callable[[], bool] = lambda: False) -> bool:
+    async def do(self, goal: object, stop: Callable[[], bool] = lambda: False) -> bool:
         """Send a goal and wait until it ends. Returns whether it succeeded. It is cancelled when `stop()` is true."""
         if not await self.begin(goal):
             return False
@@ -79,7 +79,7 @@ class Errand:
         return self.succeeded
 
 
-async def call(node: Node, client: Client, request: Any = None) -> Any:
+async def call(node: Node, client: Client, request: object = None) -> Any:
     """Return a service's response, or None if the service is not available."""
     if not client.service_is_ready():
         node.get_logger().warning(f"{client.srv_name} is not available")

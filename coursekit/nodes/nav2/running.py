@@ -70,7 +70,7 @@ class SingleGoal:
             node, kind, name, self._run, goal_callback=self._asked, cancel_callback=lambda handle: CancelResponse.ACCEPT
         )  # fmt: skip
 
-    def _asked(self, _goal: Any) -> GoalResponse:
+    def _asked(self, _goal: object) -> GoalResponse:
         if not self.active:
             self.node.get_logger().error(
                 "Action server is inactive. Rejecting the goal. "

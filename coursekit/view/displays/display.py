@@ -98,7 +98,7 @@ class Display:
         self.statuses = {}
         self.forget()
 
-    def _take(self, msg: Any) -> None:
+    def _take(self, msg: object) -> None:
         with self._lock:
             self.count += 1
             self._waiting.append(msg)
@@ -119,7 +119,7 @@ class Display:
 
     # -- for subclasses
 
-    def heard(self, msg: Any) -> None:
+    def heard(self, msg: object) -> None:
         """Handle a message, in the node's thread."""
 
     def forget(self) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -44,7 +44,7 @@ def pose_facts(pose: Pose) -> list[Fact]:
     return [("Position", point_text(pose[:3])), ("Orientation", f"{turns} deg")]
 
 
-def header_facts(msg: Any) -> list[Fact]:
+def header_facts(msg: object) -> list[Fact]:
     """Return the frame and stamp of a message; empty without a header."""
     header = getattr(msg, "header", None)
     if header is None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 
@@ -14,6 +14,11 @@ from .display import StampedDisplay
 from .points import rainbow
 
 if TYPE_CHECKING:
+    from sensor_msgs.msg import FluidPressure as FluidPressureMsg
+    from sensor_msgs.msg import Illuminance as IlluminanceMsg
+    from sensor_msgs.msg import RelativeHumidity as RelativeHumidityMsg
+    from sensor_msgs.msg import Temperature as TemperatureMsg
+
     from coursekit.view.scene_stage import Stage
 
 
@@ -21,7 +26,13 @@ class _Reading(StampedDisplay):
     field: ClassVar[str] = ""
     unit: ClassVar[str] = ""
 
-    def show(self, msg: Any, pose: Pose, stage: Stage, scene: Scene) -> None:
+    def show(
+        self,
+        msg: TemperatureMsg | RelativeHumidityMsg | FluidPressureMsg | IlluminanceMsg,
+        pose: Pose,
+        stage: Stage,
+        scene: Scene,
+    ) -> None:
         """Draw the dot, blue at `min_intensity` and red at `max_intensity`, with the number beside it."""
         value, low, high = getattr(msg, self.field), self.options["min_intensity"], self.options["max_intensity"]
         if not math.isfinite(value):

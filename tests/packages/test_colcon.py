@@ -108,7 +108,8 @@ def test_coursekits_own_programs_answer_for_those_of_a_clone_that_are_written_in
         "install(TARGETS turtlesim_node DESTINATION lib/turtlesim)\nament_package()\n"
     )
     (folder / "a.cpp").write_text("int main() {}\n")
-    said = colcon(tmp_path, "build", "--cmake-args", "-DCMAKE_DISABLE_FIND_PACKAGE_Qt5=ON").stdout
+    without_qt = [f"-DCMAKE_FIND_USE_{kind}_PATH=OFF" for kind in ("CMAKE_SYSTEM", "SYSTEM_ENVIRONMENT")]
+    said = colcon(tmp_path, "build", "--cmake-args", *without_qt).stdout
     assert "coursekit's own draw_square, mimic, turtle_teleop_key, turtlesim_node answer in their place" in said
     listed = sourced(tmp_path, f'"{BIN}/ros2" pkg executables turtlesim; "{BIN}/ros2" pkg prefix turtlesim').splitlines()
     assert "turtlesim turtlesim_node" in listed and listed[-1] == str(tmp_path / "install" / "turtlesim")

@@ -13,8 +13,11 @@ from coursekit.processes.session import Session
 
 session, main = Session(), thread_context()
 
+def listens():
+    return any(graph.nodes for graph in list(session.graphs.values()))
+
 def interrupt():
-    while main.blocked_on is None:
+    while main.blocked_on is None or not listens():
         session.clock.sleep(0.01)
     signal.pthread_kill(threading.get_ident(), signal.SIGINT)
 

@@ -132,7 +132,7 @@ def test_a_program_whose_network_is_not_there_says_so_and_runs(side):
 
 def test_a_program_of_a_session_ends_by_itself_though_it_was_the_first_that_joined(side, tmp_path):
     watch = side()
-    env = dict(os.environ, COURSEKIT_NETWORK=side.address, COURSEKIT_STOP_AFTER="2", COURSEKIT_RUNTIME_DIR=str(tmp_path))
+    env = dict(os.environ, COURSEKIT_NETWORK=side.address, COURSEKIT_STOP_AFTER="6", COURSEKIT_RUNTIME_DIR=str(tmp_path))
     command = [sys.executable, "-m", "coursekit.cli.ros2", "run", "demo_nodes_py", "talker"]
     child = subprocess.Popen(command, env=env, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
     try:

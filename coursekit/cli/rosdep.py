@@ -25,7 +25,7 @@ _FOR_CPP = re.compile(
     r"|tf2_eigen|cmake|pkg-config|ros_environment|message_generation|\w+_vendor|backward_ros|google_benchmark_vendor|urdf"
     r"|python_cmake_module|osrf_\w+|ros_testing|rviz_(common|rendering|default_plugins)|rosbag2_(cpp|storage\w*)"
     r"|realtime_tools|control_toolbox|generate_parameter_library|parameter_traits|rsl|tl_expected|tcb_span|fmt|transmission_interface"
-    r"|behaviortree_cpp_v3|nav2_behavior_tree"
+    r"|behaviortree_cpp_v3|nav2_behavior_tree|pcl_(ros|conversions)"
 )
 """Keys needed only for compiling or checking, which is not done here."""
 _COLLECTIONS = {"ros_core", "ros_base", "desktop", "desktop_full", "gazebo_ros_pkgs", "python3-colcon-common-extensions"}

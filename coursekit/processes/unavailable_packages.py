@@ -89,9 +89,11 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
      "odometry from scans: `ros2 launch rf2o_laser_odometry rf2o_laser_odometry.launch.py`"),
     (r"mapviz\w*|swri_\w+|multires_image", _QT, "viewer() in a notebook, or `ros2 run rviz2 rviz2`"),
     (r"web_video_server", "opens a port of its own", "windows() in a notebook, or `ros2 run image_view image_view`"),
+    (r"pcl_(ros|conversions)", "has only its headers for C++ here, not its programs",
+     "write a node that filters clouds in C++ with PCL, or in Python with sensor_msgs_py.point_cloud2"),
     (r"behaviortree_(cpp|ros2)|btcpp_ros2_\w+", "belongs to version 4 of BehaviorTree.CPP",
      "Humble's is behaviortree_cpp_v3, version 3.8, which C++ has here"),
-    (r"image_pipeline|stereo_image_proc|aruco\w*|octomap\w*|pcl_(?!conversions$|ros$|msgs$)\w+|ros1_bridge"
+    (r"image_pipeline|stereo_image_proc|aruco\w*|octomap\w*|pcl_\w+|ros1_bridge"
      r"|nav2_mppi_controller", _CPP,
      "leave it out, or write the node in Python"),
 )  # fmt: skip

@@ -21,7 +21,7 @@ from coursekit.urdf import UrdfError, load
     [
         *("cartographer_ros", "spacenav", "moveit_configs_utils", "ros_gz_sim_demos", "aruco_ros", "moveit_servo"),
         *("laser_scan_matcher", "mapviz", "ublox_gps", "web_video_server", "ira_laser_tools", "multirobot_map_merge"),
-        *("behaviortree_cpp", "behaviortree_ros2"),
+        *("behaviortree_cpp", "behaviortree_ros2", "pcl_ros"),
         *(
             "micro_ros_agent",
             "imu_bno055",

@@ -1,18 +1,13 @@
 // Trees from their descriptions in XML.
-#include <filesystem>
-#include <list>
-#include <map>
 #include <set>
 
-#include "ament_index_cpp/get_package_share_directory.hpp"
 #include "behaviortree_cpp_v3/xml_parsing.h"
-#include "bt_description.hpp"
+#include "bt_documents.hpp"
 
 namespace BT
 {
 namespace
 {
-namespace fs = std::filesystem;
 using description::Element;
 using description::fail;
 using description::is_explicit;
@@ -34,18 +29,12 @@ void collect_keys(const Element & element, std::set<std::string> & keys)
 struct XMLParser::Pimpl
 {
   explicit Pimpl(const BehaviorTreeFactory & factory)
-  : factory(factory) {}
+  : factory(factory), documents(factory) {}
 
   const BehaviorTreeFactory & factory;
-  std::list<Element> documents;
-  std::map<std::string, const Element *> trees;
-  fs::path folder = fs::current_path();
-  int unnamed = 0;
+  description::Documents documents;
   std::set<std::string> open;  // the trees that a subtree being made is in
 
-  void load(Element document, bool add_includes);
-  void include(const Element & element);
-  std::string main_tree() const;
   void declare_ports(const Element & element, const TreeNodeManifest & manifest, Blackboard & blackboard) const;
   NodeConfiguration configured(
     const Element & element, const TreeNodeManifest & manifest, const Blackboard::Ptr & blackboard) const;
@@ -54,64 +43,7 @@ struct XMLParser::Pimpl
   void add_node(const Element & element, Tree & tree, const Blackboard::Ptr & blackboard, TreeNode * parent);
   Blackboard::Ptr blackboard_of_subtree(const Element & element, Tree & tree, const Blackboard::Ptr & outer) const;
   void remap_plus(const Element & element, Blackboard & inner) const;
-  const Element & root_of(const std::string & id) const;
 };
-
-void XMLParser::Pimpl::load(Element document, bool add_includes)
-{
-  documents.push_back(std::move(document));
-  const Element & root = documents.back();
-  for (const Element & child : root.children) {
-    if (add_includes && child.name == "include") {
-      include(child);
-    }
-  }
-  description::Types types;
-  for (auto & manifest : factory.manifests()) {
-    types.emplace(manifest.first, manifest.second.type);
-  }
-  description::verify(root, types);
-  for (const Element & child : root.children) {
-    if (child.name == "BehaviorTree") {
-      const std::string * id = child.attribute("ID");
-      trees.emplace(id ? *id : "BehaviorTree_" + std::to_string(unnamed++), &child);
-    }
-  }
-}
-void XMLParser::Pimpl::include(const Element & element)
-{
-  const std::string * path = element.attribute("path"), * package = element.attribute("ros_pkg");
-  if (!path) {
-    fail(element, "The node <include> must have the attribute [path]");
-  }
-  fs::path file = *path;
-  if (package && file.is_absolute()) {
-    std::cout << "WARNING: <include path=\"...\"> contains an absolute path.\nAttribute [ros_pkg] will be ignored." <<
-      std::endl;
-  } else if (package) {
-    file = fs::path(ament_index_cpp::get_package_share_directory(*package)) / file;
-  }
-  file = folder / file;
-  const fs::path before = std::exchange(folder, file.parent_path());
-  load(description::read_file(file), true);
-  folder = before;
-}
-std::string XMLParser::Pimpl::main_tree() const
-{
-  const std::string * named = documents.empty() ? nullptr : documents.front().attribute("main_tree_to_execute");
-  if (!named && trees.size() != 1) {
-    throw RuntimeError("[main_tree_to_execute] was not specified correctly");
-  }
-  return named ? *named : trees.begin()->first;
-}
-const Element & XMLParser::Pimpl::root_of(const std::string & id) const
-{
-  auto found = trees.find(id);
-  if (found == trees.end()) {
-    throw std::runtime_error("Can't find a tree with name: " + id);
-  }
-  return found->second->children.front();
-}
 
 void XMLParser::Pimpl::declare_ports(
   const Element & element, const TreeNodeManifest & manifest, Blackboard & blackboard) const
@@ -187,7 +119,7 @@ void XMLParser::Pimpl::add_tree(
   if (!open.insert(id).second) {
     throw RuntimeError("The tree [", id, "] contains itself as a subtree");
   }
-  add_node(root_of(id), tree, blackboard, parent);
+  add_node(documents.root_of(id), tree, blackboard, parent);
   open.erase(id);
 }
 void XMLParser::Pimpl::add_node(
@@ -234,7 +166,7 @@ void XMLParser::Pimpl::remap_plus(const Element & element, Blackboard & inner) c
   for (auto & attribute : element.attributes) {
     if (attribute.first == "__autoremap") {
       if (convertFromString<bool>(attribute.second)) {
-        collect_keys(root_of(*element.attribute("ID")), keys);
+        collect_keys(documents.root_of(*element.attribute("ID")), keys);
       }
     } else if (!IsReservedPortname(attribute.first)) {
       mapped.insert(attribute.first);
@@ -258,24 +190,23 @@ XMLParser::~XMLParser() = default;
 
 void XMLParser::loadFromFile(const std::string & filename, bool add_includes)
 {
-  _p->folder = fs::absolute(filename).parent_path();
-  _p->load(description::read_file(filename), add_includes);
+  _p->documents.load_file(filename, add_includes);
 }
 void XMLParser::loadFromText(const std::string & xml_text, bool add_includes)
 {
-  _p->load(description::read(xml_text), add_includes);
+  _p->documents.load(description::read(xml_text), add_includes);
 }
 std::vector<std::string> XMLParser::registeredBehaviorTrees() const
 {
   std::vector<std::string> names;
-  for (auto & tree : _p->trees) {
+  for (auto & tree : _p->documents.trees()) {
     names.push_back(tree.first);
   }
   return names;
 }
 Tree XMLParser::instantiateTree(const Blackboard::Ptr & root_blackboard, std::string main_tree_to_execute)
 {
-  const std::string name = main_tree_to_execute.empty() ? _p->main_tree() : main_tree_to_execute;
+  const std::string name = main_tree_to_execute.empty() ? _p->documents.main_tree() : main_tree_to_execute;
   if (!root_blackboard) {
     throw RuntimeError("XMLParser::instantiateTree needs a non-empty root_blackboard");
   }

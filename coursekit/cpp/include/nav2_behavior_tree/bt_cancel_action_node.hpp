@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "behaviortree_cpp_v3/action_node.h"
 #include "nav2_behavior_tree/ros_of_tree.hpp"
@@ -27,20 +28,10 @@ public:
   BtCancelActionNode() = delete;
 
   /// Throws std::runtime_error where the server does not appear within a second.
-  void createActionClient(const std::string & action_name)
-  {
-    action_client_ = rclcpp_action::create_client<ActionT>(node_, action_name, callback_group_);
-    if (!action_client_->wait_for_action_server(std::chrono::seconds(1))) {
-      RCLCPP_ERROR(
-        node_->get_logger(), "\"%s\" action server not available after waiting for 1 s", action_name.c_str());
-      throw std::runtime_error("Action server " + action_name + " not available");
-    }
-  }
+  void createActionClient(const std::string & action_name) {action_client_ = client_of<ActionT>(action_name);}
   static BT::PortsList providedBasicPorts(BT::PortsList addition)
   {
-    addition.insert(BT::InputPort<std::string>("server_name", "Action server name"));
-    addition.insert(BT::InputPort<std::chrono::milliseconds>("server_timeout"));
-    return addition;
+    return with_server_ports(std::move(addition), "server_name", "Action server name");
   }
   static BT::PortsList providedPorts() {return providedBasicPorts({});}
 

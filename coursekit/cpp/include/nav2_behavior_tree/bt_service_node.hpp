@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "behaviortree_cpp_v3/action_node.h"
 #include "nav2_behavior_tree/ros_of_tree.hpp"
@@ -34,9 +35,7 @@ public:
 
   static BT::PortsList providedBasicPorts(BT::PortsList addition)
   {
-    addition.insert(BT::InputPort<std::string>("service_name", "please_set_service_name_in_BT_Node"));
-    addition.insert(BT::InputPort<std::chrono::milliseconds>("server_timeout"));
-    return addition;
+    return with_server_ports(std::move(addition), "service_name", "please_set_service_name_in_BT_Node");
   }
   static BT::PortsList providedPorts() {return providedBasicPorts({});}
 

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <stdexcept>
+#include <string>
 
 #include "behaviortree_cpp_v3/tree_node.h"
 #include "nav2_behavior_tree/bt_conversions.hpp"
 #include "rclcpp/rclcpp.hpp"
+#include "rclcpp_action/rclcpp_action.hpp"
 
 namespace nav2_behavior_tree
 {
@@ -22,6 +25,28 @@ protected:
   {
     callback_group_executor_.add_callback_group(callback_group_, node_->get_node_base_interface());
     of.getInput("server_timeout", server_timeout_);
+  }
+
+  /// A client of an action whose server is there. Throws std::runtime_error where none appears within a second.
+  template<class ActionT>
+  typename rclcpp_action::Client<ActionT>::SharedPtr client_of(const std::string & action_name)
+  {
+    auto client = rclcpp_action::create_client<ActionT>(node_, action_name, callback_group_);
+    RCLCPP_DEBUG(node_->get_logger(), "Waiting for \"%s\" action server", action_name.c_str());
+    if (!client->wait_for_action_server(std::chrono::seconds(1))) {
+      RCLCPP_ERROR(
+        node_->get_logger(), "\"%s\" action server not available after waiting for 1 s", action_name.c_str());
+      throw std::runtime_error("Action server " + action_name + " not available");
+    }
+    return client;
+  }
+  /// The ports of a node that asks a server, besides its own.
+  static BT::PortsList with_server_ports(
+    BT::PortsList ports, const std::string & name, const std::string & description)
+  {
+    ports.insert(BT::InputPort<std::string>(name, description));
+    ports.insert(BT::InputPort<std::chrono::milliseconds>("server_timeout"));
+    return ports;
   }
 
   /// Spin until a future has its value, but no longer than a loop of the tree, nor than the rest of the server's time.

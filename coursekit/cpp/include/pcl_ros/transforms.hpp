@@ -35,11 +35,6 @@ inline void transformAsMatrix(const geometry_msgs::msg::TransformStamped & trans
   transformAsMatrix(motion, matrix);
 }
 
-inline tf2::TimePoint time_of(const rclcpp::Time & stamp)
-{
-  return tf2::TimePoint(std::chrono::nanoseconds(stamp.nanoseconds()));
-}
-
 /// The transform that `look_up` returns; false, and a line of the log, where the buffer has none.
 template<typename LookUp>
 bool try_lookup(const LookUp & look_up, geometry_msgs::msg::TransformStamped & transform)
@@ -83,7 +78,7 @@ bool try_lookup(const LookUp & look_up, geometry_msgs::msg::TransformStamped & t
     } \
     const auto look_up = [&] { \
         return tf_buffer.lookupTransform( \
-          target_frame, in.header.frame_id, time_of(pcl_conversions::fromPCL(in.header.stamp))); \
+          target_frame, in.header.frame_id, tf2_ros::fromRclcpp(pcl_conversions::fromPCL(in.header.stamp))); \
       }; \
     geometry_msgs::msg::TransformStamped transform; \
     if (!try_lookup(look_up, transform)) { \
@@ -100,8 +95,8 @@ bool try_lookup(const LookUp & look_up, geometry_msgs::msg::TransformStamped & t
   { \
     const auto look_up = [&] { \
         return tf_buffer.lookupTransform( \
-          target_frame, time_of(target_time), in.header.frame_id, \
-          time_of(pcl_conversions::fromPCL(in.header.stamp)), fixed_frame); \
+          target_frame, tf2_ros::fromRclcpp(target_time), in.header.frame_id, \
+          tf2_ros::fromRclcpp(pcl_conversions::fromPCL(in.header.stamp)), fixed_frame); \
       }; \
     geometry_msgs::msg::TransformStamped transform; \
     if (!try_lookup(look_up, transform)) { \
@@ -184,7 +179,7 @@ inline bool transformPointCloud(
 {
   const auto look_up = [&] {
       return tf_buffer.lookupTransform(
-        target_frame, in.header.frame_id, time_of(in.header.stamp), tf2::Duration(std::chrono::seconds(1)));
+        target_frame, in.header.frame_id, tf2_ros::fromRclcpp(in.header.stamp), tf2::Duration(std::chrono::seconds(1)));
     };
   geometry_msgs::msg::TransformStamped transform;
   if (in.header.frame_id != target_frame && !try_lookup(look_up, transform)) {

@@ -178,20 +178,10 @@ def _check(parameter: Parameter, name: str, given: list[Any]) -> str:
     return f"{called}({', '.join(['param', *map(value_text, given)])})"
 
 
-_LIMITS = {
-    "bounds": (0, 1), "lower_bounds": (0, None), "gt": (0, None), "gt_eq": (0, None),
-    "upper_bounds": (None, 0), "lt": (None, 0), "lt_eq": (None, 0),
-}  # fmt: skip
-"""The checks that descriptors tell as ranges: which of their arguments is the lower limit, and which the upper."""
-
-
 def _descriptor(parameter: Parameter) -> str:
-    told = f"coursekit::described({value_text(parameter.description)}, {value_text(parameter.read_only)})"
-    limits: dict[int, str] = {}
-    for name, given in parameter.checks:
-        for end, at in enumerate(_LIMITS.get(name.removesuffix("<>"), ())):
-            if at is not None and at < len(given) and parameter.kind in ("int", "double"):
-                limits[end] = value_text(given[at])
+    words = [parameter.description, parameter.read_only, parameter.additional_constraints]
+    told = f"coursekit::described({', '.join(map(value_text, words))})"
+    limits = {end: value_text(limit) for end, limit in parameter.limits.items()}
     if not limits:
         return told
     number, widest = ("double", "double") if parameter.kind == "double" else ("int64_t", "int")

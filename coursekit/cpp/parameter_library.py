@@ -19,9 +19,14 @@ TYPES = {
 """The types of parameters, and those of their fields."""
 FIXED = {"double_array", "int_array", "bool_array", "string"}
 """Those of which _fixed_N has room for N."""
-_KEYS = {"type", "default_value", "description", "read_only", "validation"}
+_KEYS = {"type", "default_value", "description", "read_only", "validation", "additional_constraints"}
 _NAME = re.compile(r"[A-Za-z_]\w*([.]\w+|::\w+)*")
 _NAMES = {bool: "bool", float: "double", int: "int", str: "string"}
+_LIMITS = {
+    "bounds": (0, 1), "lower_bounds": (0, None), "gt": (0, None), "gt_eq": (0, None),
+    "upper_bounds": (None, 0), "lt": (None, 0), "lt_eq": (None, 0),
+}  # fmt: skip
+"""The checks that descriptors tell as ranges: which of their arguments is the lower limit, and which the upper."""
 
 
 class ParameterFileError(Exception):
@@ -39,12 +44,25 @@ class Parameter:
     default: Any = None
     description: str = ""
     read_only: bool = False
+    additional_constraints: str = ""
     checks: list[tuple[str, list[Any]]] = field(default_factory=list)
 
     @property
     def base(self) -> str:
         """The C++ type of its value, or of its elements."""
         return str(TYPES[self.kind.removesuffix("_array")])
+
+    @property
+    def limits(self) -> dict[int, float]:
+        """What a number may not be below (0) and above (1), as far as its checks say it."""
+        if self.kind not in ("int", "double"):
+            return {}
+        return {
+            end: given[at]
+            for name, given in self.checks
+            for end, at in enumerate(_LIMITS.get(name.removesuffix("<>"), ()))
+            if at is not None and at < len(given) and isinstance(given[at], (int, float))
+        }
 
 
 @dataclass
@@ -113,7 +131,8 @@ def _parameter(name: str, value: dict[str, Any], names: list[str]) -> Parameter 
     if size:
         checks.append(("size_lt<>", [size + 1]))
     told = str(value.get("description") or "")
-    return Parameter(name, path, kind, size, default, told, bool(value.get("read_only")), checks)
+    more = str(value.get("additional_constraints") or "")
+    return Parameter(name, path, kind, size, default, told, bool(value.get("read_only")), more, checks)
 
 
 def _kind(written: str, path: str) -> tuple[str, int]:

@@ -56,6 +56,7 @@ _KEPT = (
     "ament_python_install_package",
     "ament_auto_package",
     "ament_index_register_resource",
+    "generate_parameter_module",
 )
 _TARGETS = (
     "add_executable",

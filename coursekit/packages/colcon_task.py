@@ -145,6 +145,8 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         for copy in install_rules.copies(reading, package, site):
             self._copy(copy.source, copy.target, copy.program)
             self._copied[copy.target] = Path(os.path.abspath(copy.source))
+        for name, text in install_rules.parameter_modules(reading).items():
+            self._create(f"{site}/{package}/{name}", text)
         for name, text in reading.hooks.items():
             known = text.replace("@CMAKE_INSTALL_PREFIX@", self.context.args.install_base)
             self._create(f"share/{package}/environment/{name}", known)

@@ -1,6 +1,7 @@
-"""The program run by generate_parameter_library() in a CMakeLists.txt.
+"""The program run by generate_parameter_library() and generate_parameter_module() in a CMakeLists.txt.
 
-`python -m coursekit.packages.generate_parameters HEADER FILE [CHECKS]` writes the C++ header of a YAML file of parameters.
+`python -m coursekit.packages.generate_parameters OUTPUT FILE [CHECKS]` writes the C++ header of a YAML file of parameters,
+or its Python module if OUTPUT is one.
 """
 
 from __future__ import annotations
@@ -8,20 +9,25 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from generate_parameter_library_py.generate_python_module import run
+
 from coursekit.cpp.parameter_header import parameter_header
 from coursekit.cpp.parameter_library import ParameterFileError, read_parameters
 
 
 def main(words: list[str]) -> int:
     """Run a command line; return the exit code."""
-    header, file, *checks = words
+    output, file, *checks = words
+    if output.endswith(".py"):
+        run(output, file, *checks)
+        return 0
     try:
         text = parameter_header(read_parameters(Path(file)), *checks)
     except (ParameterFileError, OSError) as error:
         print(f"ERROR: {error}", file=sys.stderr)
         return 1
-    Path(header).parent.mkdir(parents=True, exist_ok=True)
-    Path(header).write_text(text, encoding="utf-8")
+    Path(output).parent.mkdir(parents=True, exist_ok=True)
+    Path(output).write_text(text, encoding="utf-8")
     return 0
 
 

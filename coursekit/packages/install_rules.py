@@ -7,6 +7,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from generate_parameter_library_py.generate_python_module import python_module
+
+from coursekit.cpp.parameter_library import ParameterFileError, read_parameters
 from coursekit.packages.cmake_run import Call, Reading
 
 _OPTIONS = (
@@ -122,3 +125,19 @@ def _python_package(call: Call, site_packages: str) -> Iterator[Copy]:
         raise call.command.error(f"there is no Python package '{name}': {folder / '__init__.py'} does not exist")
     for path in sorted(p for p in folder.rglob("*") if p.is_file() and "__pycache__" not in p.parts):
         yield Copy(path, f"{site_packages}/{name}/{path.relative_to(folder).as_posix()}")
+
+
+def parameter_modules(reading: Reading) -> dict[str, str]:
+    """Return the Python modules of files of parameters, by the names of their files."""
+    calls = [call for call in reading.calls if call.command.name == "generate_parameter_module"]
+    return dict(map(_parameter_module, calls))
+
+
+def _parameter_module(call: Call) -> tuple[str, str]:
+    if len(call.words) < 2:
+        raise call.command.error("generate_parameter_module() needs the name of a module and a YAML file")
+    file = call.folder / call.words[1]
+    try:
+        return f"{call.words[0]}.py", python_module(read_parameters(file), file.name, *call.words[2:3])
+    except (ParameterFileError, OSError) as error:
+        raise call.command.error(f"{file}: {error}") from error

@@ -125,6 +125,14 @@ def _struct(path: Path) -> Any:
     return parameter_header(read_parameters(path))
 
 
+def _module(path: Path) -> Any:
+    from generate_parameter_library_py.generate_python_module import python_module
+
+    from coursekit.cpp.parameter_library import read_parameters
+
+    return compile(python_module(read_parameters(path)), path.name, "exec")
+
+
 def _struct_faults() -> Faults:
     from coursekit.cpp.parameter_library import ParameterFileError
 
@@ -163,5 +171,6 @@ FORMATS = (
            _substitution_faults, TEXT),
     Format("parameter file", ".yaml", lambda: PARAMETERS, _parameters, _parameters_faults, YAML),
     Format("generate_parameter_library", ".yaml", lambda: STRUCT, _struct, _struct_faults, YAML),
+    Format("generate_parameter_module", ".yaml", lambda: STRUCT, _module, _struct_faults, YAML),
     Format("ROS arguments", ".txt", lambda: ARGUMENTS, _arguments, _arguments_faults, TEXT),
 )  # fmt: skip

@@ -1,4 +1,4 @@
-# generate_parameter_library: a YAML file of parameters becomes a header with a struct of their values, and a listener.
+# generate_parameter_library: a YAML file of parameters becomes a header, or a Python module, with a struct and a listener.
 
 include_guard(GLOBAL)
 find_package(fmt QUIET GLOBAL)
@@ -26,6 +26,16 @@ function(generate_parameter_library target file)
   target_include_directories(${target} INTERFACE "$<BUILD_INTERFACE:${folder}>" "$<INSTALL_INTERFACE:include>")
   target_link_libraries(${target} INTERFACE coursekit_headers $<TARGET_NAME_IF_EXISTS:fmt::fmt>)
   install(DIRECTORY "${folder}/" DESTINATION include)
+endfunction()
+
+# The Python module of such a file, in the package's own; the third word is a module with checks.
+function(generate_parameter_module name file)
+  set(module "${CMAKE_CURRENT_BINARY_DIR}/${PROJECT_NAME}/${name}.py")
+  add_custom_command(OUTPUT "${module}"
+    COMMAND "${COURSEKIT_PYTHON}" -m coursekit.packages.generate_parameters "${module}" "${CMAKE_CURRENT_SOURCE_DIR}/${file}" ${ARGN}
+    DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${file}" VERBATIM)
+  add_custom_target(${name} ALL DEPENDS "${module}")
+  install(FILES "${module}" DESTINATION "${COURSEKIT_SITE_PACKAGES}/${PROJECT_NAME}")
 endfunction()
 
 # Tests whose programs are given a file with values of parameters.

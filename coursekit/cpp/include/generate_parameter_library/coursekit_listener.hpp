@@ -18,11 +18,13 @@ std::vector<T> parameter_of(const rsl::StaticVector<T, capacity> & field) {retur
 template<size_t capacity>
 std::string parameter_of(const rsl::StaticString<capacity> & field) {return rsl::to_string(field);}
 
-inline rcl_interfaces::msg::ParameterDescriptor described(const char * description, bool read_only)
+inline rcl_interfaces::msg::ParameterDescriptor described(
+  const char * description, bool read_only, const char * additional_constraints)
 {
   rcl_interfaces::msg::ParameterDescriptor descriptor;
   descriptor.description = description;
   descriptor.read_only = read_only;
+  descriptor.additional_constraints = additional_constraints;
   return descriptor;
 }
 inline rcl_interfaces::msg::ParameterDescriptor in_range(

@@ -349,6 +349,21 @@ EXECUTABLES: dict[str, dict[str, str]] = {
     "rqt_plot": {
         "rqt_plot": "coursekit.nodes.rqt.plot:main",
     },
+    "rqt_reconfigure": {
+        "rqt_reconfigure": "coursekit.nodes.rqt.rqt:reconfigure",
+    },
+    "rqt_robot_steering": {
+        "rqt_robot_steering": "coursekit.nodes.rqt.rqt:robot_steering",
+    },
+    "rqt_service_caller": {
+        "rqt_service_caller": "coursekit.nodes.rqt.rqt:service_caller",
+    },
+    "rqt_tf_tree": {
+        "rqt_tf_tree": "coursekit.nodes.rqt.rqt:tf_tree",
+    },
+    "rqt_topic": {
+        "rqt_topic": "coursekit.nodes.rqt.rqt:topic",
+    },
     "rviz2": {
         "rviz2": "coursekit.nodes.rviz.rviz2:main",
     },

@@ -10,19 +10,23 @@ import ipywidgets
 from coursekit.nodes.rqt.windows import RqtWindow, windows
 from coursekit.view.desk import Window, desk, unwatch, watch
 
+from .frames_panel import FramesPanel
 from .graph_panel import GraphPanel
 from .log_console import LogConsole
 from .node_windows import NodeWindows
-from .panel import Panel
+from .pad import Pad
+from .reconfigure import Reconfigure
 from .service_panel import ServiceCaller
 from .topic_panel import TopicPanel
 from .windows import WindowPicture
 
-_TABS: dict[str, Callable[[], Panel]] = {
+_TABS: dict[str, Callable[[], Any]] = {
     "Service Caller": ServiceCaller,
     "Topic Monitor": TopicPanel,
+    "Dynamic Reconfigure": Reconfigure,
     "Console": LogConsole,
     "Node Graph": lambda: GraphPanel("active"),
+    "TF Tree": FramesPanel,
 }
 """The plugins of `rqt`, under the names in its menu."""
 
@@ -65,6 +69,11 @@ _KINDS: dict[str, Callable[[RqtWindow], Any]] = {
     "rqt_console": lambda _: LogConsole(),
     "rqt_plot": lambda window: PlotPicture(window.picture),
     "rqt_gui": lambda _: RqtTabs(),
+    "rqt_reconfigure": lambda _: Reconfigure(),
+    "rqt_robot_steering": lambda window: Pad(window.topic, *window.speeds, holonomic=False),
+    "rqt_service_caller": lambda _: ServiceCaller(),
+    "rqt_tf_tree": lambda _: FramesPanel(),
+    "rqt_topic": lambda _: TopicPanel(),
 }
 _windows = NodeWindows(windows, lambda window: _KINDS[window.kind](window))
 

@@ -7,12 +7,14 @@ from coursekit.lab.panel import open_panels
 from coursekit.nodes.rqt.windows import RqtWindow
 
 KINDS = {"rqt_graph": ["GraphPanel"], "rqt_console": ["LogConsole"], "rqt_plot": ["PlotPicture"],
-         "rqt_gui": ["ServiceCaller", "TopicPanel", "LogConsole", "GraphPanel"]}  # fmt: skip
+         "rqt_gui": ["ServiceCaller", "TopicPanel", "Reconfigure", "LogConsole", "GraphPanel", "FramesPanel"],
+         "rqt_reconfigure": ["Reconfigure"], "rqt_robot_steering": ["Pad"], "rqt_service_caller": ["ServiceCaller"],
+         "rqt_tf_tree": ["FramesPanel"], "rqt_topic": ["TopicPanel"]}  # fmt: skip
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_each_has_its_panels_until_it_ends(session, kind):
-    window = RqtWindow(kind, session, "rqt_plot_1" if kind == "rqt_plot" else "")
+    window = RqtWindow(kind, session, "rqt_plot_1" if kind == "rqt_plot" else "", "/cmd_vel", (0.5, 1.0))
     rqt_windows._windows.show(window)
     session.clock.sleep(0.2)
     window_panel = rqt_windows._windows._panels[id(window)]

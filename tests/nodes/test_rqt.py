@@ -9,6 +9,7 @@ from turtlesim.msg import Pose
 
 from coursekit.nodes.rqt.curves import Curves, numbers, part, paths
 from coursekit.nodes.rqt.plot import Plot
+from coursekit.nodes.rqt.rqt import INSTEAD
 from coursekit.nodes.rqt.windows import windows
 from coursekit.view import highgui
 from coursekit.view.graph_facts import take
@@ -24,7 +25,7 @@ def seen():
     windows.unwatch(listener)
 
 
-@pytest.mark.parametrize("kind", ["rqt_graph", "rqt_console", "rqt_gui"])
+@pytest.mark.parametrize("kind", list(INSTEAD))
 def test_a_notebook_hears_of_a_window_s_start_and_end(kind, seen, run, session):
     window = run(kind, kind)
     session.clock.sleep(0.5)
@@ -32,6 +33,22 @@ def test_a_notebook_hears_of_a_window_s_start_and_end(kind, seen, run, session):
     assert seen == [(kind, True)] and [name for name in names if name.startswith("rqt_gui_py_node_")]
     window.interrupt()
     assert window.wait(2.0) == 0 and seen == [(kind, True), (kind, False)]
+
+
+@pytest.mark.parametrize("kind", INSTEAD)
+def test_without_a_notebook_the_commands_are_named(kind, run):
+    window = run(kind, kind)
+    assert window.wait(2.0) == 1 and f"No notebook shows this window. Here: {INSTEAD[kind]}." in window.output
+
+
+def test_robot_steering_takes_its_topic_and_speeds(run, session):
+    heard = []
+    listener = lambda window: heard.append(window) or True  # noqa: E731
+    windows.watch(listener)
+    run("rqt_robot_steering", "rqt_robot_steering", "--ros-args", "-p", "default_topic:=/go", "-p", "default_vx_max:=2.2")
+    session.clock.sleep(0.5)
+    windows.unwatch(listener)
+    assert (heard[0].topic, heard[0].speeds) == ("/go", (2.2, 3.0))
 
 
 def test_the_graph_shows_rqt_s_own_nodes_only_when_asked(run, session):

@@ -27,6 +27,7 @@ class Plot(Rqt):
     def __init__(self, curves: Curves) -> None:
         self.title = name_of_process().replace("rqt_gui_py_node", "rqt_plot")
         super().__init__("rqt_plot", self.title)
+        self.show()
         self.curves = curves
         self._waiting = list(curves.wanted)
         self._began = self.get_clock().now()

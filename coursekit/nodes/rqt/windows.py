@@ -13,10 +13,14 @@ class RqtWindow:
     """A running window."""
 
     kind: str
-    """`rqt_graph`, `rqt_console`, `rqt_plot` or `rqt_gui`."""
+    """`rqt_graph`, `rqt_console`, `rqt_plot`, `rqt_reconfigure`, ...: the name of its package."""
     session: Any
     picture: str = ""
     """The name of the OpenCV window in which it draws; empty for a panel."""
+    topic: str = ""
+    """Where `rqt_robot_steering` publishes, ..."""
+    speeds: tuple[float, float] = (0.0, 0.0)
+    """... at most so many m/s and rad/s."""
     running: bool = True
 
 

@@ -15,7 +15,7 @@ _NOT_YET = re.compile(
     r"|contexts|graph_listener|message_info|parameter_events_filter|subscription_\w+|waitable|type_support_decl|detail)"
     r"|rcutils/(configuration_flags|qsort|stdatomic_helper|testing"
     r"|types/(array_list|hash_map|string_map))|rosidl_typesupport_introspection_c"
-    r"|nav2_core/(smoother|behavior_tree_navigator)|nav2_costmap_2d/(clear_costmap_service|costmap_2d_publisher|costmap_filters"
+    r"|nav2_core/behavior_tree_navigator|nav2_costmap_2d/(clear_costmap_service|costmap_2d_publisher|costmap_filters"
     r"|denoise|inflation_layer|observation|obstacle_layer|range_sensor_layer|static_layer|voxel_layer)\w*"
     r"|nav2_behaviors/plugins|nav2_behavior_tree/(plugins|bt_action_server\w*)|nav2_map_server|nav_2d_utils|bondcpp|behaviortree_cpp"
     r"|behaviortree_cpp_v3/(controls/manual_node|decorators/timer_queue|flatbuffers|loggers/bt_(file|minitrace|zmq)_\w+"

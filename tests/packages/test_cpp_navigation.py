@@ -266,6 +266,42 @@ def test_a_task_in_cpp_is_done_at_waypoints(workspace, word):
         assert any(text.endswith('failed while executing action callback: "nobody is there"') for text in spoken)
 
 
+SMOOTH = """
+from builtin_interfaces.msg import Duration
+from nav2_msgs.action import SmoothPath
+path = ask(ComputePathToPose, "compute_path_to_pose", goal=at(2.0, 0.0)).path
+for _ in range(2):
+    smooth = ask(SmoothPath, "smooth_path", path=path, max_smoothing_duration=Duration(sec=2))
+    print(smooth.was_completed, len(smooth.path.poses) == (len(path.poses) + 1) // 2, smooth.path.header.frame_id)
+"""
+
+
+def smoother(plugin="k_nav/EveryOther", **given):
+    return {"smoother_server": {"smoother_plugins": ["thin"], "thin": {"plugin": plugin, **given}}}
+
+
+def test_a_path_is_smoothed_in_cpp(workspace):
+    said = told(workspace, SMOOTH, **smoother())
+    assert said.count("smooth_path succeeded\nTrue True map") == 2, said
+    spoken = lines(said, "smoother_server")
+    assert ("INFO", "Created smoother : thin of type k_nav/EveryOther") in spoken and ("INFO", "thin: activated") in spoken
+    assert any(re.fullmatch(r"thin: \d+ poses, 2.0 s, costs yes, outline yes, robot yes", text) for _, text in spoken)
+
+
+@pytest.mark.parametrize(
+    ("given", "status", "level", "expected"),
+    [
+        ({"fault": "throw"}, "aborted", "ERROR", "the path is too rough"),
+        ({"fault": "late"}, "succeeded\nFalse True", "INFO", "Smoother thin did not complete smoothing in specified time"),
+        ({"plugin": "k_nav/EveryThird"}, "None", "FATAL", "Failed to create smoother. Exception: According to"),
+    ],
+)
+def test_what_a_smoother_in_cpp_does_wrong_is_told_as_on_a_robot(workspace, given, status, level, expected):
+    said = told(workspace, SMOOTH if "fault" in given else "print('smooth_path None')", **smoother(**given))
+    assert f"smooth_path {status}" in said and "process has died" not in said
+    assert any(at == level and text.startswith(expected) for at, text in lines(said, "smoother_server"))
+
+
 def test_plugins_in_cpp_go_and_come_again_with_their_servers(workspace):
     body = """
     from nav2_msgs.srv import ManageLifecycleNodes

@@ -128,18 +128,14 @@ namespace
 struct BehaviorHost : coursekit::Nav2Plugin<Behavior>
 {
   using Nav2Plugin::Nav2Plugin;
-  std::unique_ptr<nav2_costmap_2d::CostmapSubscriber> costs;
-  std::unique_ptr<nav2_costmap_2d::FootprintSubscriber> outline;
+  coursekit::Nav2Heard heard;
 
   void configure(Unpacker & from)
   {
     meet_node(from);
-    auto text = [this](const char * parameter) {return node->get_parameter(parameter).as_string();};
-    costs = std::make_unique<nav2_costmap_2d::CostmapSubscriber>(node, text("costmap_topic"));
-    outline = std::make_unique<nav2_costmap_2d::FootprintSubscriber>(
-      node, text("footprint_topic"), *buffer, text("robot_base_frame"),
-      node->get_parameter("transform_tolerance").as_double());
-    auto checker = std::make_shared<nav2_costmap_2d::CostmapTopicCollisionChecker>(*costs, *outline, node->get_name());
+    heard.listen(*this);
+    auto checker = std::make_shared<nav2_costmap_2d::CostmapTopicCollisionChecker>(
+      *heard.costs, *heard.outline, node->get_name());
     plugin->configure(node, name, buffer, checker);
   }
 };

@@ -9,7 +9,8 @@ static Handler handler_of(const std::string & kind, const std::string & type)
   static const std::map<std::string, Handler (*)(const std::string &)> known = {
     {"hardware", hardware_of}, {"controller", controller_of}, {"planner", planner_of},
     {"path_controller", path_controller_of}, {"goal_checker", goal_checker_of}, {"progress_checker", progress_checker_of},
-    {"layer", layer_of}, {"behavior", behavior_of}, {"waypoint_task", waypoint_task_of}};
+    {"layer", layer_of}, {"behavior", behavior_of}, {"waypoint_task", waypoint_task_of},
+    {"smoother", smoother_of}};
   return known.at(kind)(type);
 }
 

@@ -8,19 +8,24 @@ import numpy as np
 from nav2_msgs.action import SmoothPath
 from nav2_msgs.msg import Costmap as CostmapMessage
 from nav_msgs.msg import Path
+from rclpy.duration import Duration
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 
 from coursekit.nav.costmap import INSCRIBED, UNKNOWN, Costmap
 from coursekit.nav.planner import smoothed
+from coursekit.nodes.compiled.classes import CppFault
+from coursekit.nodes.nav2.foreign import ForeignPlugins
+from coursekit.nodes.nav2.foreign_smoother import ForeignSmoother
 from coursekit.nodes.nav2.map_message import MAP_QOS
-from coursekit.nodes.nav2.parameters import Obedience, declare, no_such_plugin
+from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import Beat, Server, run
-from coursekit.nodes.nav2.whereabouts import path_message
+from coursekit.nodes.nav2.whereabouts import Whereabouts, path_message
 from coursekit.nodes.scanning.planar import plane
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
+    from builtin_interfaces.msg import Duration as DurationMsg
     from geometry_msgs.msg import PoseStamped
     from rclpy.action.goal_handle import ServerGoalHandle
 
@@ -52,16 +57,20 @@ class SmootherServer(Server):
     def __init__(self) -> None:
         super().__init__("smoother_server")
         declare(self, _SERVER)
+        self._foreign = ForeignPlugins(self)
+        self._smoothers: dict[str, int | ForeignSmoother] = {}
+        """Classes, and for our own the number of its iterations."""
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Create the action server; return FAILURE for an invalid parameter."""
         self.get_logger().info("Configuring smoother server")
+        self.where = Whereabouts(self, self.text("robot_base_frame"))
         try:
             given = declare(self, _SERVER)
             self._make_plugins()
-        except ValueError as fault:
-            self.get_logger().error(str(fault))
-            return TransitionCallbackReturn.FAILURE
+        except (ValueError, CppFault) as fault:
+            self.where.close()
+            return self._foreign.refused(fault)
         self._obedience = Obedience(self, self._make_plugins)
         self._costs: Costmap | None = None
         self._heard = self.create_subscription(CostmapMessage, given["costmap_topic"], self._take, MAP_QOS)
@@ -71,17 +80,30 @@ class SmootherServer(Server):
 
     def _make_plugins(self) -> None:
         """Read the parameters; raises ValueError if they are invalid."""
-        rounds = {}
-        for name in declare(self, _SERVER)["smoother_plugins"]:
-            given = declare(self, _PLUGIN, name)
-            if given["plugin"] not in _KINDS:
-                raise ValueError(no_such_plugin("smoother", given["plugin"], "nav2_core::Smoother", _KINDS))
-            rounds[name] = given["max_its"]
-        self._rounds = rounds
+        self._smoothers = {name: self._make(name) for name in declare(self, _SERVER)["smoother_plugins"]}
+
+    def _make(self, name: str) -> int | ForeignSmoother:
+        kind = declare(self, {"plugin": _PLUGIN["plugin"]}, name)["plugin"]
+        if kind not in _KINDS:
+            return self._foreign.get(ForeignSmoother, name, kind, _KINDS)
+        rounds: int = declare(self, _PLUGIN, name)["max_its"]
+        return rounds
+
+    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Smooth."""
+        self._foreign.change("activate")
+        return super().on_activate(state)
+
+    def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
+        """Smooth no more."""
+        self._foreign.change("deactivate")
+        return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Destroy the subscription, the publisher and the action server."""
         self._obedience.end()
+        self._foreign.retire()
+        self.where.close()
         self.destroy_subscription(self._heard)
         self.destroy_lifecycle_publisher(self._plan_out)
         return super().on_cleanup(state)
@@ -98,16 +120,22 @@ class SmootherServer(Server):
             if self._costs is None:
                 await beat.next()
         beat.stop()
-        name = request.smoother_id or next(iter(self._rounds))
-        if name not in self._rounds or not request.path.poses or self._costs is None:
+        name = request.smoother_id or next(iter(self._smoothers))
+        if name not in self._smoothers or not request.path.poses or self._costs is None:
             self.get_logger().error(self._fault(name, request.path.poses))
             handle.abort()
             return result
-        poses = np.array([plane(pose.pose.position, pose.pose.orientation) for pose in request.path.poses], dtype=float)
-        poses = smoothed(self._costs, poses, self._rounds[name])
-        result.path = path_message(poses, request.path.header.frame_id, request.path.header.stamp)
-        result.was_completed, result.smoothing_duration = True, (self.get_clock().now() - begin).to_msg()
-        if request.check_for_collisions and self._touches(poses):
+        try:
+            result.path, result.was_completed = self._smoothed(name, request)
+        except CppFault as fault:
+            self.get_logger().error(str(fault))
+            handle.abort()
+            return result
+        took = self.get_clock().now() - begin
+        result.smoothing_duration = took.to_msg()
+        if not result.was_completed:
+            self.get_logger().info(_late(name, request.max_smoothing_duration, took.nanoseconds))
+        if request.check_for_collisions and self._touches(_poses(result.path)):
             self.get_logger().error("Smoothed path leads to a collision")
             handle.abort()
             return result
@@ -115,14 +143,37 @@ class SmootherServer(Server):
         handle.succeed()
         return result
 
+    def _smoothed(self, name: str, request: SmoothPath.Goal) -> tuple[Path, bool]:
+        """Return the path, and whether it was done in time. Raises CppFault."""
+        smoother, path = self._smoothers[name], request.path
+        if isinstance(smoother, ForeignSmoother):
+            return smoother.smooth(path, Duration.from_msg(request.max_smoothing_duration).nanoseconds)
+        assert self._costs is not None
+        poses = smoothed(self._costs, _poses(path), smoother)
+        return path_message(poses, path.header.frame_id, path.header.stamp), True
+
     def _fault(self, name: str, poses: Sequence[PoseStamped]) -> str:
-        if name not in self._rounds:
-            return f"SmoothPath called with smoother name {name}, which does not exist. Known: {', '.join(self._rounds)}"
+        if name not in self._smoothers:
+            return f"SmoothPath called with smoother name {name}, which does not exist. Known: {', '.join(self._smoothers)}"
         return "Smoother: the path is empty" if not poses else "Smoother: no costmap has been heard yet"
 
     def _touches(self, poses: np.ndarray) -> bool:
         assert self._costs is not None
         return any(INSCRIBED <= self._costs.cost(x, y) < UNKNOWN for x, y, _ in poses.tolist())
+
+
+def _poses(path: Path) -> np.ndarray:
+    """Return a path's poses (n, 3)."""
+    return np.array([plane(pose.pose.position, pose.pose.orientation) for pose in path.poses], dtype=float)
+
+
+def _late(name: str, most: DurationMsg, took: int) -> str:
+    """Return nav2's words for a smoother that has broken off; `took` is in nanoseconds."""
+    limit = Duration.from_msg(most).nanoseconds * 1e-9
+    return (
+        f"Smoother {name} did not complete smoothing in specified time limit({limit:f} seconds) and was interrupted "
+        f"after {took * 1e-9:f} seconds"
+    )
 
 
 def main(args: list[str] | None = None) -> int:

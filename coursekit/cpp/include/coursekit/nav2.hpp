@@ -6,6 +6,8 @@
 #include "class_loader/class_loader.hpp"
 #include "coursekit/link.hpp"
 #include "nav2_costmap_2d/costmap_2d_ros.hpp"
+#include "nav2_costmap_2d/costmap_subscriber.hpp"
+#include "nav2_costmap_2d/footprint_subscriber.hpp"
 
 namespace coursekit
 {
@@ -66,5 +68,21 @@ struct Nav2Plugin : Nav2Server
 
   std::string type;
   std::shared_ptr<Base> plugin;
+};
+
+/// What a server hears of the costmap's node, by the names that its parameters give.
+struct Nav2Heard
+{
+  void listen(Nav2Server & server)
+  {
+    auto text = [&](const char * parameter) {return server.node->get_parameter(parameter).as_string();};
+    costs = std::make_shared<nav2_costmap_2d::CostmapSubscriber>(server.node, text("costmap_topic"));
+    outline = std::make_shared<nav2_costmap_2d::FootprintSubscriber>(
+      server.node, text("footprint_topic"), *server.buffer, text("robot_base_frame"),
+      server.node->get_parameter("transform_tolerance").as_double());
+  }
+
+  std::shared_ptr<nav2_costmap_2d::CostmapSubscriber> costs;
+  std::shared_ptr<nav2_costmap_2d::FootprintSubscriber> outline;
 };
 }  // namespace coursekit

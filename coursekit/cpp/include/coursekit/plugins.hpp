@@ -14,6 +14,7 @@ int run_plugins(int argc, char ** argv);
 Handler hardware_of(const std::string & type);
 Handler controller_of(const std::string & type);
 Handler planner_of(const std::string & type);
+Handler smoother_of(const std::string & type);
 Handler path_controller_of(const std::string & type);
 Handler goal_checker_of(const std::string & type);
 Handler progress_checker_of(const std::string & type);

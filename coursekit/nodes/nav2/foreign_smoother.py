@@ -1,0 +1,26 @@
+"""Smoothers that are C++ classes."""
+
+from __future__ import annotations
+
+from nav_msgs.msg import Path
+
+from coursekit.nodes.compiled.frames import packed
+from coursekit.nodes.nav2.foreign import Foreign
+
+
+class ForeignSmoother(Foreign):
+    """A class derived from nav2_core::Smoother."""
+
+    served, base = "smoother", "nav2_core::Smoother"
+    what, created = "smoother", "Created smoother : {name} of type {kind}"
+
+    def configure(self) -> None:
+        """Lend it the server's node and buffer; it hears costmap and footprint itself."""
+        lent = self.node, self.node.where.buffer_for_plugins()
+        self.ask("configure", self.name, *map(self.share, lent))
+
+    def smooth(self, path: Path, nanoseconds: int) -> tuple[Path, bool]:
+        """Call smooth; return its path, and whether it was done in time."""
+        answer = self.ask("smooth", rest=packed(path, nanoseconds))
+        done = bool(answer.integer())
+        return answer.message(Path), done

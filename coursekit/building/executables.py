@@ -349,6 +349,9 @@ EXECUTABLES: dict[str, dict[str, str]] = {
     "rqt_plot": {
         "rqt_plot": "coursekit.nodes.rqt.plot:main",
     },
+    "rqt_publisher": {
+        "rqt_publisher": "coursekit.nodes.rqt.rqt:publisher",
+    },
     "rqt_reconfigure": {
         "rqt_reconfigure": "coursekit.nodes.rqt.rqt:reconfigure",
     },

@@ -24,6 +24,7 @@ from .parameter_panel import parameter_panel
 from .path_view import path_view
 from .plot_panel import plot
 from .practice_robot import practice_robot, weak_link
+from .publisher_panel import message_publisher
 from .rqt_windows import show_rqt_windows
 from .service_panel import service_caller
 from .timeline import timeline
@@ -52,6 +53,7 @@ __all__ = [
     "joint_sliders",
     "log_console",
     "map_view",
+    "message_publisher",
     "network_panel",
     "pad",
     "parameter_panel",

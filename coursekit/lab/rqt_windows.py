@@ -15,6 +15,7 @@ from .graph_panel import GraphPanel
 from .log_console import LogConsole
 from .node_windows import NodeWindows
 from .pad import Pad
+from .publisher_panel import MessagePublisher
 from .reconfigure import Reconfigure
 from .service_panel import ServiceCaller
 from .topic_panel import TopicPanel
@@ -23,6 +24,7 @@ from .windows import WindowPicture
 _TABS: dict[str, Callable[[], Any]] = {
     "Service Caller": ServiceCaller,
     "Topic Monitor": TopicPanel,
+    "Message Publisher": MessagePublisher,
     "Dynamic Reconfigure": Reconfigure,
     "Console": LogConsole,
     "Node Graph": lambda: GraphPanel("active"),
@@ -69,6 +71,7 @@ _KINDS: dict[str, Callable[[RqtWindow], Any]] = {
     "rqt_console": lambda _: LogConsole(),
     "rqt_plot": lambda window: PlotPicture(window.picture),
     "rqt_gui": lambda _: RqtTabs(),
+    "rqt_publisher": lambda _: MessagePublisher(),
     "rqt_reconfigure": lambda _: Reconfigure(),
     "rqt_robot_steering": lambda window: Pad(window.topic, *window.speeds, holonomic=False),
     "rqt_service_caller": lambda _: ServiceCaller(),

@@ -19,8 +19,8 @@ from .panel import Panel, static
 class ServiceCaller(Panel):
     """See `service_caller`."""
 
-    _esm = static("services.js")
-    _css = static("services.css")
+    _esm = static("services.js", "form.js")
+    _css = static("services.css", "form.css")
 
     def __init__(self, service: str = "") -> None:
         super().__init__("service_caller")

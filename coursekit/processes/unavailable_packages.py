@@ -76,7 +76,7 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"realsense2_\w+|depthai\w*|astra_camera|orbbec_camera|zed_\w+", _DRIVER, _SENSORS),
     (r"micro_ros_\w+|rosserial\w*", "passes on the topics of a microcontroller", _SENSORS),
     (r"turtlebot3_node|diffdrive_arduino|serial_driver|mavros|dynamixel\w*", _DRIVER, _SENSORS),
-    (r"rqt_(?!(graph|console|gui|plot|image_view|reconfigure|robot_steering|service_caller|tf_tree|topic)$)\w+|plotjuggler\w*|foxglove\w*",
+    (r"rqt_(?!(graph|console|gui|plot|image_view|publisher|reconfigure|robot_steering|service_caller|tf_tree|topic)$)\w+|plotjuggler\w*|foxglove\w*",
      "opens windows or ports of its own",
      "look at topics with `ros2 topic echo TOPIC` and `ros2 topic hz TOPIC`, or viewer() in a notebook"),
     (r"python_qt_binding|qt_gui\w*|qt_dotgraph", _QT, "a panel of ipywidgets in a notebook shows and asks as well"),

@@ -6,10 +6,13 @@ from coursekit.lab import rqt_windows
 from coursekit.lab.panel import open_panels
 from coursekit.nodes.rqt.windows import RqtWindow
 
-KINDS = {"rqt_graph": ["GraphPanel"], "rqt_console": ["LogConsole"], "rqt_plot": ["PlotPicture"],
-         "rqt_gui": ["ServiceCaller", "TopicPanel", "Reconfigure", "LogConsole", "GraphPanel", "FramesPanel"],
-         "rqt_reconfigure": ["Reconfigure"], "rqt_robot_steering": ["Pad"], "rqt_service_caller": ["ServiceCaller"],
-         "rqt_tf_tree": ["FramesPanel"], "rqt_topic": ["TopicPanel"]}  # fmt: skip
+KINDS = {
+    "rqt_graph": ["GraphPanel"], "rqt_console": ["LogConsole"], "rqt_plot": ["PlotPicture"],
+    "rqt_publisher": ["MessagePublisher"],
+    "rqt_gui": ["ServiceCaller", "TopicPanel", "MessagePublisher", "Reconfigure", "LogConsole", "GraphPanel", "FramesPanel"],
+    "rqt_reconfigure": ["Reconfigure"], "rqt_robot_steering": ["Pad"], "rqt_service_caller": ["ServiceCaller"],
+    "rqt_tf_tree": ["FramesPanel"], "rqt_topic": ["TopicPanel"],
+}  # fmt: skip
 
 
 @pytest.mark.parametrize("kind", KINDS)

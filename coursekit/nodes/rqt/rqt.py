@@ -20,6 +20,7 @@ INSTEAD = {
     "rqt_graph": "`ros2 node list`, and `ros2 node info NODE`",
     "rqt_console": "`ros2 topic echo /rosout`, or the terminals that the nodes run in",
     "rqt_gui": "`ros2 service call`, `ros2 topic echo` and `ros2 param set`",
+    "rqt_publisher": "`ros2 topic pub TOPIC TYPE VALUES`",
     "rqt_reconfigure": "`ros2 param list`, `ros2 param set NODE PARAMETER VALUE`, and `ros2 param describe`",
     "rqt_robot_steering": "`ros2 run teleop_twist_keyboard teleop_twist_keyboard`",
     "rqt_service_caller": "`ros2 service list -t`, and `ros2 service call SERVICE TYPE VALUES`",
@@ -75,8 +76,8 @@ def main(make: Callable[[], Rqt]) -> int:
     return 1
 
 
-graph, console, gui, reconfigure, service_caller, tf_tree, topic = (
+graph, console, gui, publisher, reconfigure, service_caller, tf_tree, topic = (
     partial(main, partial(Rqt, f"rqt_{kind}"))
-    for kind in ("graph", "console", "gui", "reconfigure", "service_caller", "tf_tree", "topic")
+    for kind in ("graph", "console", "gui", "publisher", "reconfigure", "service_caller", "tf_tree", "topic")
 )
 robot_steering = partial(main, RobotSteering)

@@ -17,6 +17,7 @@ PANELS = {
     "graph": "graph()",
     "topics": "topic_panel()",
     "services": "service_caller()",
+    "publisher": "message_publisher('turtle1/cmd_vel')",
     "parameters": "parameter_panel('turtlesim')",
     "log": "log_console()",
     "frames": "frames()",

@@ -94,7 +94,11 @@ def graph() -> Graph:
 
 
 def full_name(name: str) -> str:
-    """Return a name with its leading slash, which may be omitted."""
+    """Return a name with its leading slash, which may be omitted.
+
+    >>> full_name("scan"), full_name("/scan")
+    ('/scan', '/scan')
+    """
     return name if name.startswith("/") else f"/{name}"
 
 
@@ -147,7 +151,13 @@ def complete_values(typed: str) -> Any:
 
 
 def prototype(name: str) -> str:
-    """Return the default values of a message, request or goal as YAML; raises Unhappy for an unknown type."""
+    """Return the default values of a message, request or goal as YAML; raises Unhappy for an unknown type.
+
+    >>> print(prototype("geometry_msgs/msg/Point"), end="")
+    x: 0.0
+    y: 0.0
+    z: 0.0
+    """
     from rosidl_runtime_py import message_to_yaml
     from rosidl_runtime_py.utilities import get_interface
 

@@ -113,7 +113,11 @@ def qos_overrides(path: str | None) -> dict[str, Any]:
 
 
 def profile_of(values: dict[str, Any]) -> Any:
-    """Make a QoS profile from a dictionary of policies; ValueError for an unknown one."""
+    """Make a QoS profile from a dictionary of policies; ValueError for an unknown one.
+
+    >>> profile_of({"reliability": "best_effort", "depth": 5}).reliability.name
+    'BEST_EFFORT'
+    """
     from rclpy import qos
 
     policies: dict[str, Any] = {}
@@ -135,7 +139,11 @@ def profile_of(values: dict[str, Any]) -> Any:
 
 
 def duration_of(value: Any) -> Any:
-    """Make a duration from {sec: ..., nsec: ...}; ValueError when a key is missing or the duration is negative."""
+    """Make a duration from {sec: ..., nsec: ...}; ValueError when a key is missing or the duration is negative.
+
+    >>> duration_of({"sec": 1, "nsec": 500_000_000}).nanoseconds
+    1500000000
+    """
     from rclpy.duration import Duration
 
     if not value:

@@ -14,7 +14,11 @@ MORE = "How to collect, mark and give back: `coursekit teachers` (docs/teachers.
 
 
 def chapters_of(known: Sequence[Path], words: Sequence[str]) -> list[Path]:
-    """Return the chapters whose names begin with one of the words; every word must match one."""
+    """Return the chapters whose names begin with one of the words; every word must match one.
+
+    >>> [path.name for path in chapters_of([Path("02_topics.ipynb"), Path("03_services.ipynb")], ["03"])]
+    ['03_services.ipynb']
+    """
     unknown = [word for word in words if not any(chapter.name.startswith(word) for chapter in known)]
     if unknown:
         raise SystemExit(f"No chapter begins with {', '.join(unknown)}. There are: {', '.join(p.stem for p in known)}")

@@ -42,13 +42,26 @@ def type_name(number: int) -> str:
 
 
 def labelled(value: Any) -> tuple[str | None, Any]:
-    """Return the label of a ParameterValue and the value itself; (None, None) when it is not set."""
+    """Return the label of a ParameterValue and the value itself; (None, None) when it is not set.
+
+    >>> from rcl_interfaces.msg import ParameterValue
+    >>> labelled(ParameterValue(type=3, double_value=0.5)), labelled(ParameterValue())
+    (('Double value is:', 0.5), (None, None))
+    """
     field = _FIELDS[value.type]
     return (None, None) if field is None else (_KINDS[value.type][1], getattr(value, field))
 
 
 def described(descriptor: Any) -> str:
-    """Format a ParameterDescriptor as lines."""
+    """Format a ParameterDescriptor as lines.
+
+    >>> from rcl_interfaces.msg import ParameterDescriptor
+    >>> print(described(ParameterDescriptor(name="serial", type=4, read_only=True)))
+    Parameter name: serial
+      Type: string
+      Constraints:
+        Read only: true
+    """
     lines = [f"Parameter name: {descriptor.name}", f"  Type: {type_name(descriptor.type)}"]
     if descriptor.description:
         lines.append(f"  Description: {descriptor.description}")
@@ -65,7 +78,15 @@ def described(descriptor: Any) -> str:
 
 
 def dumped(node: str, names: list[str], values: list[Any]) -> str:
-    """Return the YAML file of a node's parameters; dots in names become levels."""
+    """Return the YAML file of a node's parameters; dots in names become levels.
+
+    >>> from rcl_interfaces.msg import ParameterValue
+    >>> print(dumped("/camera", ["image.width"], [ParameterValue(type=2, integer_value=640)]), end="")
+    /camera:
+      ros__parameters:
+        image:
+          width: 640
+    """
     tree: dict[str, Any] = {}
     for name, value in zip(names, values, strict=True):
         field = _FIELDS[value.type]

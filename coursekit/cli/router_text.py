@@ -6,7 +6,11 @@ import socket
 
 
 def welcome(addresses: list[str], users: int) -> list[str]:
-    """Return the commands that join a router at these addresses, and warnings about its risks."""
+    """Return the commands that join a router at these addresses, and warnings about its risks.
+
+    >>> welcome(["tcp/127.0.0.1:7447"], 0)
+    ['The router listens. Notebooks join it with: %network tcp/127.0.0.1:7447', 'Ctrl-C ends it.']
+    """
     from coursekit.net.address import is_loopback
 
     asks = " --user NAME" if users else ""

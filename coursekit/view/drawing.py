@@ -144,7 +144,11 @@ def _curve(c: Curve) -> str:
 
 
 def bends(points: Sequence[Point]) -> list[tuple[Point, Point, Point]]:
-    """Return the cubic pieces of a curve, horizontal at both ends: two control points and the end of each."""
+    """Return the cubic pieces of a curve, horizontal at both ends: two control points and the end of each.
+
+    >>> bends([(0.0, 0.0), (10.0, 4.0)])
+    [((5.0, 0.0), (5.0, 4.0), (10.0, 4.0))]
+    """
     pieces = []
     for (x0, y0), (x1, y1) in itertools.pairwise(points):
         reach = (x1 - x0) * 0.5
@@ -153,7 +157,11 @@ def bends(points: Sequence[Point]) -> list[tuple[Point, Point, Point]]:
 
 
 def path_of(points: Sequence[Point]) -> str:
-    """Return the SVG path of a curve."""
+    """Return the SVG path of a curve.
+
+    >>> path_of([(0.0, 0.0), (10.0, 4.0)])
+    'M0 0 C5 0 5 4 10 4'
+    """
     text = f"M{_n(points[0][0])} {_n(points[0][1])}"
     for piece in bends(points):
         text += " C" + " ".join(f"{_n(x)} {_n(y)}" for x, y in piece)

@@ -76,7 +76,11 @@ def _faults(facts: FrameFacts):  # type: ignore[no-untyped-def]
 
 
 def reachable(facts: FrameFacts) -> set[str]:
-    """Return the frames in trees with a root."""
+    """Return the frames in trees with a root.
+
+    >>> sorted(reachable(FrameFacts(children={"map": ["odom"], "odom": ["base"], "lost": ["wheel"]}, roots=["map"])))
+    ['base', 'map', 'odom']
+    """
     reachable: set[str] = set()
     waiting = list(facts.roots)
     while waiting:
@@ -87,7 +91,11 @@ def reachable(facts: FrameFacts) -> set[str]:
 
 
 def note(frame: Frame) -> str:
-    """Return the note beside a frame's name."""
+    """Return the note beside a frame's name.
+
+    >>> note(Frame("laser", "base", static=True)), note(Frame("base", "odom", rate=30.0)), note(Frame("map"))
+    ('static', '30.0 Hz', '')
+    """
     if not frame.parent:
         return ""
     if frame.static:

@@ -70,17 +70,29 @@ class Facts:
 
 
 def names_of(*ends: Iterable[End]) -> list[str]:
-    """Return the unique names of these ends, sorted."""
+    """Return the unique names of these ends, sorted.
+
+    >>> names_of([End("/scan", "/lidar", "sensor_msgs/msg/LaserScan")], [End("/odom", "/base", "nav_msgs/msg/Odometry")])
+    ['/odom', '/scan']
+    """
     return sorted({end.name for group in ends for end in group})
 
 
 def types_of(name: str, *ends: Iterable[End]) -> list[str]:
-    """Return the types of the ends of that name, sorted."""
+    """Return the types of the ends of that name, sorted.
+
+    >>> types_of("/scan", [End("/scan", "/lidar", "sensor_msgs/msg/LaserScan")])
+    ['sensor_msgs/msg/LaserScan']
+    """
     return sorted({end.type for group in ends for end in group if end.name == name})
 
 
 def nodes_at(name: str, ends: Iterable[End]) -> list[str]:
-    """Return the nodes that have an end of that name, unique and sorted."""
+    """Return the nodes that have an end of that name, unique and sorted.
+
+    >>> nodes_at("/tf", [End("/tf", "/odometry", "tf2_msgs/msg/TFMessage"), End("/tf", "/amcl", "tf2_msgs/msg/TFMessage")])
+    ['/amcl', '/odometry']
+    """
     return sorted({end.node for end in ends if end.name == name})
 
 

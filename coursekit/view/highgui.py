@@ -36,7 +36,11 @@ _RealCapture = cv2.VideoCapture
 
 
 def as_bgr(image: Any) -> Any:
-    """Convert an array to a window's image, as OpenCV does: 16-bit values are divided, floats range from 0 to 1."""
+    """Convert an array to a window's image, as OpenCV does: 16-bit values are divided, floats range from 0 to 1.
+
+    >>> as_bgr(np.array([[0.0, 1.0]])).tolist()
+    [[[0, 0, 0], [255, 255, 255]]]
+    """
     if image.dtype == np.uint16:
         image = (image >> 8).astype(np.uint8)
     elif image.dtype.kind == "f":

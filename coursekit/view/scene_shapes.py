@@ -139,7 +139,12 @@ def box(x: float = 1.0, y: float = 1.0, z: float = 1.0) -> Body:
 
 @lru_cache(maxsize=8)
 def ball(fine: int = 2) -> Body:
-    """Return vertices and faces of a ball of diameter 1."""
+    """Return vertices and faces of a ball of diameter 1.
+
+    >>> vertices, faces = ball(0)
+    >>> vertices.shape, faces.shape
+    ((12, 3), (20, 3))
+    """
     import trimesh
 
     mesh = trimesh.creation.icosphere(subdivisions=fine, radius=0.5)
@@ -148,7 +153,12 @@ def ball(fine: int = 2) -> Body:
 
 @lru_cache(maxsize=64)
 def tube(start: float, end: float, radius: float, tip: float | None = None, sides: int = 16) -> Body:
-    """Return a cylinder along x from `start` to `end`; the radius at `end` is `tip`, where 0 makes a cone."""
+    """Return a cylinder along x from `start` to `end`; the radius at `end` is `tip`, where 0 makes a cone.
+
+    >>> vertices, faces = tube(0.0, 2.0, 0.1, sides=8)
+    >>> vertices.min(axis=0).round(2).tolist(), faces.shape
+    ([0.0, -0.1, -0.1], (32, 3))
+    """
     turn = np.arange(sides) * (2 * np.pi / sides)
     ring = np.stack([np.zeros(sides), np.cos(turn), np.sin(turn)], axis=1)
     far = radius if tip is None else tip
@@ -161,12 +171,20 @@ def tube(start: float, end: float, radius: float, tip: float | None = None, side
 
 
 def arrow(length: float, radius: float, head: float, head_radius: float, colour: Colour) -> Triangles:
-    """Return an arrow along x: a shaft of `length`, followed by a head [m]."""
+    """Return an arrow along x: a shaft of `length`, followed by a head [m].
+
+    >>> arrow(1.0, 0.05, 0.3, 0.1, (1.0, 0.0, 0.0, 1.0)).vertices.max(axis=0).round(2).tolist()
+    [1.3, 0.1, 0.1]
+    """
     return join([tube(0.0, length, radius), tube(length, length + head, head_radius, 0.0)], colour)
 
 
 def join(parts: list[Body], colour: Colour) -> Triangles:
-    """Join several bodies to one shape."""
+    """Join several bodies to one shape.
+
+    >>> join([tube(0.0, 1.0, 0.1), ball(0)], (1.0, 0.0, 0.0, 1.0)).faces.shape
+    (84, 3)
+    """
     starts = np.cumsum([0, *(len(vertices) for vertices, _ in parts)])
     faces = [triangles + start for (_, triangles), start in zip(parts, starts, strict=False)]
     return Triangles(np.concatenate([vertices for vertices, _ in parts]), np.concatenate(faces), colour)
@@ -201,7 +219,12 @@ def towards(direction: np.ndarray) -> np.ndarray:
 
 
 def simpler(body: Body, most: int) -> Body:
-    """Simplify a body to about `most` faces at most, by merging corners that are near each other."""
+    """Simplify a body to about `most` faces at most, by merging corners that are near each other.
+
+    >>> fine = ball(4)
+    >>> len(fine[1]), len(simpler(fine, 500)[1]) <= 500
+    (5120, True)
+    """
     cells = 128.0
     simplified = body
     while len(simplified[1]) > most and cells >= 2:
@@ -227,7 +250,13 @@ def _clustered(body: Body, cells: float) -> Body:
 
 
 def corner_normals(vertices: np.ndarray, faces: np.ndarray) -> np.ndarray:
-    """Return the normal of each corner of each face (3m, 3): smooth across flat edges, sharp across others."""
+    """Return the normal of each corner of each face (3m, 3): smooth across flat edges, sharp across others.
+
+    >>> corner_normals(np.eye(3), np.array([[0, 1, 2]])).round(2)
+    array([[0.58, 0.58, 0.58],
+           [0.58, 0.58, 0.58],
+           [0.58, 0.58, 0.58]])
+    """
     from scipy.sparse import csr_matrix
 
     corners = vertices[faces]

@@ -97,7 +97,11 @@ def _link_shapes(assembly: Any) -> dict[str, list[Triangles]]:
 
 
 def upright(place: Pose2D) -> Pose:
-    """Convert a planar pose to a 3D pose."""
+    """Convert a planar pose to a 3D pose.
+
+    >>> [round(number, 3) for number in upright(Pose2D(1.0, 2.0, math.pi / 2))]
+    [1.0, 2.0, 0.0, 0.0, 0.0, 0.707, 0.707]
+    """
     half = place.theta / 2
     return (place.x, place.y, 0.0, 0.0, 0.0, math.sin(half), math.cos(half))
 

@@ -72,7 +72,11 @@ def robot_shape(parts: tuple[Part, ...]) -> Triangles:
 
 
 def fan(origin: tuple[float, float], height: float, ends: np.ndarray, colour: Colour) -> Triangles:
-    """Return a LiDAR's sweep: triangles from its origin to each two neighbouring ends (n, 2) [m], at a height."""
+    """Return a LiDAR's sweep: triangles from its origin to each two neighbouring ends (n, 2) [m], at a height.
+
+    >>> fan((0.0, 0.0), 0.2, np.array([[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]), (1.0, 0.0, 0.0, 0.3)).faces.tolist()
+    [[0, 1, 2], [0, 2, 3]]
+    """
     vertices = np.column_stack((np.concatenate(([origin], ends)), np.full(len(ends) + 1, height)))
     first = np.arange(1, len(ends))
     return Triangles(vertices, np.stack((np.zeros_like(first), first, first + 1), axis=1), colour)

@@ -43,7 +43,11 @@ def numbers(pose: PoseMsg) -> Pose:
 
 
 def finite(pose: Pose) -> bool:
-    """Whether all numbers of a pose are finite."""
+    """Whether all numbers of a pose are finite.
+
+    >>> finite((1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0)), finite((math.nan, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0))
+    (True, False)
+    """
     return all(map(math.isfinite, pose))
 
 

@@ -58,7 +58,11 @@ def _reason(parameter: Parameter, descriptor: ParameterDescriptor, check_read_on
 
 
 def wrong_type(name: str, declared: Parameter.Type, given: Parameter.Type) -> str:
-    """Return rclcpp's words for a value of another type than the declared one."""
+    """Return rclcpp's words for a value of another type than the declared one.
+
+    >>> wrong_type("rate", Parameter.Type.DOUBLE, Parameter.Type.INTEGER)
+    'Wrong parameter type, parameter {rate} is of type {double}, setting it to {integer} is not allowed.'
+    """
     old, new = _in_words(declared), _in_words(given)
     return f"Wrong parameter type, parameter {{{name}}} is of type {{{old}}}, setting it to {{{new}}} is not allowed."
 

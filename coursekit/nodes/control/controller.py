@@ -131,7 +131,11 @@ class Controller:
 
 
 def stamp(now_ns: int) -> Time:
-    """Convert nanoseconds to a message."""
+    """Convert nanoseconds to a message.
+
+    >>> stamp(1_500_000_000)
+    builtin_interfaces.msg.Time(sec=1, nanosec=500000000)
+    """
     return Time(sec=now_ns // 1_000_000_000, nanosec=now_ns % 1_000_000_000)
 
 

@@ -13,7 +13,12 @@ from .trajectory import Array, Point
 
 
 def seconds(duration: Duration) -> float:
-    """Convert a duration to seconds."""
+    """Convert a duration to seconds.
+
+    >>> from builtin_interfaces.msg import Duration
+    >>> seconds(Duration(sec=1, nanosec=500_000_000))
+    1.5
+    """
     return float(duration.sec + duration.nanosec * 1e-9)
 
 

@@ -17,7 +17,12 @@ _COLORED = np.dtype(
 
 
 def metres_of(depth: Image) -> Any:
-    """Return a depth image in metres, NaN where nothing was measured; ValueError for another encoding."""
+    """Return a depth image in metres, NaN where nothing was measured; ValueError for another encoding.
+
+    >>> depth = CvBridge().cv2_to_imgmsg(np.array([[1500, 0]], np.uint16), "16UC1")
+    >>> metres_of(depth).round(2).tolist()
+    [[1.5, nan]]
+    """
     if depth.encoding not in (MILLIMETRES, METRES):
         raise ValueError(f"Depth image has unsupported encoding [{depth.encoding}]")
     raw = np.asarray(CvBridge().imgmsg_to_cv2(depth))

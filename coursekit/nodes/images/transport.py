@@ -28,7 +28,13 @@ def topic_of(base: str, transport: str) -> str:
 def compress(
     msg: Image, format_: str = "jpeg", jpeg_quality: int = JPEG_QUALITY, png_level: int = PNG_LEVEL
 ) -> CompressedImage:
-    """Compress a raw image as JPEG or PNG. Raises CvBridgeError for encodings that cannot be compressed."""
+    """Compress a raw image as JPEG or PNG. Raises CvBridgeError for encodings that cannot be compressed.
+
+    >>> import numpy as np
+    >>> small = compress(_bridge.cv2_to_imgmsg(np.zeros((48, 64, 3), np.uint8), "bgr8"))
+    >>> small.format, len(small.data) < 48 * 64 * 3
+    ('bgr8; jpeg compressed bgr8', True)
+    """
     encoding = parse(msg.encoding)
     colour = encoding.channels > 1 or encoding.kind.startswith("bayer")
     if not encoding.kind or format_ not in ("jpeg", "png"):

@@ -34,7 +34,13 @@ def to_message(grid: GridMap, frame: str, stamp: TimeMsg) -> OccupancyGrid:
 
 
 def from_message(msg: OccupancyGrid) -> GridMap:
-    """Return a message's map. ValueError if its data are not width x height."""
+    """Return a message's map. ValueError if its data are not width x height.
+
+    >>> msg = OccupancyGrid(data=[0, 100])
+    >>> msg.info.width, msg.info.height, msg.info.resolution = 2, 1, 0.05
+    >>> from_message(msg).cells.tolist()
+    [[0, 100]]
+    """
     cells = np.array(msg.data, dtype=np.int8).reshape(msg.info.height, msg.info.width)
     pose = msg.info.origin
     q = pose.orientation

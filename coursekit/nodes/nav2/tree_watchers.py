@@ -16,7 +16,14 @@ if TYPE_CHECKING:
 
 
 def length(path: Path) -> float:
-    """Return the length of a path message [m]."""
+    """Return the length of a path message [m].
+
+    >>> from builtin_interfaces.msg import Time
+    >>> import numpy as np
+    >>> from coursekit.nodes.nav2.whereabouts import path_message
+    >>> length(path_message(np.array([[0.0, 0.0, 0.0], [3.0, 4.0, 0.0]]), "map", Time()))
+    5.0
+    """
     points = [(pose.pose.position.x, pose.pose.position.y) for pose in path.poses]
     return sum(math.dist(first, second) for first, second in pairwise(points))
 

@@ -66,7 +66,11 @@ def plane_at(fix: Fix, *, local: bool, zone: str = "") -> Plane:
 
 
 def is_place(fix: Fix) -> bool:
-    """Whether this is a valid position on the Earth."""
+    """Whether this is a valid position on the Earth.
+
+    >>> is_place((19.0, -99.0, 2240.0)), is_place((math.nan, 0.0, 0.0))
+    (True, False)
+    """
     return all(map(math.isfinite, fix)) and abs(fix[0]) <= 90.0
 
 

@@ -29,7 +29,12 @@ def quaternion(angles: Iterable[float]) -> Quaternion:
 
 
 def unit(q: QuaternionMsg) -> Quaternion:
-    """A message's quaternion, normalized; a quaternion of zeros or with non-finite values means no rotation."""
+    """A message's quaternion, normalized; a quaternion of zeros or with non-finite values means no rotation.
+
+    >>> from geometry_msgs.msg import Quaternion
+    >>> unit(Quaternion(z=2.0, w=0.0)), unit(Quaternion(w=0.0))
+    ((0.0, 0.0, 1.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+    """
     length = math.sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w)
     if not length > 0 or not math.isfinite(length):
         return (0.0, 0.0, 0.0, 1.0)
@@ -52,20 +57,34 @@ def turning(pose: Pose) -> Array:
 
 
 def square(numbers: NDArray[np.float64]) -> Array:
-    """A message's covariance, row by row, as a matrix."""
+    """A message's covariance, row by row, as a matrix.
+
+    >>> square(np.arange(9.0)).tolist()
+    [[0.0, 1.0, 2.0], [3.0, 4.0, 5.0], [6.0, 7.0, 8.0]]
+    """
     flat = np.array(numbers, float)
     side = math.isqrt(len(flat))
     return flat.reshape(side, side)
 
 
 def turned(covariance: Array, rotation: Array) -> Array:
-    """Rotate the covariance of one or two vectors."""
+    """Rotate the covariance of one or two vectors.
+
+    >>> quarter = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    >>> np.diag(turned(np.diag([4.0, 1.0, 0.0]), quarter)).tolist()
+    [1.0, 4.0, 0.0]
+    """
     full = np.kron(np.eye(len(covariance) // 3), rotation)
     rotated: Array = full @ covariance @ full.T
     return rotated
 
 
 def turned_mask(used: Mask, rotation: Array) -> Mask:
-    """Rotate the mask of a vector: a rotated component is used if a used component contributes to it."""
+    """Rotate the mask of a vector: a rotated component is used if a used component contributes to it.
+
+    >>> quarter = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    >>> turned_mask(np.array([True, False, False]), quarter).tolist()
+    [False, True, False]
+    """
     mask: Mask = np.linalg.norm(rotation * used, axis=1) >= 1e-6
     return mask

@@ -15,7 +15,12 @@ from coursekit.slam.scan import Laser
 
 
 def plane(position: Any, orientation: Any) -> Pose2D:
-    """A position and a quaternion as a pose in the plane."""
+    """A position and a quaternion as a pose in the plane.
+
+    >>> pose = to_pose(Pose2D(1.0, 2.0, 0.5))
+    >>> plane(pose.position, pose.orientation).theta
+    0.5
+    """
     return Pose2D(position.x, position.y, yaw_of((orientation.x, orientation.y, orientation.z, orientation.w)))
 
 
@@ -53,7 +58,12 @@ def ends_of(ranges: Array, angles: Any) -> Array:
 
 
 def upside_down(q: Any) -> bool:
-    """Whether a quaternion's z axis points down."""
+    """Whether a quaternion's z axis points down.
+
+    >>> from geometry_msgs.msg import Quaternion
+    >>> upside_down(Quaternion()), upside_down(Quaternion(x=1.0, w=0.0))
+    (False, True)
+    """
     return 1 - 2 * (q.x * q.x + q.y * q.y) < 0
 
 
@@ -70,7 +80,11 @@ def laser_of(scan: LaserScan, seat: TransformStamped, farthest: float) -> Laser:
 
 
 def fault_of(scan: LaserScan) -> str:
-    """The reason why a scan cannot be used; empty if it can."""
+    """The reason why a scan cannot be used; empty if it can.
+
+    >>> fault_of(LaserScan(ranges=[1.0, 2.0]))
+    'angle_increment is 0: all beams would point the same way'
+    """
     if not len(scan.ranges):
         return "it has no ranges"
     if not math.isfinite(scan.angle_min) or not math.isfinite(scan.angle_increment):
@@ -81,7 +95,11 @@ def fault_of(scan: LaserScan) -> str:
 
 
 def expected_beams(scan: LaserScan) -> int:
-    """The number of ranges that follows from the scan's angles; 0 if it is undefined."""
+    """The number of ranges that follows from the scan's angles; 0 if it is undefined.
+
+    >>> expected_beams(LaserScan(angle_min=-1.0, angle_max=1.0, angle_increment=0.5))
+    5
+    """
     span = scan.angle_max - scan.angle_min
     if not scan.angle_increment or not math.isfinite(span):
         return 0

@@ -12,6 +12,7 @@ import os
 import socket
 from pathlib import Path
 
+from coursekit.files import put_in_place
 from coursekit.systems import rights, user_socket
 from coursekit.systems.runtime_folder import folder
 from coursekit.systems.user_socket import NobodyListens as NoSession
@@ -60,13 +61,13 @@ def has_terminals(domain_id: int) -> bool:
 
 
 def _lead_to(own: Path, domain_id: int) -> None:
-    fresh = own.with_name(f"{own.name}.new")
+    fresh = own.with_name(f"{own.name}.{os.getpid()}.new")  # terminals and the session itself may do this at once
     fresh.unlink(missing_ok=True)
     if user_socket.HAS_UNIX:
         fresh.symlink_to(own.name)
     else:
         rights.write_text(fresh, json.dumps(user_socket.said_at(own)))
-    fresh.replace(address(domain_id))
+    put_in_place(fresh, address(domain_id))
 
 
 def token(domain_id: int) -> str:
@@ -84,7 +85,8 @@ def connect(domain_id: int) -> socket.socket:
     for path in sessions(domain_id):
         with contextlib.suppress(NoSession, OSError):
             client = connect_at(path)
-            _lead_to(path, domain_id)
+            with contextlib.suppress(OSError):
+                _lead_to(path, domain_id)
             return client
     raise NoSession(f"no session listens for ROS_DOMAIN_ID={domain_id}")
 

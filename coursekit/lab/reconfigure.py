@@ -29,6 +29,7 @@ class Reconfigure(ipywidgets.VBox):
         self._list = ipywidgets.Dropdown(description=gettext("Node"), options=[])
         self._panel: Any = None
         self._lock = threading.Lock()
+        self._closed = False
         super().__init__([self._list])
         self._list.observe(self._choose, "value")
         self._graph.watch(self._look)
@@ -45,6 +46,7 @@ class Reconfigure(ipywidgets.VBox):
 
     def close(self) -> None:
         """Stop watching the graph, and close the parameters."""
+        self._closed = True
         self._graph.unwatch(self._look)
         self._show(None)
         super().close()
@@ -79,7 +81,7 @@ class Reconfigure(ipywidgets.VBox):
             return
         if panel is not None:
             panel.of_cell = False
-        if node == self._list.value:
+        if node == self._list.value and not self._closed:
             self._show(panel)
         elif panel is not None:
             panel.close()

@@ -54,6 +54,14 @@ def test_nodes_come_and_go_while_it_is_open(session):
     rclpy.shutdown()
 
 
+def test_a_window_that_is_closed_while_a_node_is_asked_leaves_no_panel(session):
+    spinning(session, "arm")
+    Reconfigure().close()
+    session.clock.sleep(1.0)
+    assert open_panels() == []
+    rclpy.shutdown()
+
+
 def test_a_node_that_does_not_answer_is_told(session):
     rclpy.init()
     Node("asleep")

@@ -68,8 +68,8 @@ def run(output_file: str, yaml_file: str, validation_module: str = "") -> None:
 
 def python_module(root: Struct, file: str = "a YAML file", validation_module: str = "") -> str:
     """Return the module's text; `validation_module` has the file's own checks."""
-    if validation_module:
-        _checked(validation_module.replace(".", "_"))
+    for part in validation_module.split(".") if validation_module else ():
+        _checked(part)
     return _MODULE.format(
         file=re.sub(r"[^\w. -]", "_", file),
         imports=f"\nimport {validation_module} as custom_validators\n" if validation_module else "",

@@ -84,7 +84,7 @@ def test_values_that_are_set_are_checked_and_taken(arm, node):
     [result] = node.set_parameters([Parameter("joints", value=["shoulder blade"])])
     assert result.reason == "too long" and listener.get_params().joints == ["hip", "knee"]
     [result] = node.set_parameters([Parameter("pid.hip.p", value=0.1)])
-    assert "less than" not in result.reason and not result.successful
+    assert not result.successful and result.reason == "Parameter pid.hip.p out of range. Min: 0.5, Max: inf, value: 0.1"
     listener.clear_user_callback()
     node.set_parameters([Parameter("pid.knee.p", value=4.0)])
     assert listener.get_params().pid.get_entry("knee").p == 4.0 and heard == [20.0]
@@ -134,6 +134,14 @@ def test_a_wrong_file_ends_the_build_with_what_is_wrong(text, told, tmp_path):
     with pytest.raises(SystemExit, match=told):
         run(str(tmp_path / "arm_parameters.py"), str(file))
     assert not (tmp_path / "arm_parameters.py").exists()
+
+
+@pytest.mark.parametrize("module", ["a..b", "class.checks", "a, os", "1a"])
+def test_a_module_with_checks_has_a_name_that_can_be_imported(module, tmp_path):
+    file = tmp_path / "arm.yaml"
+    file.write_text("arm: {x: {type: int}}", encoding="utf-8")
+    with pytest.raises(SystemExit, match="cannot be a name in Python"):
+        run(str(tmp_path / "arm_parameters.py"), str(file), module)
 
 
 def test_setup_py_that_does_not_build_writes_nothing(monkeypatch):

@@ -42,16 +42,16 @@ class MessagePublisher(Panel):
         Fields not given keep their defaults. LookupError: there is no such topic; ValueError: a field does not fit.
         """
         self._choose(topic)
-        self._publish(self._message(fields))
+        self._publish(self._chosen, self._message(fields))
 
     def repeat(self, rate: float, topic: str = "", /, **fields: Any) -> None:
         """Publish a message `rate` times a second until `stop`."""
         self._choose(topic)
-        message = self._message(fields)
+        name, message = self._chosen, self._message(fields)
         if not 0.0 < rate <= 1000.0:
             raise BadArgument(f"The rate is more than 0 and at most 1000 Hz, not {rate}")
         self.stop()
-        self._timer = self.hidden.node.create_timer(1.0 / rate, lambda: self._publish(message))
+        self._timer = self.hidden.node.create_timer(1.0 / rate, lambda: self._publish(name, message))
         self.changed()
 
     def stop(self) -> None:
@@ -72,10 +72,10 @@ class MessagePublisher(Panel):
 
         return get_message(self._types.get(topic) or known_type(self.hidden.graph, topic))
 
-    def _publish(self, message: Any) -> None:
-        if self._chosen not in self._publishers:
-            self._publishers[self._chosen] = self.hidden.node.create_publisher(type(message), self._chosen, DEPTH)
-        self._publishers[self._chosen].publish(message)
+    def _publish(self, topic: str, message: Any) -> None:
+        if topic not in self._publishers:
+            self._publishers[topic] = self.hidden.node.create_publisher(type(message), topic, DEPTH)
+        self._publishers[topic].publish(message)
         self._last = message
         self.count += 1
         self.changed()

@@ -35,12 +35,14 @@ def test_a_message_is_published_from_code(session, heard):
 
 
 def test_it_is_repeated_at_its_rate_until_it_is_stopped(session, heard):
-    panel = MessagePublisher("/cmd_vel")
-    panel.repeat(5.0, linear={"x": 0.2})
-    session.clock.sleep(2.05)
+    panel = MessagePublisher("/speed", "std_msgs/msg/Float64")
+    panel.repeat(5.0, "/cmd_vel", linear={"x": 0.2})
+    session.clock.sleep(1.05)
+    panel.publish("/speed", data=1.0)
+    session.clock.sleep(1.0)
     panel.stop()
     session.clock.sleep(2.0)
-    assert len(heard) == panel.count == 10
+    assert len(heard) == 10 and panel.count == 11
     for rate in (0.0, -1.0, 1e9, float("nan")):
         with pytest.raises(ValueError, match="at most 1000 Hz"):
             panel.repeat(rate)

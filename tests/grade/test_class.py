@@ -11,6 +11,7 @@ import pytest
 from coursekit.cli.coursekit import main
 from coursekit.grade import folders, sandbox
 from coursekit.grade.sandbox import Limits
+from tests.needs import posix
 
 from .class_of_200 import KINDS, make_class
 from .hostile_kinds import HOST, HOSTILE
@@ -92,6 +93,7 @@ def test_what_a_class_deserves_together_follows_from_what_each_kind_deserves():
     )
 
 
+@posix("folders are not opened there, and what is refused has other names")
 def test_the_whole_class_is_written_as_200_submissions_of_every_kind(tmp_path):
     kind_by_student = make_class(tmp_path / "class", lambda kind: kind.number)
     written = os.listdir(os.fsencode(tmp_path / "class"))

@@ -33,6 +33,6 @@ def test_a_chapter_s_own_solutions_earn_every_point(file, tmp_path):
     folder.mkdir()
     shutil.copy(file, folder)
     marked = mark(Submission("ann", folder), {file.name: source}, exercises, Limits(seconds=SECONDS))
-    assert marked.status == "graded"
+    assert marked.status == "graded", marked.notes
     assert not [verdict.text() for verdict in marked.verdicts if not verdict.passed]
     assert not marked.notes and {verdict.name for verdict in marked.verdicts} == set(exercises)

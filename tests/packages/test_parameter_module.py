@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tests.needs import compiler_or_skip
+from tests.needs import ON_WINDOWS, compiler_or_skip
 from tests.packages.test_cpp_workspace import colcon, sourced
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
@@ -71,6 +71,10 @@ def workspace(folder, more):
 def built_and_run(folder, *words):
     built = colcon(folder, "build", *words)
     assert built.returncode == 0, built.stdout + built.stderr
+    made = [path for top in ("install", "build") for path in (folder / top).rglob("k_arm/arm_parameters.py")]
+    assert made, "beside the package's own modules"
+    if ON_WINDOWS:
+        pytest.skip("Windows: bash sources the workspace")
     return sourced(folder, "ros2 run k_arm arm && ros2 run k_arm arm --ros-args -p joints:='[a, b, c]'")
 
 

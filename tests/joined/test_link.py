@@ -35,7 +35,9 @@ class Pair:
 
 
 @pytest.fixture
-def pair():
+def pair(monkeypatch):
+    """Two sides that wait for each other also where a computer is busy with much else."""
+    monkeypatch.setattr("coursekit.joined.link.HELLO_SECONDS", 60.0)
     return Pair()
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from generate_parameter_library_py.generate_python_module import run
+from generate_parameter_library_py.generate_python_module import python_module
 
 from coursekit.cpp.parameter_header import parameter_header
 from coursekit.cpp.parameter_library import ParameterFileError, read_parameters
@@ -18,11 +18,9 @@ from coursekit.cpp.parameter_library import ParameterFileError, read_parameters
 def main(words: list[str]) -> int:
     """Run a command line; return the exit code."""
     output, file, *checks = words
-    if output.endswith(".py"):
-        run(output, file, *checks)
-        return 0
     try:
-        text = parameter_header(read_parameters(Path(file)), *checks)
+        root = read_parameters(Path(file))
+        text = python_module(root, Path(file).name, *checks) if output.endswith(".py") else parameter_header(root, *checks)
     except (ParameterFileError, OSError) as error:
         print(f"ERROR: {error}", file=sys.stderr)
         return 1

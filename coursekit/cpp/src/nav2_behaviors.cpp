@@ -128,14 +128,11 @@ namespace
 struct BehaviorHost : coursekit::Nav2Plugin<Behavior>
 {
   using Nav2Plugin::Nav2Plugin;
-  coursekit::Nav2Heard heard;
-
   void configure(Unpacker & from)
   {
-    meet_node(from);
-    heard.listen(*this);
+    meet_and_listen(from);
     auto checker = std::make_shared<nav2_costmap_2d::CostmapTopicCollisionChecker>(
-      *heard.costs, *heard.outline, node->get_name());
+      *heard_costs, *heard_outline, node->get_name());
     plugin->configure(node, name, buffer, checker);
   }
 };

@@ -10,17 +10,13 @@ using coursekit::Unpacker;
 
 namespace
 {
-/// A smoother, and what it hears of the costmap.
 struct SmootherHost : coursekit::Nav2Plugin<Smoother>
 {
   using Nav2Plugin::Nav2Plugin;
-  coursekit::Nav2Heard heard;
-
   void configure(Unpacker & from)
   {
-    meet_node(from);
-    heard.listen(*this);
-    plugin->configure(node, name, buffer, heard.costs, heard.outline);
+    meet_and_listen(from);
+    plugin->configure(node, name, buffer, heard_costs, heard_outline);
   }
 };
 }  // namespace

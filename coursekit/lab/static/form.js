@@ -24,3 +24,37 @@ function form(fields, read) {
 
 const values = (read) =>
   Object.fromEntries(Object.entries(read).map(([name, get]) => [name, typeof get === "function" ? get() : values(get)]));
+
+// A panel with a choice of names, and a form for what the chosen one takes; what was typed stays until another is chosen.
+function formPanel({ model, el, kind, title, what, nothing, submit }) {
+  const { panel, head, body } = frame(el, kind, title);
+  panel.classList.add("ck-form");
+  const choice = make("select", { title: what, onchange: () => model.send({ type: "choose", name: choice.value }) });
+  const type = make("span", { className: "ck-dim" });
+  const empty = make("div", { className: "ck-empty", textContent: nothing });
+  const fields = make("form", { onsubmit: (event) => { event.preventDefault(); submit(); } });
+  const foot = make("div", { className: "ck-foot" });
+  head.append(choice, type);
+  body.append(empty, fields, foot);
+  let read = {};
+  let built = "";
+  return {
+    body,
+    foot,
+    given: () => ({ name: choice.value, fields: values(read) }),
+    show(names, message) { // true if the form is another one
+      choice.replaceChildren(...names.map((name) => make("option", { value: name, textContent: name })));
+      choice.value = message.chosen;
+      type.textContent = message.kind;
+      empty.hidden = Boolean(message.chosen);
+      choice.hidden = foot.hidden = !message.chosen;
+      const wanted = message.chosen + message.kind;
+      if (built === wanted) return false;
+      built = wanted;
+      read = {};
+      fields.replaceChildren(...form(message.fields, read));
+      return true;
+    },
+    say: (text) => fields.replaceChildren(make("div", { className: "ck-dim", textContent: text })),
+  };
+}

@@ -62,6 +62,15 @@ class Foreign:
         return packed_costs(self.costmap.latest or self.costmap.layers.costmap, self.costmap.robot)
 
 
+class ForeignListener(Foreign):
+    """A C++ class that hears another node's costmap and footprint itself."""
+
+    def configure(self) -> None:
+        """Lend it the server's node and buffer; it hears costmap and footprint itself."""
+        lent = self.node, self.node.where.buffer_for_plugins()
+        self.ask("configure", self.name, *map(self.share, lent))
+
+
 class PluginsOwner(GroupsApart, LifecycleNode):
     """A managed node that says what a C++ class has thrown as rclcpp's nodes do, and recovers as nav2's."""
 

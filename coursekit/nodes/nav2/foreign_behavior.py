@@ -8,19 +8,14 @@ from typing import Any
 from geometry_msgs.msg import PoseStamped
 
 from coursekit.nodes.compiled.frames import packed
-from coursekit.nodes.nav2.foreign import Foreign
+from coursekit.nodes.nav2.foreign import Foreign, ForeignListener
 
 
-class ForeignBehavior(Foreign):
+class ForeignBehavior(ForeignListener):
     """A class derived from nav2_core::Behavior, which serves its own action."""
 
     served, base = "behavior", "nav2_core::Behavior"
     what, created = "behavior {name} of type {kind}", "Creating behavior plugin {name} of type {kind}"
-
-    def configure(self) -> None:
-        """Lend it the server's node and buffer; it hears costmap and footprint itself."""
-        lent = self.node, self.node.where.buffer_for_plugins()
-        self.ask("configure", self.name, *map(self.share, lent))
 
 
 class ForeignTask(Foreign):

@@ -5,19 +5,14 @@ from __future__ import annotations
 from nav_msgs.msg import Path
 
 from coursekit.nodes.compiled.frames import packed
-from coursekit.nodes.nav2.foreign import Foreign
+from coursekit.nodes.nav2.foreign import ForeignListener
 
 
-class ForeignSmoother(Foreign):
+class ForeignSmoother(ForeignListener):
     """A class derived from nav2_core::Smoother."""
 
     served, base = "smoother", "nav2_core::Smoother"
     what, created = "smoother", "Created smoother : {name} of type {kind}"
-
-    def configure(self) -> None:
-        """Lend it the server's node and buffer; it hears costmap and footprint itself."""
-        lent = self.node, self.node.where.buffer_for_plugins()
-        self.ask("configure", self.name, *map(self.share, lent))
 
     def smooth(self, path: Path, nanoseconds: int) -> tuple[Path, bool]:
         """Call smooth; return its path, and whether it was done in time."""

@@ -111,7 +111,7 @@ class ParameterListener:
         self.prefix_ = prefix
         self.params_ = params
         self.node_ = node
-        self.described_ = described
+        self.described_ = sorted(described, key=lambda described: bool(described.maps))  # the names of entries come first
         self.logger_ = get_logger(f"{namespace}.{prefix}")
         self.user_callback: Callable[[Any], None] | None = None
         self.clock_ = Clock()
@@ -129,7 +129,7 @@ class ParameterListener:
     def declare_params(self) -> None:
         """Declare all parameters; InvalidParameterValueException if a value that is given fails a check."""
         params = self.get_params()
-        for described in sorted(self.described_, key=lambda described: len(described.maps)):
+        for described in self.described_:
             for names in described.names(params):
                 self._declare(described, names, params)
         self.update_internal_params(params)
@@ -158,10 +158,9 @@ class ParameterListener:
     def update(self, parameters: Sequence[Parameter]) -> SetParametersResult:
         """Take values that are set, unless one of them fails a check."""
         params = self.get_params()
-        for mapped in (False, True):  # the names of entries before the entries
-            for described in self.described_:
-                if bool(described.maps) == mapped and (reason := self._update(described, parameters, params)):
-                    return SetParametersResult(successful=False, reason=reason)
+        for described in self.described_:
+            if reason := self._update(described, parameters, params):
+                return SetParametersResult(successful=False, reason=reason)
         params.stamp_ = self.clock_.now()
         self.update_internal_params(params)
         if self.user_callback:

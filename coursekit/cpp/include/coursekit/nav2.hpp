@@ -17,6 +17,8 @@ struct Nav2Server
   std::shared_ptr<nav2_util::LifecycleNode> node;
   std::shared_ptr<tf2_ros::Buffer> buffer;
   std::shared_ptr<nav2_costmap_2d::Costmap2DROS> costmap;
+  std::shared_ptr<nav2_costmap_2d::CostmapSubscriber> heard_costs;
+  std::shared_ptr<nav2_costmap_2d::FootprintSubscriber> heard_outline;
   std::string name;
 
   /// Take the name of the plugin, and the numbers of the server's node and buffer.
@@ -32,6 +34,16 @@ struct Nav2Server
     meet_node(from);
     costmap = std::make_shared<nav2_costmap_2d::Costmap2DROS>(rclcpp::SharedNode{from.i()}, buffer);
     costmap->renew(from);
+  }
+  /// Instead of the costmap, hear what another node publishes of it, by the names that the server's parameters give.
+  void meet_and_listen(Unpacker & from)
+  {
+    meet_node(from);
+    auto text = [this](const char * parameter) {return node->get_parameter(parameter).as_string();};
+    heard_costs = std::make_shared<nav2_costmap_2d::CostmapSubscriber>(node, text("costmap_topic"));
+    heard_outline = std::make_shared<nav2_costmap_2d::FootprintSubscriber>(
+      node, text("footprint_topic"), *buffer, text("robot_base_frame"),
+      node->get_parameter("transform_tolerance").as_double());
   }
 };
 
@@ -68,21 +80,5 @@ struct Nav2Plugin : Nav2Server
 
   std::string type;
   std::shared_ptr<Base> plugin;
-};
-
-/// What a server hears of the costmap's node, by the names that its parameters give.
-struct Nav2Heard
-{
-  void listen(Nav2Server & server)
-  {
-    auto text = [&](const char * parameter) {return server.node->get_parameter(parameter).as_string();};
-    costs = std::make_shared<nav2_costmap_2d::CostmapSubscriber>(server.node, text("costmap_topic"));
-    outline = std::make_shared<nav2_costmap_2d::FootprintSubscriber>(
-      server.node, text("footprint_topic"), *server.buffer, text("robot_base_frame"),
-      server.node->get_parameter("transform_tolerance").as_double());
-  }
-
-  std::shared_ptr<nav2_costmap_2d::CostmapSubscriber> costs;
-  std::shared_ptr<nav2_costmap_2d::FootprintSubscriber> outline;
 };
 }  // namespace coursekit

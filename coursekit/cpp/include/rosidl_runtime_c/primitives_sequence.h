@@ -70,3 +70,16 @@ COURSEKIT_C_NUMBERS(rosidl_runtime_c__uint32__Sequence, uint32_t)
 COURSEKIT_C_NUMBERS(rosidl_runtime_c__int32__Sequence, int32_t)
 COURSEKIT_C_NUMBERS(rosidl_runtime_c__uint64__Sequence, uint64_t)
 COURSEKIT_C_NUMBERS(rosidl_runtime_c__int64__Sequence, int64_t)
+
+/// An earlier name of a sequence, which code from before ROS 2 Dashing uses.
+#define COURSEKIT_C_EARLIER_NAME(Earlier, S) \
+  typedef S Earlier; \
+  static inline bool Earlier ## __init(Earlier * all, size_t size) {return S ## __init(all, size);} \
+  static inline void Earlier ## __fini(Earlier * all) {S ## __fini(all);} \
+  static inline bool Earlier ## __are_equal(const Earlier * a, const Earlier * b) {return S ## __are_equal(a, b);} \
+  static inline bool Earlier ## __copy(const Earlier * from, Earlier * to) {return S ## __copy(from, to);}
+
+COURSEKIT_C_EARLIER_NAME(rosidl_runtime_c__bool__Sequence, rosidl_runtime_c__boolean__Sequence)
+COURSEKIT_C_EARLIER_NAME(rosidl_runtime_c__byte__Sequence, rosidl_runtime_c__octet__Sequence)
+COURSEKIT_C_EARLIER_NAME(rosidl_runtime_c__float32__Sequence, rosidl_runtime_c__float__Sequence)
+COURSEKIT_C_EARLIER_NAME(rosidl_runtime_c__float64__Sequence, rosidl_runtime_c__double__Sequence)

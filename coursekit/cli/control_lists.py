@@ -15,11 +15,14 @@ if TYPE_CHECKING:
 def list_controllers(asker: Asker, args: Namespace) -> None:
     """Print the loaded controllers, and the interfaces they claim."""
     for controller in asker.controllers():
+        chained = [name for connection in controller.chain_connections for name in connection.reference_interfaces]
         print(f"{controller.name:20s}[{controller.type:20s}] {controller.state:10s}")
         for title, flag, names in (
             ("claimed interfaces", args.claimed_interfaces, controller.claimed_interfaces),
             ("required command interfaces", args.required_command_interfaces, controller.required_command_interfaces),
             ("required state interfaces", args.required_state_interfaces, controller.required_state_interfaces),
+            ("chained to interfaces", args.chained_interfaces, [f"{name:20s}" for name in chained]),
+            ("exported reference interfaces", args.reference_interfaces, controller.reference_interfaces),
         ):
             if flag or args.verbose:
                 print(f"\t{title}:")

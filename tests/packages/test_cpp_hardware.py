@@ -328,9 +328,42 @@ def test_a_chainable_controller_in_cpp_runs_alone(workspace):
     assert "ended 0" in told(workspace, body)
 
 
+def test_a_chainable_controller_in_cpp_is_commanded_by_another(workspace):
+    body = """
+    from std_msgs.msg import Float64MultiArray
+    spawn("joint_state_broadcaster", "turns")
+    spawn("outer")
+    goal = node.create_publisher(Float64MultiArray, "/outer/commands", 10)
+    def right():
+        return joints[-1].position[joints[-1].name.index("right")] if joints else 0.0
+    while abs(right() + 0.5) > 1e-3:
+        goal.publish(Float64MultiArray(data=[-0.5]))
+        rclpy.spin_once(node)
+    ros2("control", "list_controllers", "-v")
+    ros2("control", "list_hardware_interfaces")
+    ros2("control", "switch_controllers", "--deactivate", "turns")
+    ros2("control", "switch_controllers", "--deactivate", "outer")
+    while abs(right() - 1.0) > 1e-3:
+        rclpy.spin_once(node)
+    print("alone again")
+    """
+    (workspace / "outer.yaml").write_text(
+        "controller_manager: {ros__parameters: {outer: {type: forward_command_controller/ForwardCommandController}}}\n"
+        "outer: {ros__parameters: {joints: [turns/right], interface_name: position}}\n"
+    )
+    said = told(workspace, body, words=["--params-file", "outer.yaml"])
+    assert "\tchained to interfaces:\n\t\tright/position      \n" in said
+    assert "\texported reference interfaces:\n\t\tright/position\n" in said
+    assert "\tturns/right/position [available] [claimed]" in said
+    assert "because preceding controller with name 'outer' is active and will not be deactivated." in said
+    assert "alone again\nended 0" in said
+
+
 @pytest.mark.parametrize(
     ("name", "text"),
     [
+        ("nameless", "Controller 'nameless' is chainable, but does not export any reference interfaces."),
+        ("nameless", "The name of the interface 'somebody/right/position' does not begin with the controller's name."),
         ("broken", "[ERROR] [controller_manager]: Could not initialize the controller named 'broken'"),
         ("wheelless", "After configuring, controller 'wheelless' is in state 'unconfigured' , expected inactive."),
     ],

@@ -74,7 +74,26 @@ return_type ChainableControllerInterface::update(const rclcpp::Time & time, cons
 }
 std::vector<CommandInterface> ChainableControllerInterface::export_reference_interfaces()
 {
-  return on_export_reference_interfaces();
+  auto all = on_export_reference_interfaces();
+  const std::string name = get_node()->get_name();
+  if (reference_interfaces_.size() != all.size()) {
+    RCLCPP_FATAL(
+      get_node()->get_logger(), "The internal storage for reference values 'reference_interfaces_' variable has size '%zu', "
+      "but it is expected to have the size '%zu' equal to the number of exported reference interfaces. No reference interface "
+      "will be exported. Please correct and recompile the controller with name '%s' and try again.",
+      reference_interfaces_.size(), all.size(), name.c_str());
+    return {};
+  }
+  for (auto & one : all) {
+    if (one.get_prefix_name() != name) {
+      RCLCPP_FATAL(
+        get_node()->get_logger(), "The name of the interface '%s' does not begin with the controller's name. This is mandatory "
+        " for reference interfaces. No reference interface will be exported. Please correct and recompile the controller with "
+        "name '%s' and try again.", one.get_name().c_str(), name.c_str());
+      return {};
+    }
+  }
+  return all;
 }
 bool ChainableControllerInterface::set_chained_mode(bool chained_mode)
 {
@@ -188,17 +207,33 @@ public:
   {
     tell(controller_->command_interface_configuration(), to);
     tell(controller_->state_interface_configuration(), to);
-    to.i(controller_->get_update_rate());
+    to.i(controller_->get_update_rate()).i(static_cast<int64_t>(references_.size()));
+    for (auto & one : references_) {
+      to.s(one.get_name());
+    }
   }
+  bool set_chained_mode(bool chained_mode) {return controller_->set_chained_mode(chained_mode);}
   return_type update(Unpacker & from)
   {
     const rclcpp::Time time(from.i(), RCL_ROS_TIME);
     const rclcpp::Duration period(std::chrono::nanoseconds(from.i()));
     states_.take(from);
     commands_.take(from);
+    if (controller_->is_in_chained_mode()) {
+      for (auto & one : references_) {
+        one.set_value(from.d());
+      }
+    }
     return controller_->update(time, period);
   }
-  void tell(Packer & to) const {commands_.tell(to);}
+  /// The commands, and the references, which a controller may use up.
+  void tell(Packer & to) const
+  {
+    commands_.tell(to);
+    for (auto & one : references_) {
+      to.d(one.get_value());
+    }
+  }
 
 private:
   void claim(Unpacker & from)
@@ -236,6 +271,8 @@ void serve(ControllerHost & host, const std::string & type, Unpacker & from, Pac
     host.tell(to);
   } else if (what == "configuration") {
     host.configuration(to);
+  } else if (what == "chained") {
+    coursekit::careful(to, [&](Packer & done) {done.i(host.set_chained_mode(from.i() != 0));});
   } else {
     coursekit::careful(to, [&](Packer & done) {done.i(host.transition(what, from)); host.tell(done);});
   }

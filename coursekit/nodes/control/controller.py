@@ -53,9 +53,16 @@ class Interfaces:
 class Controller:
     """A controller: its node has its name; the manager calls `configure`, `activate`, `update` and `deactivate`."""
 
+    chainable = False
+    """Whether other controllers may command it: `configure` then fills `references`."""
+    chained = False
+    """Whether one does."""
+
     def __init__(self, node: Node, interfaces: Interfaces, rate: float) -> None:
         self.node, self.interfaces, self.rate = node, interfaces, rate
         self.log = node.get_logger()
+        self.references: dict[str, float] = {}
+        """What other controllers may command, by full names; nan until they do."""
         self.now_ns = 0
         """The time of the current or last step [ns]."""
         self._born_with = [id(handle) for handle in self._opened()]
@@ -92,6 +99,11 @@ class Controller:
 
     def configure(self) -> None:
         """Read parameters, create topics. Raises ControlError."""
+
+    def set_chained(self, chained: bool) -> bool:
+        """Take the references instead of what the topic says, or no longer; whether it does."""
+        self.chained = chained
+        return True
 
     def activate(self) -> None:
         """Start. Raises ControlError."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import struct
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
@@ -18,7 +19,8 @@ if TYPE_CHECKING:
     from rclpy.executors import Executor
 
 _PACKAGE = "controller_interface"
-_BASES = ("ControllerInterface", "ChainableControllerInterface")
+_CHAINABLE = "ChainableControllerInterface"
+_BASES = ("ControllerInterface", _CHAINABLE)
 _ALL, _INDIVIDUAL = range(2)
 """The numbers of interface_configuration_type; the third is none."""
 _INACTIVE, _ACTIVE = 2, 3
@@ -32,9 +34,11 @@ class ForeignController(Controller):
     """
 
     def __init__(
-        self, path: str, type_: str, node: Node, name: str, words: Sequence[str], interfaces: Interfaces, rate: float
-    ) -> None:
+        self, path: str, type_: str, chainable: bool, node: Node, name: str, words: Sequence[str], interfaces: Interfaces,
+        rate: float,
+    ) -> None:  # fmt: skip
         self.interfaces, self.rate, self.now_ns = interfaces, rate, 0
+        self.chainable, self.references = chainable, {}
         self.log = get_logger(name)
         self._commands: list[str] = []
         self._states: list[str] = []
@@ -58,6 +62,19 @@ class ForeignController(Controller):
         self._states = _named(answer, self.interfaces.states)
         own = answer.integer()
         self._every = max(round(self.rate / own), 1) if own else 1
+        self.references = {answer.text(): math.nan for _ in range(answer.integer())}
+
+    def set_chained(self, chained: bool) -> bool:
+        """Ask whether it takes its references from another controller; whether it does as asked."""
+        answer = self._program.ask("chained", int(chained))
+        try:
+            check(answer)
+        except CppFault as fault:
+            self.log.error(str(fault))
+            return False
+        agreed = bool(answer.integer())
+        self.chained = chained if agreed else self.chained
+        return agreed
 
     def command_names(self) -> list[str]:
         """Return the commands of its configuration."""
@@ -108,6 +125,7 @@ class ForeignController(Controller):
 
     def _numbers(self) -> bytes:
         values = [*map(self.interfaces.state, self._states), *map(self.interfaces.commanded, self._commands)]
+        values += self.references.values() if self.chained else ()
         return struct.pack(f"<{len(values)}d", *values)
 
     def _take(self, answer: Unpacker) -> None:
@@ -115,6 +133,8 @@ class ForeignController(Controller):
         if answer.rest():
             for name in self._commands:
                 self.interfaces.command(name, answer.real())
+            for name in self.references:
+                self.references[name] = answer.real()
 
 
 def _named(answer: Unpacker, everything: Callable[[], list[str]]) -> list[str]:
@@ -131,7 +151,7 @@ def make_foreign(kind: str, *given: Any) -> ForeignController | None:
     """Return a controller of a C++ class, None if no package has it. Raises PluginFault, CppFault, ControlError."""
     for base in _BASES:
         if plugin := plugins_of(_PACKAGE, f"{_PACKAGE}::{base}").get(kind):
-            return ForeignController(*program_of(plugin), *given)
+            return ForeignController(*program_of(plugin), base == _CHAINABLE, *given)
     return None
 
 

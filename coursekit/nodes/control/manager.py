@@ -11,13 +11,14 @@ from rclpy.logging import get_logger
 from rclpy.node import Node
 
 from coursekit.files import read_text
-from coursekit.urdf.errors import close
 
-from .controller import ControlError, Controller, Interfaces, Maker
-from .foreign import CppFault, PluginFault, make_foreign
+from .chains import Chains
+from .controller import ControlError, Interfaces, Maker
 from .hardware import ACTIVE, INACTIVE, UNCONFIGURED, Hardware
 from .lifecycle import bring
-from .switching import Loaded, Switching
+from .loaded import Loaded
+from .making import ControllerMaker
+from .switching import Switching
 from .types import TYPES
 
 if TYPE_CHECKING:
@@ -42,6 +43,7 @@ class Manager:
         self._states: dict[str, dict[str, float]] = {}
         self.interfaces = Interfaces(self._commands, self._states)
         self.rate = float(self._rate())
+        self._maker = ControllerMaker(node, executor, makers, self.interfaces, self.rate)
 
     def _rate(self) -> float:
         if not self.node.has_parameter("update_rate"):
@@ -82,30 +84,10 @@ class Manager:
                 self.log.error(f"The 'type' param was not defined for '{name}'.")
                 return False
             words = self.arguments + (["--params-file", file] if file else [])
-            controller = self._make(name, kind, words) if kind in self.makers else self._make_foreign(name, kind, words)
+            controller = self._maker.make(name, kind, words)
             if controller is not None:
                 self.loaded[name] = Loaded(name, kind, controller)
             return controller is not None
-
-    def _make(self, name: str, kind: str, words: list[str]) -> Controller:
-        cli = ["--ros-args", *words] if words else []
-        space, context = self.node.get_namespace(), self.node.context
-        node = Node(name, context=context, namespace=space, cli_args=cli, use_global_arguments=False)
-        self.executor.add_node(node)
-        return self.makers[kind](node, self.interfaces, self.rate)
-
-    def _make_foreign(self, name: str, kind: str, words: list[str]) -> Controller | None:
-        try:
-            controller = make_foreign(kind, self.node, name, words, self.interfaces, self.rate)
-            if controller is None:
-                self.log.error(f"Loader for controller '{name}' (type '{kind}') not found. {close(kind, self.makers)}")
-            return controller
-        except ControlError as error:
-            self.log.error(str(error))
-        except (CppFault, PluginFault) as fault:
-            what = f"Caught exception of type : {fault.kind} while loading the controller '{name}' of plugin type '{kind}'"
-            self.log.error(f"{what}:\n{fault}")
-        return None
 
     def _told(self, name: str) -> str:
         return str(self.node.get_parameter(name).value or "") if self.node.has_parameter(name) else ""
@@ -126,6 +108,7 @@ class Manager:
             if loaded.state == "inactive":
                 self.log.debug(f"Controller '{name}' is cleaned-up before being configured")
                 loaded.controller.cleanup()
+                self._forget_references(loaded)
                 loaded.state = "unconfigured"
             try:
                 loaded.controller.configure()
@@ -134,7 +117,22 @@ class Manager:
                 self.log.error(f"After configuring, controller '{name}' is in state 'unconfigured' , expected inactive.")
                 return False
             loaded.state = "inactive"
+            return self._export_references(loaded)
+
+    def _export_references(self, loaded: Loaded) -> bool:
+        """Make a chainable controller's references claimable; False if it has none."""
+        if not loaded.controller.chainable:
             return True
+        self.log.debug(f"Controller '{loaded.name}' is chainable. Interfaces are being exported to resource manager.")
+        if not loaded.controller.references:
+            self.log.error(f"Controller '{loaded.name}' is chainable, but does not export any reference interfaces.")
+        self._commands.update(dict.fromkeys(loaded.controller.references, loaded.controller.references))
+        return bool(loaded.controller.references)
+
+    def _forget_references(self, loaded: Loaded) -> None:
+        for name in loaded.controller.references:
+            self._commands.pop(name, None)
+        loaded.controller.references = {}
 
     def switch(self, start: Sequence[str], stop: Sequence[str], strict: bool) -> bool:
         """Activate and deactivate; `strict` is all or nothing."""
@@ -148,18 +146,27 @@ class Manager:
             plan = Switching(self.loaded, self.interfaces, self.log, strict, closed).plan(start, stop)
             if plan is None:
                 return False
-            starting, stopping = plan
-            claimed = [name for loaded in starting for name in loaded.controller.command_names()]
-            released = [name for loaded in stopping for name in loaded.claimed]
+            claimed = [name for loaded in plan.starting for name in loaded.controller.command_names()]
+            released = [name for loaded in plan.stopping for name in loaded.claimed]
             if not self._prepare(claimed, released):
                 self.log.error("Could not switch controllers since prepare command mode switch was rejected.")
                 return False
-            for loaded in stopping:
+            for loaded in plan.stopping:
                 self._deactivate(loaded)
+            for loaded in (*plan.chained, *plan.unchained):
+                self._set_chained(loaded, loaded in plan.chained)
             if not self._perform(claimed, released):
                 self.log.error("Error while performing mode switch.")
-            done = [self._activate(loaded) for loaded in starting]
+            done = [self._activate(loaded) for loaded in plan.starting]
             return all(done)
+
+    def _set_chained(self, loaded: Loaded, chained: bool) -> None:
+        if not loaded.controller.set_chained(chained):
+            self.log.error(
+                f"Got request to turn {'ON' if chained else 'OFF'} controller '{loaded.name}' in chained mode, "
+                "but controller refused to do it! The control will probably not work as expected. "
+                "Try to restart all controllers. If the error persist check controllers' individual configuration."
+            )
 
     def _prepare(self, claimed: list[str], released: list[str]) -> bool:
         """Ask the hardware whether commands can be claimed and released."""
@@ -210,6 +217,7 @@ class Manager:
                 self.log.error(f"Could not unload controller with name '{name}' because {why}")
                 return False
             del self.loaded[name]
+            self._forget_references(loaded)
             loaded.controller.leave(self.executor)
             return True
 
@@ -220,11 +228,17 @@ class Manager:
         with self.lock:
             self.now_ns = now_ns
             self._exchange("read", dt)
-            for loaded in list(self.loaded.values()):
+            for loaded in self._order():
                 if loaded.state == "active":
                     loaded.controller.now_ns = now_ns
                     loaded.controller.update(now_ns, dt)
             self._exchange("write", dt)
+
+    def _order(self) -> list[Loaded]:
+        """Return the controllers, each before those that it commands."""
+        if any(loaded.controller.chained for loaded in self.loaded.values()):
+            return Chains(self.loaded).in_order()
+        return list(self.loaded.values())
 
     def _exchange(self, what: str, dt: float) -> None:
         """Read from or write to all hardware; controllers of hardware with an error are deactivated."""

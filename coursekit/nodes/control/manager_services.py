@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from controller_manager_msgs.msg import ControllerState, HardwareComponentState, HardwareInterface
+from collections.abc import Iterable
+
+from controller_manager_msgs.msg import ChainConnection, ControllerState, HardwareComponentState, HardwareInterface
 from controller_manager_msgs.srv import (
     ConfigureController,
     ListControllers,
@@ -16,9 +18,11 @@ from controller_manager_msgs.srv import (
     UnloadController,
 )
 
+from .chains import Chains
 from .foreign import foreign_types
 from .hardware import Hardware
 from .lifecycle import bring
+from .loaded import Loaded
 from .manager import Manager
 
 BASE = "controller_interface::ControllerInterface"
@@ -78,11 +82,21 @@ class ManagerServices:
     def _controllers(self, _request: ListControllers.Request, answer: ListControllers.Response) -> ListControllers.Response:
         for name, loaded in self._manager.loaded.items():
             msg = ControllerState(name=name, state=loaded.state, type=loaded.type, claimed_interfaces=loaded.claimed)
-            if loaded.state != "unconfigured":
+            msg.is_chainable, msg.is_chained = loaded.controller.chainable, loaded.controller.chained
+            if loaded.is_configured:
                 msg.required_command_interfaces = loaded.controller.command_names()
                 msg.required_state_interfaces = loaded.controller.state_names()
+                msg.reference_interfaces = [_without_owner(reference) for reference in loaded.controller.references]
+                msg.chain_connections = self._connections(loaded)
             answer.controller.append(msg)
         return answer
+
+    def _connections(self, loaded: Loaded) -> list[ChainConnection]:
+        following = Chains(self._manager.loaded).following(loaded)
+        return [
+            ChainConnection(name=name, reference_interfaces=[_without_owner(command) for command in commands])
+            for name, commands in following.items()
+        ]
 
     def _types(
         self, _request: ListControllerTypes.Request, answer: ListControllerTypes.Response
@@ -97,11 +111,15 @@ class ManagerServices:
         for hardware in self._manager.hardware:
             answer.command_interfaces += self._told(hardware, list(hardware.commands))
             answer.state_interfaces += self._told(hardware, list(hardware.states))
+        for loaded in self._manager.loaded.values():
+            answer.command_interfaces += self._interfaces_named(loaded.controller.references, loaded.controller.chained)
         return answer
 
     def _told(self, hardware: Hardware, names: list[str]) -> list[HardwareInterface]:
+        return self._interfaces_named(names, hardware.is_available)
+
+    def _interfaces_named(self, names: Iterable[str], there: bool) -> list[HardwareInterface]:
         claimed = {name for loaded in self._manager.loaded.values() for name in loaded.claimed}
-        there = hardware.is_available
         return [HardwareInterface(name=name, is_available=there, is_claimed=name in claimed) for name in names]
 
     def _components(
@@ -131,6 +149,11 @@ class ManagerServices:
             answer.ok = bring(component, target, self._manager.hardware_log)
         answer.state.label, answer.state.id = component.state, _IDS.get(component.state, 0)
         return answer
+
+
+def _without_owner(reference: str) -> str:
+    """Return a reference's name without that of its controller, as messages have it."""
+    return reference.partition("/")[2]
 
 
 __all__ = ["ManagerServices"]

@@ -20,6 +20,7 @@ class SteeringController(Controller):
     in Humble.
     """
 
+    chainable = True
     lengths: tuple[str, ...] = ()
     driven = steered = 2
 
@@ -39,6 +40,7 @@ class SteeringController(Controller):
         kind, topic = (TwistStamped, "~/reference") if stamped else (Twist, "~/reference_unstamped")
         self.node.create_subscription(kind, topic, self._hear, 10)
         self._reckoning = self._reckoner()
+        self.references = {f"{self.node.get_name()}/{name}": math.nan for name in ("linear/velocity", "angular/position")}
         self._wish, self._angle, self._heard_ns = (0.0, 0.0), 0.0, 0
         self._last: list[float] | None = None
 
@@ -84,14 +86,18 @@ class SteeringController(Controller):
 
     def update(self, now_ns: int, dt: float) -> None:
         """Command the wheels; publish odometry."""
-        late = self._patience and (now_ns - self._heard_ns) * 1e-9 > self._patience
-        ahead, turn = (0.0, 0.0) if late else self._wish
+        ahead, turn = self._wish if not self.chained else self.references.values()
+        late = self._is_late(now_ns) if not self.chained else not math.isfinite(ahead + turn)
+        ahead, turn = (0.0, 0.0) if late else (ahead, turn)
         if not late:  # without commands the wheels keep their steering angle
             self._angle = math.atan(turn * self._base / ahead) if ahead and turn else 0.0
         self._command(ahead / self._radius, self._angle)
         bend = math.tan(self._angle) / self._base
         way = (ahead * dt, ahead * bend * dt) if self._open_loop else self._rolled(dt)
         self._reckoning.go(now_ns, dt, *way)
+
+    def _is_late(self, now_ns: int) -> bool:
+        return self._patience > 0 and (now_ns - self._heard_ns) * 1e-9 > self._patience
 
     def _command(self, speed: float, angle: float) -> None:
         """Command the wheels: all rotate about one point, on the line of the unsteered axle."""

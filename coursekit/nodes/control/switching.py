@@ -8,21 +8,23 @@ from typing import TYPE_CHECKING
 
 from coursekit.urdf.errors import close
 
-from .controller import Controller, Interfaces
+from .chains import Chains, ChainSwitch
+from .controller import Interfaces
+from .loaded import Loaded
 
 if TYPE_CHECKING:
     from rclpy.impl.rcutils_logger import RcutilsLogger
 
 
 @dataclass
-class Loaded:
-    """A loaded controller, and its state."""
+class Plan:
+    """What a switch does: who starts and stops, and whose mode changes in between."""
 
-    name: str
-    type: str
-    controller: Controller
-    state: str = "unconfigured"
-    claimed: list[str] = field(default_factory=list)
+    starting: list[Loaded]
+    stopping: list[Loaded]
+    chained: list[Loaded] = field(default_factory=list)
+    """Those that another controller commands from then on."""
+    unchained: list[Loaded] = field(default_factory=list)
 
 
 class Switching:
@@ -39,15 +41,19 @@ class Switching:
         self._loaded, self._interfaces, self._log, self._strict = loaded, interfaces, log, strict
         self._closed = closed
 
-    def plan(self, start: Sequence[str], stop: Sequence[str]) -> tuple[list[Loaded], list[Loaded]] | None:
-        """Return those to start and those to stop; None, with a log message, if it is impossible."""
+    def plan(self, start: Sequence[str], stop: Sequence[str]) -> Plan | None:
+        """Return what to do; None, with a log message, if it is impossible."""
         stopping = self._fitting(stop, "active", "deactivate")
         starting = self._fitting(start, "inactive", "activate")
         if stopping is None or starting is None:
             return None
+        switch = ChainSwitch(Chains(self._loaded), self._log, starting, stopping)
+        if not switch.drop(self._strict):
+            return None
+        switch.restart()
         held = {name for loaded in self._loaded.values() if loaded not in stopping for name in loaded.claimed}
         free = self._free(starting, held)
-        return None if free is None else (free, stopping)
+        return None if free is None else Plan(free, stopping, switch.chained, switch.unchained)
 
     def _fitting(self, names: Sequence[str], state: str, what: str) -> list[Loaded] | None:
         fitting = []
@@ -96,4 +102,4 @@ class Switching:
         return ""
 
 
-__all__ = ["Loaded", "Switching"]
+__all__ = ["Plan", "Switching"]

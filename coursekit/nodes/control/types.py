@@ -13,6 +13,7 @@ from .forward import (
     VelocityGroup,
 )
 from .gripper import GripperActionController
+from .pid_controller import PidController
 from .steering import AckermannSteeringController, BicycleSteeringController, TricycleSteeringController
 from .trajectory_controller import JointTrajectoryController
 from .tricycle import TricycleController
@@ -30,6 +31,7 @@ TYPES: dict[str, Maker] = {
     "imu_sensor_broadcaster/IMUSensorBroadcaster": ImuBroadcaster,
     "joint_state_broadcaster/JointStateBroadcaster": JointStateBroadcaster,
     "joint_trajectory_controller/JointTrajectoryController": JointTrajectoryController,
+    "pid_controller/PidController": PidController,
     "position_controllers/GripperActionController": GripperActionController,
     "position_controllers/JointGroupPositionController": PositionGroup,
     "range_sensor_broadcaster/RangeSensorBroadcaster": RangeBroadcaster,

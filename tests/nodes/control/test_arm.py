@@ -261,13 +261,13 @@ def test_a_trajectory_controller_configured_anew_has_one_action_and_follows(arm,
 
 
 def test_a_controller_in_a_chain_is_refused_where_the_other_exports_nothing(manager, run, ros2):
-    """A chain needs a controller that takes references; these take none, so the interface is missing, and that is said."""
+    """A chain needs a controller that takes references; the trajectory controller takes none, as ros2_control says."""
     head = "forward:\n  ros__parameters:\n    joints: "
     chained = PARAMETERS.replace(f"{head}{JOINTS}", f"{head}[arm_controller/joint1]")
     node = manager(parameters=chained)
     assert run("controller_manager", "spawner", "arm_controller").wait(20) == 0
     assert run("controller_manager", "spawner", "forward").wait(20) == 1
-    says = "Can't activate controller 'forward': command interface 'arm_controller/joint1/position' does not exist"
-    assert says in node.output
+    says = "No reference interface 'arm_controller/joint1/position' exist, since the following controller with name "
+    assert f"{says}'arm_controller' is not chainable." in node.output
     line = r"forward +\[forward_command_controller/ForwardCommandController\] inactive"
     assert re.search(line, ros2("control", "list_controllers"))

@@ -26,7 +26,7 @@ class MessagePublisher(Panel):
         super().__init__("message_publisher")
         self._chosen = full_name(topic) if topic else ""
         self._types = {self._chosen: type_name} if type_name else {}
-        """The types of topics that nobody has yet."""
+        """The types of topics that are in the list though no node may have them: those asked for, and those published on."""
         self._publishers: dict[str, Any] = {}
         self._timer: Any = None
         self._last: Any = None
@@ -75,6 +75,7 @@ class MessagePublisher(Panel):
     def _publish(self, topic: str, message: Any) -> None:
         if topic not in self._publishers:
             self._publishers[topic] = self.hidden.node.create_publisher(type(message), topic, DEPTH)
+            self._types[topic] = type(message)._TYPE_NAME
         self._publishers[topic].publish(message)
         self._last = message
         self.count += 1

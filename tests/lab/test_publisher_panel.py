@@ -86,3 +86,18 @@ def test_a_topic_that_nobody_has_yet_needs_its_type(session):
     session.clock.sleep(0.1)
     assert [message.data for message in heard] == [3.0]
     listener.close()
+
+
+def test_what_it_publishes_on_stays_chosen_when_nobody_hears_it_any_more(session, page):
+    rclpy.init()
+    node = Node("robot")
+    subscription = node.create_subscription(Twist, "/cmd_vel", print, 10)
+    node.create_subscription(Float64, "/another", print, 10)
+    panel = MessagePublisher("/cmd_vel")
+    does = page(panel)
+    does("repeat", fields={"linear": {"x": "0.1"}}, rate="5")
+    node.destroy_subscription(subscription)
+    session.clock.sleep(1.0)
+    shown = panel.shown()
+    assert (shown["chosen"], shown["topics"], shown["repeats"]) == ("/cmd_vel", ["/another", "/cmd_vel"], True)
+    rclpy.shutdown()

@@ -18,7 +18,7 @@ def plane(position: Any, orientation: Any) -> Pose2D:
     """A position and a quaternion as a pose in the plane.
 
     >>> pose = to_pose(Pose2D(1.0, 2.0, 0.5))
-    >>> plane(pose.position, pose.orientation).theta
+    >>> round(plane(pose.position, pose.orientation).theta, 9)
     0.5
     """
     return Pose2D(position.x, position.y, yaw_of((orientation.x, orientation.y, orientation.z, orientation.w)))

@@ -1,6 +1,6 @@
 // What drivers and controllers take beside rclcpp: buffers and publishers for real time, PID, writers of bags, who watches the graph.
 #include "check.hpp"
-#include "control_toolbox/pid.hpp"
+#include "control_toolbox/pid_ros.hpp"
 #include "example_interfaces/action/fibonacci.hpp"
 #include "geometry_msgs/msg/polygon_stamped.hpp"
 #include "image_geometry/stereo_camera_model.h"
@@ -54,6 +54,31 @@ static void control()
   equal("what is integrated stays within limits", pid.computeCommand(1.0, 0.0, 1000000000), 1.5);
   equal("no time, no command", pid.computeCommand(1.0, 0), 0.0);
   throws<std::invalid_argument>("limits have an order", [&] {pid.setGains(1, 1, 1, -1, 1);});
+}
+
+static void gains(const rclcpp::Node::SharedPtr & node)
+{
+  using rclcpp::Parameter;
+  control_toolbox::PidROS loop(node, "~/arm/elbow");
+  check("gains that nobody has given are told", std::isnan(node->declare_parameter("other.p", std::nan(""))) && loop.initPid());
+  loop.initPid(1, 0, 0, 0, 0, false);
+  node->set_parameter(Parameter("arm.elbow.p", 2.0));
+  equal("a gain is a parameter", loop.getGains().p_gain_, 2.0);
+  node->set_parameters({Parameter("arm.elbow.i_clamp_max", -1.0)});
+  equal("limits without order are not taken", loop.getGains().i_max_, 0.0);
+  loop.setGains(3, 1, 0, 5, -5, true);
+  check("and gains are set as parameters", node->get_parameter("arm.elbow.i").as_double() == 1 && loop.getGains().antiwindup_);
+  control_msgs::msg::PidState heard;
+  auto subscription = node->create_subscription<control_msgs::msg::PidState>(
+    "~/arm/elbow/pid_state", rclcpp::SensorDataQoS(), [&](const control_msgs::msg::PidState & state) {heard = state;});
+  equal("a command of an error that lasted", loop.computeCommand(0.5, 0.0, rclcpp::Duration(2, 0)), 1.5 + 1.0);
+  spin_until(node, [&] {return heard.output != 0;});
+  check("the state is published", heard.output == 2.5 && heard.error == 0.5 && heard.timestep.sec == 2 && heard.i_max == 5);
+  control_toolbox::PidROS named(node, "gains.a/b", true);
+  named.initPid(1, 0, 0, 0, 0, false);
+  check("a prefix for parameters keeps its slashes", node->has_parameter("gains.a/b.p"));
+  const std::string topic = named.getPidStatePublisher()->get_topic_name();
+  equal("and names a topic of all", topic, "/gains/a/b/pid_state");
 }
 
 static void publishing(const rclcpp::Node::SharedPtr & node)
@@ -180,6 +205,7 @@ int main(int argc, char ** argv)
   auto node = std::make_shared<rclcpp::Node>("node");
   values();
   control();
+  gains(node);
   publishing(node);
   graph(node);
   bags();

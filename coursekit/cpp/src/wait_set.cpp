@@ -4,6 +4,129 @@
 
 namespace rclcpp
 {
+namespace
+{
+EventHandlers<rcl_subscription_event_type_t> events_of(
+  const SubscriptionBase::SharedPtr & subscription, const SubscriptionWaitSetMask & mask)
+{
+  const bool wanted = subscription && mask.include_events;
+  return wanted ? subscription->get_event_handlers() : EventHandlers<rcl_subscription_event_type_t>();
+}
+template<class T>
+void claim(const std::shared_ptr<T> & one, const char * what)
+{
+  if (one && one->exchange_in_use_by_wait_set_state(true)) {
+    throw std::runtime_error(std::string(what) + " already in use by another wait set");
+  }
+}
+}  // namespace
+
+WaitSet::WaitSet(
+  const Subscriptions & subscriptions, const Guards & guards, const Timers & timers, const Clients & clients,
+  const Services & services, const std::vector<WaitableEntry> & waitables)
+{
+  for (auto & client : clients) {
+    add_client(client);
+  }
+  for (auto & service : services) {
+    add_service(service);
+  }
+  for (auto & entry : subscriptions) {  // without their events, as in Humble
+    add(subscriptions_, entry.subscription, "subscription");
+  }
+  for (auto & guard : guards) {
+    add_guard_condition(guard);
+  }
+  for (auto & timer : timers) {
+    add_timer(timer);
+  }
+  for (auto & entry : waitables) {
+    add_waitable(entry.waitable, entry.associated_entity);
+  }
+}
+WaitSet::~WaitSet()
+{
+  for (auto & guard : guards_) {
+    guard->exchange_in_use_by_wait_set_state(false);
+  }
+  for (auto & waitable : waitables_) {
+    waitable->exchange_in_use_by_wait_set_state(false);
+  }
+}
+void WaitSet::allow_changes() {changed_ = std::make_shared<GuardCondition>();}
+
+void WaitSet::add_subscription(SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask)
+{
+  if (mask.include_subscription || !subscription) {
+    add(subscriptions_, subscription, "subscription");
+  }
+  for (auto & [kind, handler] : events_of(subscription, mask)) {
+    claim(handler, "subscription event");
+    add(waitables_, Waitable::SharedPtr(handler), "subscription event");
+  }
+}
+void WaitSet::remove_subscription(SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask)
+{
+  if (mask.include_subscription || !subscription) {
+    remove(subscriptions_, subscription, "subscription");
+  }
+  for (auto & [kind, handler] : events_of(subscription, mask)) {
+    if (std::find(waitables_.begin(), waitables_.end(), handler) != waitables_.end()) {
+      remove_waitable(handler);
+    }
+  }
+}
+void WaitSet::add_timer(TimerBase::SharedPtr timer) {add(timers_, timer, "timer");}
+void WaitSet::remove_timer(TimerBase::SharedPtr timer) {remove(timers_, timer, "timer");}
+void WaitSet::add_client(ClientBase::SharedPtr client) {add(clients_, client, "client");}
+void WaitSet::remove_client(ClientBase::SharedPtr client) {remove(clients_, client, "client");}
+void WaitSet::add_service(ServiceBase::SharedPtr service) {add(services_, service, "service");}
+void WaitSet::remove_service(ServiceBase::SharedPtr service) {remove(services_, service, "service");}
+void WaitSet::add_guard_condition(GuardCondition::SharedPtr guard)
+{
+  claim(guard, "guard condition");
+  add(guards_, guard, "guard condition");
+}
+void WaitSet::remove_guard_condition(GuardCondition::SharedPtr guard)
+{
+  remove(guards_, guard, "guard condition");
+  guard->exchange_in_use_by_wait_set_state(false);
+}
+void WaitSet::add_waitable(Waitable::SharedPtr waitable, std::shared_ptr<void>)
+{
+  claim(waitable, "waitable");
+  add(waitables_, waitable, "waitable");
+}
+void WaitSet::remove_waitable(Waitable::SharedPtr waitable)
+{
+  remove(waitables_, waitable, "waitable");
+  waitable->exchange_in_use_by_wait_set_state(false);
+}
+template<class T>
+void WaitSet::add(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what)
+{
+  if (!one) {
+    throw std::invalid_argument(std::string(what) + " is nullptr");
+  }
+  std::lock_guard<std::mutex> hold(lock_);
+  if (std::find(all.begin(), all.end(), one) != all.end()) {
+    throw std::runtime_error(std::string(what) + " already associated with a wait set");
+  }
+  all.push_back(one);
+  forget();
+}
+template<class T>
+void WaitSet::remove(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what)
+{
+  std::lock_guard<std::mutex> hold(lock_);
+  auto found = std::find(all.begin(), all.end(), one);
+  if (found == all.end()) {
+    throw std::runtime_error(std::string(what) + " not in wait set");
+  }
+  all.erase(found);
+  forget();
+}
+
 WaitResultKind WaitSet::wait_ns(int64_t nanoseconds)
 {
   const int64_t end = nanoseconds < 0 ? -1 : coursekit::steady_now() + nanoseconds;

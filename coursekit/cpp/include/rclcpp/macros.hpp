@@ -19,13 +19,13 @@
 #define RCLCPP_SHARED_PTR_DEFINITIONS(...) \
   RCLCPP_SHARED_PTR_ALIASES(__VA_ARGS__) \
   template<typename ... Args> \
-  static std::shared_ptr<__VA_ARGS__> make_shared(Args && ... args) \
+  static auto make_shared(Args && ... args) \
   {return std::make_shared<__VA_ARGS__>(std::forward<Args>(args) ...);}
 
 #define RCLCPP_SMART_PTR_DEFINITIONS(...) \
   RCLCPP_SHARED_PTR_DEFINITIONS(__VA_ARGS__) \
   template<typename ... Args> \
-  static std::unique_ptr<__VA_ARGS__> make_unique(Args && ... args) \
+  static auto make_unique(Args && ... args) \
   {return std::make_unique<__VA_ARGS__>(std::forward<Args>(args) ...);}
 
 #define RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(...) \

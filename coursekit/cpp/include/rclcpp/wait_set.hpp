@@ -71,86 +71,23 @@ public:
   using Services = std::vector<ServiceBase::SharedPtr>;
   explicit WaitSet(
     const Subscriptions & subscriptions = {}, const Guards & guards = {}, const Timers & timers = {},
-    const Clients & clients = {}, const Services & services = {}, const std::vector<WaitableEntry> & waitables = {})
-  {
-    for (auto & client : clients) {
-      add_client(client);
-    }
-    for (auto & service : services) {
-      add_service(service);
-    }
-    for (auto & entry : subscriptions) {  // without their events, as in Humble
-      add(subscriptions_, entry.subscription, "subscription");
-    }
-    for (auto & guard : guards) {
-      add_guard_condition(guard);
-    }
-    for (auto & timer : timers) {
-      add_timer(timer);
-    }
-    for (auto & entry : waitables) {
-      add_waitable(entry.waitable, entry.associated_entity);
-    }
-  }
-  ~WaitSet()
-  {
-    for (auto & guard : guards_) {
-      guard->exchange_in_use_by_wait_set_state(false);
-    }
-    for (auto & waitable : waitables_) {
-      waitable->exchange_in_use_by_wait_set_state(false);
-    }
-  }
+    const Clients & clients = {}, const Services & services = {}, const std::vector<WaitableEntry> & waitables = {});
+  ~WaitSet();
   WaitSet(const WaitSet &) = delete;
 
   /// Wait for a subscription's messages and events, or for what of them a mask says.
-  void add_subscription(SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask = {})
-  {
-    if (mask.include_subscription || !subscription) {
-      add(subscriptions_, subscription, "subscription");
-    }
-    for (auto & [kind, handler] : events_of(subscription, mask)) {
-      claim(handler, "subscription event");
-      add(waitables_, Waitable::SharedPtr(handler), "subscription event");
-    }
-  }
-  void remove_subscription(SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask = {})
-  {
-    if (mask.include_subscription || !subscription) {
-      remove(subscriptions_, subscription, "subscription");
-    }
-    for (auto & [kind, handler] : events_of(subscription, mask)) {
-      if (std::find(waitables_.begin(), waitables_.end(), handler) != waitables_.end()) {
-        remove_waitable(handler);
-      }
-    }
-  }
-  void add_timer(TimerBase::SharedPtr timer) {add(timers_, timer, "timer");}
-  void remove_timer(TimerBase::SharedPtr timer) {remove(timers_, timer, "timer");}
-  void add_client(ClientBase::SharedPtr client) {add(clients_, client, "client");}
-  void remove_client(ClientBase::SharedPtr client) {remove(clients_, client, "client");}
-  void add_service(ServiceBase::SharedPtr service) {add(services_, service, "service");}
-  void remove_service(ServiceBase::SharedPtr service) {remove(services_, service, "service");}
-  void add_guard_condition(GuardCondition::SharedPtr guard)
-  {
-    claim(guard, "guard condition");
-    add(guards_, guard, "guard condition");
-  }
-  void remove_guard_condition(GuardCondition::SharedPtr guard)
-  {
-    remove(guards_, guard, "guard condition");
-    guard->exchange_in_use_by_wait_set_state(false);
-  }
-  void add_waitable(Waitable::SharedPtr waitable, std::shared_ptr<void> = nullptr)
-  {
-    claim(waitable, "waitable");
-    add(waitables_, waitable, "waitable");
-  }
-  void remove_waitable(Waitable::SharedPtr waitable)
-  {
-    remove(waitables_, waitable, "waitable");
-    waitable->exchange_in_use_by_wait_set_state(false);
-  }
+  void add_subscription(SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask = {});
+  void remove_subscription(SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask = {});
+  void add_timer(TimerBase::SharedPtr timer);
+  void remove_timer(TimerBase::SharedPtr timer);
+  void add_client(ClientBase::SharedPtr client);
+  void remove_client(ClientBase::SharedPtr client);
+  void add_service(ServiceBase::SharedPtr service);
+  void remove_service(ServiceBase::SharedPtr service);
+  void add_guard_condition(GuardCondition::SharedPtr guard);
+  void remove_guard_condition(GuardCondition::SharedPtr guard);
+  void add_waitable(Waitable::SharedPtr waitable, std::shared_ptr<void> associated_entity = nullptr);
+  void remove_waitable(Waitable::SharedPtr waitable);
   void prune_deleted_entities() {}
 
   /// Wait until something is ready, at most so long (negative: without end).
@@ -162,42 +99,10 @@ public:
   const rcl_wait_set_t & get_rcl_wait_set() const {return state_;}
 
 private:
-  using Events = EventHandlers<rcl_subscription_event_type_t>;
-  static Events events_of(const SubscriptionBase::SharedPtr & subscription, const SubscriptionWaitSetMask & mask)
-  {
-    return subscription && mask.include_events ? subscription->get_event_handlers() : Events();
-  }
   template<class T>
-  static void claim(const std::shared_ptr<T> & one, const char * what)
-  {
-    if (one && one->exchange_in_use_by_wait_set_state(true)) {
-      throw std::runtime_error(std::string(what) + " already in use by another wait set");
-    }
-  }
+  void add(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what);
   template<class T>
-  void add(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what)
-  {
-    if (!one) {
-      throw std::invalid_argument(std::string(what) + " is nullptr");
-    }
-    std::lock_guard<std::mutex> hold(lock_);
-    if (std::find(all.begin(), all.end(), one) != all.end()) {
-      throw std::runtime_error(std::string(what) + " already associated with a wait set");
-    }
-    all.push_back(one);
-    forget();
-  }
-  template<class T>
-  void remove(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what)
-  {
-    std::lock_guard<std::mutex> hold(lock_);
-    auto found = std::find(all.begin(), all.end(), one);
-    if (found == all.end()) {
-      throw std::runtime_error(std::string(what) + " not in wait set");
-    }
-    all.erase(found);
-    forget();
-  }
+  void remove(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what);
   WaitResultKind wait_ns(int64_t nanoseconds);
   /// Wait once; what is ready is told by `state_`. Nothing where only another thread has changed the set.
   std::optional<WaitResultKind> wait_once(int64_t nanoseconds);
@@ -207,10 +112,12 @@ private:
   void forget();
 
 protected:
-  /// What another thread raises that adds or removes something; null where none may.
-  GuardCondition::SharedPtr changed_;
+  /// Let other threads add and remove while one waits.
+  void allow_changes();
 
 private:
+  /// What another thread raises that adds or removes something; null where none may.
+  GuardCondition::SharedPtr changed_;
   std::mutex lock_;
   std::vector<SubscriptionBase::SharedPtr> subscriptions_;
   Guards guards_;
@@ -231,7 +138,7 @@ public:
     const Clients & clients = {}, const Services & services = {}, const std::vector<WaitableEntry> & waitables = {})
   : WaitSet(subscriptions, guards, timers, clients, services, waitables)
   {
-    changed_ = std::make_shared<GuardCondition>();
+    allow_changes();
   }
 };
 

@@ -21,6 +21,19 @@ class PidController(Controller):
 
     def configure(self) -> None:
         """Read parameters, create topics and the service."""
+        self._read_names()
+        self._external = bool(self.parameter("use_external_measured_states", False))
+        self._loops = [Pid(self._gains(joint)) for joint in self._joints]
+        self._forward = [float(self._gain(joint, "feedforward_gain")) for joint in self._joints]
+        self._wraps = [bool(self.parameter(f"gains.{joint}.angle_wraparound", False)) for joint in self._joints]
+        name = self.node.get_name()
+        self.references = {f"{name}/{joint}/{kind}": math.nan for kind in self._kinds for joint in self._felt}
+        self._measured = [math.nan] * len(self.references)
+        self._feeds_forward = False
+        self._connect()
+        self.log.info("configure successful")
+
+    def _read_names(self) -> None:
         self._joints = self._names("dof_names")
         self._felt = self.parameter("reference_and_state_dof_names", []) or self._joints
         if len(self._felt) != len(self._joints):
@@ -35,16 +48,6 @@ class PidController(Controller):
                 raise ControlError(f"interface '{kind}' is not one of {', '.join(_KINDS)}")
         if len(self._kinds) > 2:
             raise ControlError("'reference_and_state_interfaces' has more than two names: give one, and its derivative")
-        self._external = bool(self.parameter("use_external_measured_states", False))
-        self._loops = [Pid(self._gains(joint)) for joint in self._joints]
-        self._forward = [float(self._gain(joint, "feedforward_gain")) for joint in self._joints]
-        self._wraps = [bool(self.parameter(f"gains.{joint}.angle_wraparound", False)) for joint in self._joints]
-        name = self.node.get_name()
-        self.references = {f"{name}/{joint}/{kind}": math.nan for kind in self._kinds for joint in self._felt}
-        self._measured = [math.nan] * len(self.references)
-        self._feeds_forward = False
-        self._connect()
-        self.log.info("configure successful")
 
     def _names(self, parameter: str) -> list[str]:
         names: list[str] = self.parameter(parameter, [])

@@ -25,6 +25,24 @@ PARAMETERS = """controller_manager:
     direct: {type: forward_command_controller/ForwardCommandController}
     typo: {type: forward_command_controller/ForwardCommandController}
     refless: {type: forward_command_controller/ForwardCommandController}
+    both: {type: pid_controller/PidController}
+    outside: {type: pid_controller/PidController}
+    wrong: {type: pid_controller/PidController}
+both:
+  ros__parameters:
+    dof_names: [left]
+    command_interface: velocity
+    reference_and_state_interfaces: [position, velocity]
+    gains: {left: {p: 2.0, d: 0.5}}
+outside:
+  ros__parameters:
+    dof_names: [right]
+    command_interface: velocity
+    reference_and_state_dof_names: [course]
+    reference_and_state_interfaces: [position]
+    use_external_measured_states: true
+    gains: {right: {p: 2.0}}
+wrong: {ros__parameters: {dof_names: [left], command_interface: speed, reference_and_state_interfaces: [position]}}
 turn:
   ros__parameters:
     dof_names: [left, right]
@@ -161,6 +179,34 @@ def test_a_loop_feeds_forward_and_takes_the_short_way_round(cart, run, friend):
     topic.publish(MultiDOFCommand(dof_names=["left"], values=[0.5]))
     friend.spin(0.1)
     assert "reference: has ['left'] with 1 values; it needs ['left', 'right'], one each" in cart.output
+
+
+def test_a_loop_takes_the_derivative_too(cart, run, friend):
+    load(run, "states", "both")
+    told = friend.hear(MultiDOFStateStamped, "/both/controller_state")
+    assert switch(friend, ["states", "both"])
+    topic = friend.node.create_publisher(MultiDOFCommand, "/both/reference", 10)
+    topic.publish(MultiDOFCommand(dof_names=["left"], values=[1.0], values_dot=[0.2]))
+    friend.spin(0.1)
+    [left] = told[-1].dof_states
+    assert left.error_dot == pytest.approx(0.2 - left.feedback_dot)
+    assert left.output == pytest.approx(2 * left.error + 0.5 * left.error_dot)
+
+
+def test_a_loop_takes_its_state_from_a_topic(cart, run, friend):
+    load(run, "states", "outside")
+    states = friend.hear(JointState, "/joint_states")
+    assert switch(friend, ["states", "outside"])
+    for topic, value in (("reference", 1.0), ("measured_state", 0.25)):
+        out = friend.node.create_publisher(MultiDOFCommand, f"/outside/{topic}", 10)
+        out.publish(MultiDOFCommand(dof_names=["course"], values=[value]))
+    friend.spin(0.2)
+    assert joints(states)["right"][1] == pytest.approx(1.5)
+
+
+def test_a_loop_of_an_unknown_interface_is_not_configured(cart, run):
+    assert run("controller_manager", "spawner", "wrong", "--inactive").wait(20) == 1
+    assert "interface 'speed' is not one of position, velocity, acceleration, effort" in cart.output
 
 
 def test_a_car_is_commanded_by_another_controller(car, run, friend, tmp_path):  # noqa: F811

@@ -24,4 +24,4 @@ def test_they_are_made_filled_compared_copied_and_given_back(cpp_library, tmp_pa
     assert done.returncode == 0, done.stderr
     lines = done.stdout.splitlines()
     assert [line for line in lines if not line.startswith("ok ")] == []
-    assert len(lines) == 19
+    assert len(lines) == 21

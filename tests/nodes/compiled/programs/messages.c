@@ -73,8 +73,28 @@ static void copies(void)
   test_msgs__msg__Arrays__Sequence__destroy(all);
 }
 
+static void earlier_names(void)
+{
+  rosidl_runtime_c__float32__Sequence numbers;
+  rosidl_runtime_c__float__Sequence same;
+  rosidl_runtime_c__bool__Sequence truths;
+  rosidl_runtime_c__byte__Sequence bytes;
+  rosidl_runtime_c__float64__Sequence wide;
+  bool made = rosidl_runtime_c__float32__Sequence__init(&numbers, 2) && rosidl_runtime_c__float__Sequence__init(&same, 0);
+  made = rosidl_runtime_c__bool__Sequence__init(&truths, 1) && rosidl_runtime_c__byte__Sequence__init(&bytes, 1) && made;
+  made = rosidl_runtime_c__float64__Sequence__init(&wide, 1) && made;
+  say("sequences have their earlier names", made && rosidl_runtime_c__float32__Sequence__copy(&numbers, &same));
+  say("which are the same types", rosidl_runtime_c__float__Sequence__are_equal(&numbers, &same) && same.size == 2);
+  rosidl_runtime_c__float32__Sequence__fini(&numbers);
+  rosidl_runtime_c__float__Sequence__fini(&same);
+  rosidl_runtime_c__bool__Sequence__fini(&truths);
+  rosidl_runtime_c__byte__Sequence__fini(&bytes);
+  rosidl_runtime_c__float64__Sequence__fini(&wide);
+}
+
 int main(void)
 {
+  earlier_names();
   texts();
   defaults();
   copies();

@@ -26,36 +26,33 @@ class Chains:
     def __init__(self, loaded: Mapping[str, Loaded]) -> None:
         self._loaded = loaded
 
-    def following(self, loaded: Loaded) -> dict[str, list[str]]:
-        """Return the names of the controllers that one commands, each with the names of the commands."""
-        claims: dict[str, list[str]] = {}
+    def following(self, loaded: Loaded) -> dict[Loaded, list[str]]:
+        """Return the controllers that one commands, each with the names of the commands."""
+        claims: dict[Loaded, list[str]] = {}
         for name in loaded.controller.command_names() if loaded.is_configured else ():
-            owner = name.partition("/")[0]
-            if owner in self._loaded and owner != loaded.name:
+            owner = self._loaded.get(name.partition("/")[0])
+            if owner is not None and owner is not loaded:
                 claims.setdefault(owner, []).append(name)
         return claims
 
-    def followers(self, loaded: Loaded) -> list[Loaded]:
-        """Return the controllers that one commands."""
-        return [self._loaded[name] for name in self.following(loaded)]
-
     def preceding(self, loaded: Loaded) -> list[Loaded]:
         """Return the controllers that command one."""
-        return [other for other in self._loaded.values() if loaded.name in self.following(other)]
+        return [other for other in self._loaded.values() if loaded in self.following(other)]
 
     def in_order(self) -> list[Loaded]:
         """Return all, each before those that it commands, so that a command arrives in the same step."""
-        order: dict[str, Loaded] = {}
+        order: list[Loaded] = []
 
-        def put(loaded: Loaded, way: tuple[str, ...]) -> None:
+        def put(loaded: Loaded, way: tuple[Loaded, ...]) -> None:
             for before in self.preceding(loaded):
-                if before.name not in (*way, *order):
-                    put(before, (*way, loaded.name))
-            order.setdefault(loaded.name, loaded)
+                if before not in (*way, *order):
+                    put(before, (*way, loaded))
+            if loaded not in order:
+                order.append(loaded)
 
         for loaded in self._loaded.values():
             put(loaded, ())
-        return list(order.values())
+        return order
 
 
 class ChainSwitch:
@@ -66,7 +63,7 @@ class ChainSwitch:
         self._starting, self._stopping = starting, stopping
         self.chained: list[Loaded] = []
         """Those that another controller will command."""
-        self.unchained = _once([each for loaded in stopping for each in chains.followers(loaded)])
+        self.unchained = list(dict.fromkeys(follower for loaded in stopping for follower in chains.following(loaded)))
         """Those that no other controller will command."""
 
     def drop(self, strict: bool) -> bool:
@@ -92,16 +89,15 @@ class ChainSwitch:
                 self._stopping.append(loaded)
                 self._starting.append(loaded)
 
-    def _may_start(self, loaded: Loaded, way: tuple[str, ...] = ()) -> bool:
-        for name, commands in self._chains.following(loaded).items():
-            [follower] = [each for each in self._chains.followers(loaded) if each.name == name]
+    def _may_start(self, loaded: Loaded, way: tuple[Loaded, ...] = ()) -> bool:
+        for follower, commands in self._chains.following(loaded).items():
             if fault := self._fault(follower, commands[0]):
                 self._log.warning(fault)
                 return False
-            if name not in way and not self._may_start(follower, (*way, loaded.name)):
+            if follower not in way and not self._may_start(follower, (*way, loaded)):
                 return False
             if follower.controller.chained:
-                self.unchained = [each for each in self.unchained if each is not follower]
+                self.unchained = [other for other in self.unchained if other is not follower]
             elif follower not in self.chained:
                 self.chained.append(follower)
         return True
@@ -133,11 +129,6 @@ class ChainSwitch:
             )
             return False
         return True
-
-
-def _once(controllers: list[Loaded]) -> list[Loaded]:
-    """Return each only once."""
-    return list({loaded.name: loaded for loaded in controllers}.values())
 
 
 __all__ = ["ChainSwitch", "Chains"]

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from .controller import Controller
 
 
-@dataclass
+@dataclass(eq=False)
 class Loaded:
     """A loaded controller, and its state."""
 

@@ -37,6 +37,8 @@ class Manager:
         self.lock = threading.RLock()
         self.hardware: list[Hardware] = []
         self.loaded: dict[str, Loaded] = {}
+        self._order: list[Loaded] = []
+        """The same, each before those that it commands."""
         self.now_ns = 0
         """The time of the last step [ns]."""
         self._commands: dict[str, dict[str, float]] = {}
@@ -87,6 +89,7 @@ class Manager:
             controller = self._maker.make(name, kind, words)
             if controller is not None:
                 self.loaded[name] = Loaded(name, kind, controller)
+                self._order.append(self.loaded[name])
             return controller is not None
 
     def _told(self, name: str) -> str:
@@ -117,6 +120,7 @@ class Manager:
                 self.log.error(f"After configuring, controller '{name}' is in state 'unconfigured' , expected inactive.")
                 return False
             loaded.state = "inactive"
+            self._order = Chains(self.loaded).in_order()
             return self._export_references(loaded)
 
     def _export_references(self, loaded: Loaded) -> bool:
@@ -217,6 +221,7 @@ class Manager:
                 self.log.error(f"Could not unload controller with name '{name}' because {why}")
                 return False
             del self.loaded[name]
+            self._order.remove(loaded)
             self._forget_references(loaded)
             loaded.controller.leave(self.executor)
             return True
@@ -228,17 +233,11 @@ class Manager:
         with self.lock:
             self.now_ns = now_ns
             self._exchange("read", dt)
-            for loaded in self._order():
+            for loaded in self._order:
                 if loaded.state == "active":
                     loaded.controller.now_ns = now_ns
                     loaded.controller.update(now_ns, dt)
             self._exchange("write", dt)
-
-    def _order(self) -> list[Loaded]:
-        """Return the controllers, each before those that it commands."""
-        if any(loaded.controller.chained for loaded in self.loaded.values()):
-            return Chains(self.loaded).in_order()
-        return list(self.loaded.values())
 
     def _exchange(self, what: str, dt: float) -> None:
         """Read from or write to all hardware; controllers of hardware with an error are deactivated."""
@@ -269,6 +268,7 @@ class Manager:
                     loaded.controller.deactivate()
                 loaded.controller.leave(self.executor)
             self.loaded.clear()
+            self._order.clear()
             self.executor.remove_node(self.node)
             self.node.destroy_node()
 

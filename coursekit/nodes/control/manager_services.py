@@ -94,8 +94,8 @@ class ManagerServices:
     def _connections(self, loaded: Loaded) -> list[ChainConnection]:
         following = Chains(self._manager.loaded).following(loaded)
         return [
-            ChainConnection(name=name, reference_interfaces=[_without_owner(command) for command in commands])
-            for name, commands in following.items()
+            ChainConnection(name=follower.name, reference_interfaces=[_without_owner(command) for command in commands])
+            for follower, commands in following.items()
         ]
 
     def _types(

@@ -110,12 +110,14 @@ class PidController(Controller):
             self._measured = list(map(self.interfaces.state, self.state_names()))
         message = MultiDOFStateStamped()
         message.header.stamp = stamp(now_ns)
+        pairs = list(zip(self.references.values(), self._measured, strict=True))
         for number, joint in enumerate(self._joints):
-            message.dof_states.append(self._step(number, joint, dt))
+            message.dof_states.append(self._step(number, joint, pairs[number :: len(self._joints)], dt))
         self._told.publish(message)
 
-    def _step(self, number: int, joint: str, dt: float) -> SingleDOFState:
-        (reference, feedback), (goal_rate, rate) = self._pairs(number)
+    def _step(self, number: int, joint: str, pairs: list[tuple[float, float]], dt: float) -> SingleDOFState:
+        """Command one joint; the pairs are its reference and its state, and those of the derivative if it has them."""
+        (reference, feedback), (goal_rate, rate) = [*pairs, (math.nan, math.nan)][:2]
         told = SingleDOFState(name=joint, reference=reference, feedback=feedback, time_step=dt, output=math.nan)
         if not math.isfinite(reference - feedback):
             return told
@@ -128,11 +130,6 @@ class PidController(Controller):
         told.output = ahead + self._loops[number].command(told.error, dt, error_rate)
         self.interfaces.command(f"{joint}/{self._command}", told.output)
         return told
-
-    def _pairs(self, number: int) -> list[tuple[float, float]]:
-        """Return a joint's reference and its state, and those of the derivative; nan where there is none."""
-        pairs = list(zip(self.references.values(), self._measured, strict=True))[number :: len(self._joints)]
-        return [*pairs, (math.nan, math.nan)][:2]
 
     def _difference(self, number: int, reference: float, state: float) -> float:
         wraps = self._wraps[number]

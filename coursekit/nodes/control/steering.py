@@ -86,18 +86,22 @@ class SteeringController(Controller):
 
     def update(self, now_ns: int, dt: float) -> None:
         """Command the wheels; publish odometry."""
-        ahead, turn = self._wish if not self.chained else self.references.values()
-        late = self._is_late(now_ns) if not self.chained else not math.isfinite(ahead + turn)
-        ahead, turn = (0.0, 0.0) if late else (ahead, turn)
-        if not late:  # without commands the wheels keep their steering angle
+        wish = self._wish_at(now_ns)
+        ahead, turn = wish or (0.0, 0.0)
+        if wish:  # without commands the wheels keep their steering angle
             self._angle = math.atan(turn * self._base / ahead) if ahead and turn else 0.0
         self._command(ahead / self._radius, self._angle)
         bend = math.tan(self._angle) / self._base
         way = (ahead * dt, ahead * bend * dt) if self._open_loop else self._rolled(dt)
         self._reckoning.go(now_ns, dt, *way)
 
-    def _is_late(self, now_ns: int) -> bool:
-        return self._patience > 0 and (now_ns - self._heard_ns) * 1e-9 > self._patience
+    def _wish_at(self, now_ns: int) -> tuple[float, float] | None:
+        """Return the speed and rotation that another controller, or else the topic, commands; None if nobody does."""
+        if self.chained:
+            ahead, turn = self.references.values()
+            return (ahead, turn) if math.isfinite(ahead) and math.isfinite(turn) else None
+        late = self._patience and (now_ns - self._heard_ns) * 1e-9 > self._patience
+        return None if late else self._wish
 
     def _command(self, speed: float, angle: float) -> None:
         """Command the wheels: all rotate about one point, on the line of the unsteered axle."""

@@ -69,12 +69,20 @@ def files(tmp_path):
 
 
 @pytest.fixture
-def manager(run, files):
-    """The controller manager of the arm with hardware that is none."""
+def managed(run, tmp_path):
+    """managed(description, parameters) is the process of a robot's controller manager."""
 
-    def start(**words):
-        urdf, yaml = files(**words)
+    def start(description, parameters):
+        urdf, yaml = tmp_path / "robot.urdf", tmp_path / "robot.yaml"
+        urdf.write_text(description)
+        yaml.write_text(parameters)
         run("robot_state_publisher", "robot_state_publisher", str(urdf))
         return run("controller_manager", "ros2_control_node", "--ros-args", "--params-file", str(yaml))
 
     return start
+
+
+@pytest.fixture
+def manager(managed, files):
+    """The controller manager of the arm with hardware that is none."""
+    return lambda **words: managed(*(path.read_text() for path in files(**words)))

@@ -60,11 +60,8 @@ PILOT = "pilot: {ros__parameters: {joint: car, interface_names: [linear/velocity
 
 
 @pytest.fixture
-def cart(run, tmp_path):
-    (tmp_path / "cart.urdf").write_text(CART)
-    (tmp_path / "cart.yaml").write_text(PARAMETERS)
-    run("robot_state_publisher", "robot_state_publisher", str(tmp_path / "cart.urdf"))
-    return run("controller_manager", "ros2_control_node", "--ros-args", "--params-file", str(tmp_path / "cart.yaml"))
+def cart(managed):
+    return managed(CART, PARAMETERS)
 
 
 def load(run, *names):

@@ -52,11 +52,8 @@ arm:
 
 
 @pytest.fixture
-def cart(run, tmp_path):
-    (tmp_path / "cart.urdf").write_text(CART)
-    (tmp_path / "cart.yaml").write_text(PARAMETERS)
-    run("robot_state_publisher", "robot_state_publisher", str(tmp_path / "cart.urdf"))
-    return run("controller_manager", "ros2_control_node", "--ros-args", "--params-file", str(tmp_path / "cart.yaml"))
+def cart(managed):
+    return managed(CART, PARAMETERS)
 
 
 def test_a_cart_without_hardware_drives_in_its_odometry(cart, run, friend):
@@ -80,11 +77,8 @@ ASKED = "linear.x.has_velocity_limits: true, linear.x.max_velocity: 0.2"
 
 
 @pytest.mark.parametrize(("limits", "speed"), [(ASKED, 0.2), ("linear.x.max_velocity: 0.2", 0.5)])
-def test_limits_count_where_they_are_asked_for(run, friend, tmp_path, limits, speed):
-    (tmp_path / "cart.urdf").write_text(CART)
-    (tmp_path / "cart.yaml").write_text(PARAMETERS.replace("wheel_radius: 0.1}", LIMITED.format(limits=limits)))
-    run("robot_state_publisher", "robot_state_publisher", str(tmp_path / "cart.urdf"))
-    run("controller_manager", "ros2_control_node", "--ros-args", "--params-file", str(tmp_path / "cart.yaml"))
+def test_limits_count_where_they_are_asked_for(managed, run, friend, limits, speed):
+    managed(CART, PARAMETERS.replace("wheel_radius: 0.1}", LIMITED.format(limits=limits)))
     assert run("controller_manager", "spawner", "drive").wait(20) == 0
     odometry, limited = friend.hear(Odometry, "/drive/odom"), friend.hear(TwistStamped, "/drive/cmd_vel_out")
     out, msg = friend.node.create_publisher(TwistStamped, "/drive/cmd_vel", 10), TwistStamped()

@@ -48,16 +48,9 @@ def description(plugin="mock_components/GenericSystem", blocks=""):
 
 
 @pytest.fixture
-def car(run, friend, tmp_path):
+def car(managed):
     """car(kind, more) is the process of a manager with a car's controller."""
-
-    def start(kind, more):
-        (tmp_path / "car.urdf").write_text(description())
-        (tmp_path / "car.yaml").write_text(FILE.format(kind=kind, more=more))
-        run("robot_state_publisher", "robot_state_publisher", str(tmp_path / "car.urdf"))
-        return run("controller_manager", "ros2_control_node", "--ros-args", "--params-file", str(tmp_path / "car.yaml"))
-
-    return start
+    return lambda kind, more: managed(description(), FILE.format(kind=kind, more=more))
 
 
 def drive(friend, msg, topic, seconds=2.0):

@@ -38,11 +38,8 @@ trike:
 
 
 @pytest.fixture
-def trike(run, tmp_path):
-    (tmp_path / "trike.urdf").write_text(ROBOT)
-    (tmp_path / "trike.yaml").write_text(FILE)
-    run("robot_state_publisher", "robot_state_publisher", str(tmp_path / "trike.urdf"))
-    run("controller_manager", "ros2_control_node", "--ros-args", "--params-file", str(tmp_path / "trike.yaml"))
+def trike(managed, run):
+    managed(ROBOT, FILE)
     assert run("controller_manager", "spawner", "trike").wait(20) == 0
 
 

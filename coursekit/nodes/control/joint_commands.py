@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from .controller import Interfaces
+from .pid import Pid
 from .trajectory import Point
 from .trajectory_parameters import TrajectoryParameters
 
@@ -17,23 +18,22 @@ class JointCommands:
     def __init__(self, told: TrajectoryParameters) -> None:
         self._told = told
         self._closed = told.commands in (("velocity",), ("effort",))
-        self._sums = np.zeros(len(told.joints))
+        self._loops = [Pid(gains) for gains in told.gains]
 
     def give(self, interfaces: Interfaces, desired: Point, error: Point, dt: float) -> None:
         """Command all joints of a step."""
-        self._sums = self._sums + error.positions * dt
         for place, joint in enumerate(self._told.command_joints):
             for kind in self._told.commands:
-                interfaces.command(f"{joint}/{kind}", self._value(place, kind, desired, error))
+                interfaces.command(f"{joint}/{kind}", self._value(place, kind, desired, error, dt))
 
-    def _value(self, place: int, kind: str, desired: Point, error: Point) -> float:
+    def _value(self, place: int, kind: str, desired: Point, error: Point, dt: float) -> float:
         speed = 0.0 if desired.velocities is None else float(desired.velocities[place])
         if kind == "position":
             return float(desired.positions[place])
         if self._closed:
-            p, i, d, forward = self._told.gains[place]
-            wrong = 0.0 if error.velocities is None else float(error.velocities[place])
-            return speed * forward + p * float(error.positions[place]) + i * float(self._sums[place]) + d * wrong
+            rate = 0.0 if error.velocities is None else float(error.velocities[place])
+            added = self._loops[place].command(float(error.positions[place]), dt, rate)
+            return speed * self._told.feedforward[place] + added
         if kind == "velocity":
             return speed
         return 0.0 if desired.accelerations is None or kind == "effort" else float(desired.accelerations[place])

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from .controller import ControlError, Controller
+from .pid import Gains
 from .tolerances import Tolerances
 
 KINDS = ("position", "velocity", "acceleration", "effort")
 """The interfaces of a joint for commands and states."""
-GAINS = ("p", "i", "d", "ff_velocity_scale")
 
 
 @dataclass(frozen=True)
@@ -23,8 +23,9 @@ class TrajectoryParameters:
     commands: tuple[str, ...]
     states: tuple[str, ...]
     tolerances: Tolerances
-    gains: tuple[tuple[float, ...], ...]
-    """The GAINS of each joint."""
+    gains: tuple[Gains, ...]
+    feedforward: tuple[float, ...]
+    """The share of the desired velocity that each joint's loop adds."""
     partial: bool = False
     moving_end: bool = True
     open_loop: bool = False
@@ -42,9 +43,10 @@ class TrajectoryParameters:
         _check(joints, names, commands, states)
         told("action_monitor_rate", 20.0)
         rate = float(told("state_publish_rate", 50.0))
-        gains = tuple(tuple(float(told(f"gains.{joint}.{gain}", 0.0)) for gain in GAINS) for joint in joints)
+        gains = tuple(_gains(controller, joint) for joint in joints)
+        feedforward = tuple(float(told(f"gains.{joint}.ff_velocity_scale", 0.0)) for joint in joints)
         return cls(
-            joints, names, commands, states, _tolerances(controller, joints), gains,
+            joints, names, commands, states, _tolerances(controller, joints), gains, feedforward,
             bool(told("allow_partial_joints_goal", False)),
             bool(told("allow_nonzero_velocity_at_trajectory_end", True)), bool(told("open_loop_control", False)),
             told("interpolation_method", "splines") != "none", round(1e9 / rate) if rate > 0 else 0,
@@ -65,6 +67,11 @@ def _check(joints: tuple[str, ...], names: tuple[str, ...], commands: tuple[str,
         raise ControlError(f"interface '{wrong[0]}' is not known; there are {', '.join(KINDS)}")
     if commands == ("velocity",) and "velocity" not in states:
         raise ControlError("'velocity' command interface alone needs a 'velocity' state interface")
+
+
+def _gains(controller: Controller, joint: str) -> Gains:
+    p, i, d, clamp = (float(controller.parameter(f"gains.{joint}.{gain}", 0.0)) for gain in ("p", "i", "d", "i_clamp"))
+    return Gains(p, i, d, i_max=clamp, i_min=-clamp)
 
 
 def _tolerances(controller: Controller, joints: tuple[str, ...]) -> Tolerances:

@@ -44,8 +44,10 @@ class TreeNode:
         """Cancel work in progress and return to the initial state."""
 
     def tick(self) -> str:
-        """Do one step of work and return the status."""
+        """Do one step of work and return the status. The child of a decorator begins anew after its end."""
         self.status = self.step()
+        if self.arity == (1, 1) and self.children and self.children[0].status in (SUCCESS, FAILURE):
+            self.children[0].halt()
         return self.status
 
     def halt(self) -> None:
@@ -55,6 +57,11 @@ class TreeNode:
         self.status = IDLE
         for child in self.children:
             child.halt()
+
+    def retire(self) -> None:
+        """Let go of what the node and its children hold: their tree is not ticked any more."""
+        for child in self.children:
+            child.retire()
 
     # -- ports
 

@@ -115,7 +115,8 @@ class RoundRobin(_Control):
             status = self.children[self.at].tick()
             if status == RUNNING:
                 return status
-            self.at = (self.at + 1) % len(self.children)
+            at, self.at = self.at, (self.at + 1) % len(self.children)
+            self.children[at].halt()
             if status == SUCCESS:
                 return status
         return self._end(FAILURE)
@@ -144,6 +145,7 @@ class RecoveryNode(_Control):
             status = self.children[self.at].tick()
             if status == RUNNING:
                 return status
+            self.children[self.at].halt()
             if self.at == 0:
                 if status == SUCCESS or self.tries >= self.number("number_of_retries", 1):
                     self.tries = 0

@@ -2,7 +2,7 @@
 
 import pytest
 
-from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, TreeError, TreeNode, read_tree
+from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeError, TreeNode, read_tree
 from coursekit.nav.tree_controls import CONTROLS
 
 
@@ -20,7 +20,16 @@ class Work(TreeNode):
         self.board["log"].append(f"stop {self.name}")
 
 
-KINDS = {**CONTROLS, "Work": Work}
+class Begins(Work):
+    """Says when it begins; it goes on as it was unless it is halted, as nodes in C++ do."""
+
+    def step(self):
+        if self.status == IDLE:
+            self.board["log"].append("begin")
+        return super().step()
+
+
+KINDS = {"Begins": Begins, **CONTROLS, "Work": Work}
 
 
 def tree(inside, more=""):
@@ -108,3 +117,19 @@ def test_what_is_no_tree_is_told(text, says):
     with pytest.raises(TreeError) as caught:
         read_tree(text, KINDS, {})
     assert says in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("inside", "ticks", "begun"),
+    [
+        ("<Repeat num_cycles='3'>{}</Repeat>", 3, 3),
+        ("<Inverter>{}</Inverter>", 2, 2),
+        ("<RoundRobin>{}<AlwaysFailure/></RoundRobin>", 3, 3),
+        ("<Sequence>{}<AlwaysSuccess/></Sequence>", 2, 2),
+        ("<ReactiveSequence>{}<Work says='rrs'/></ReactiveSequence>", 3, 1),
+        ("<RecoveryNode number_of_retries='1'><Work says='fs'/>{}</RecoveryNode>", 2, 1),
+    ],
+)
+def test_a_child_begins_anew_when_its_parent_says_so(inside, ticks, begun):
+    _, log = ticked(inside.format("<Begins name='b' says='s'/>"), ticks)
+    assert log.count("begin") == begun

@@ -4,10 +4,12 @@ from collections import deque
 from types import SimpleNamespace
 
 import pytest
-from geometry_msgs.msg import PoseStamped
+from geometry_msgs.msg import PoseStamped, TransformStamped
 from nav_msgs.msg import Path
 from sensor_msgs.msg import BatteryState
+from tf2_ros import Buffer
 
+from coursekit.geometry.plane import Pose2D
 from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, read_tree
 from coursekit.nodes.nav2.trip import KINDS, load_tree
 
@@ -43,6 +45,28 @@ def test_a_path_expires_when_it_has_been_the_same_for_long(crew, tree):
         crew.now, board["path"] = now, straight(path)
         results.append(timer.tick() == SUCCESS)
     assert results == [False, False, True, False, False, False, True]
+
+
+def test_the_surroundings_of_a_path_are_what_is_near_the_robot(crew, tree):
+    path = Path(poses=[straight(x).poses[1] for x in range(20)])
+    crew.pose = lambda: Pose2D(7.2, 1.0, 0.0)
+    local = '<TruncatePathLocal distance_backward="2" distance_forward="3.5" input_path="{path}" output_path="{local}"/>'
+    node, board = tree(local, path=path)
+    assert node.tick() == SUCCESS
+    assert [pose.pose.position.x for pose in board["local"].poses] == [5.0, 6.0, 7.0, 8.0, 9.0, 10.0]
+    crew.pose = lambda: None
+    assert node.tick() == FAILURE
+
+
+def test_a_transform_is_available_when_both_frames_are_known(crew, tree):
+    buffer = Buffer()
+    crew.node = SimpleNamespace(where=SimpleNamespace(buffer=buffer))
+    node, _ = tree('<TransformAvailable parent="odom" child="base_link"/>')
+    assert node.tick() == FAILURE
+    transform = TransformStamped(child_frame_id="base_link")
+    transform.header.frame_id, transform.transform.rotation.w = "odom", 1.0
+    buffer.set_transform_static(transform, "test")
+    assert node.tick() == SUCCESS
 
 
 def test_a_child_is_ticked_once_for_each_goal(tree):

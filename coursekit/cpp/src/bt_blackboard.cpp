@@ -1,6 +1,8 @@
 // What the nodes of a tree tell each other, and how subtrees share it.
 #include "behaviortree_cpp_v3/blackboard.h"
 
+#include <utility>
+
 namespace BT
 {
 Blackboard::Ptr Blackboard::owner(std::string & key) const
@@ -34,6 +36,7 @@ void Blackboard::put(const std::string & key, Any value, const std::type_info & 
     return parent->put(theirs, std::move(value), type, parse);
   }
   auto found = entries_.find(key);
+  changed_.insert(key);
   if (found == entries_.end()) {
     entries_.emplace(key, Entry{std::move(value), PortInfo()});
     return;
@@ -50,6 +53,11 @@ void Blackboard::put(const std::string & key, Any value, const std::type_info & 
     }
   }
   found->second.value = std::move(value);
+}
+std::set<std::string> Blackboard::take_changed()
+{
+  std::unique_lock<std::mutex> hold(mutex_);
+  return std::exchange(changed_, {});
 }
 void Blackboard::setPortInfo(const std::string & key, const PortInfo & info)
 {

@@ -10,7 +10,7 @@ static Handler handler_of(const std::string & kind, const std::string & type)
     {"hardware", hardware_of}, {"controller", controller_of}, {"planner", planner_of},
     {"path_controller", path_controller_of}, {"goal_checker", goal_checker_of}, {"progress_checker", progress_checker_of},
     {"layer", layer_of}, {"behavior", behavior_of}, {"waypoint_task", waypoint_task_of},
-    {"smoother", smoother_of}};
+    {"smoother", smoother_of}, {"tree_nodes", tree_nodes_of}};
   return known.at(kind)(type);
 }
 

@@ -81,6 +81,10 @@ class Program:
         """Let it use an object of this process. Returns its number there."""
         return self._part.keep(thing)
 
+    def unshare(self, number: int) -> None:
+        """Let it use an object no longer."""
+        self._part.things.pop(number, None)
+
     def close(self) -> None:
         """Destroy the object, and end the program."""
         self._part.close()

@@ -42,6 +42,7 @@ from coursekit.nodes.compiled import (
     sharing,
     topics,
     transforms,
+    trees,
     vision,
     waitables,
     waiting,
@@ -88,7 +89,7 @@ _NOT_VALID = (
 """rclcpp's messages for nodes and executors made before init() or after shutdown()."""
 _ROOMS = (
     program, entities, topics, graph, parameters, executing, waiting, waitables, lifecycle, listening, actions, transforms,
-    vision, bags, plugins, robots, calibrations, components, hardware, sharing,
+    vision, bags, plugins, robots, calibrations, components, hardware, sharing, trees,
 )  # fmt: skip
 OPERATIONS = {name[3:]: do for room in _ROOMS for name, do in vars(room).items() if name.startswith("do_")}
 

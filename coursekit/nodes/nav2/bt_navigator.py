@@ -15,14 +15,19 @@ from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 from tf2_ros import TransformException
 
 from coursekit.geometry.plane import Pose2D
+from coursekit.nodes.compiled.classes import CppFault
+from coursekit.nodes.nav2.foreign_tree import ForeignNodes, load
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import Server, SingleGoal, run
-from coursekit.nodes.nav2.trip import Crew, Trip, load_tree
+from coursekit.nodes.nav2.tree_libraries import LIBRARIES
+from coursekit.nodes.nav2.trip import KINDS, Crew, Trip, load_tree
 from coursekit.nodes.nav2.whereabouts import Whereabouts, stamped
 
 if TYPE_CHECKING:
     from rclpy.action.goal_handle import ServerGoalHandle
     from rclpy.time import Time
+
+    from coursekit.nav.behavior_tree import Kinds
 
 _SERVER: dict[str, Any] = {
     "global_frame": "map",
@@ -33,6 +38,7 @@ _SERVER: dict[str, Any] = {
     "default_server_timeout": 20,
     "default_nav_to_pose_bt_xml": "",
     "default_nav_through_poses_bt_xml": "",
+    "plugin_lib_names": [f"nav2_{name}" for name in LIBRARIES],
 }
 _TREES = {NavigateToPose: "default_nav_to_pose_bt_xml", NavigateThroughPoses: "default_nav_through_poses_bt_xml"}
 """Parameters for the file of a behaviour tree."""
@@ -61,8 +67,9 @@ class BtNavigator(Server):
             self.get_logger().error(str(fault))
             return TransitionCallbackReturn.FAILURE
         self._frame, self._speed = given["global_frame"], 0.0
-        self._where = Whereabouts(self, given["robot_base_frame"])
-        self._crew = Crew(self, self._pose, lambda goal: self._where.pose_in(self._frame, goal))
+        self.where = Whereabouts(self, given["robot_base_frame"])
+        self._crew = Crew(self, self._pose, lambda goal: self.where.pose_in(self._frame, goal))
+        self._foreign = self._load(given["plugin_lib_names"])
         self._period = max(given["bt_loop_duration"], 1) * 1e-3
         self._to_pose = self.serve(NavigateToPose, "navigate_to_pose", self._go_to)
         self._through = self.serve(NavigateThroughPoses, "navigate_through_poses", self._go_through)
@@ -77,7 +84,7 @@ class BtNavigator(Server):
         """Accept goals; FAILURE if a default tree cannot be loaded."""
         for name in _TREES:
             try:
-                load_tree(self._file(name), self._crew, [])
+                load_tree(self._file(name), self._crew, [], self._kinds).retire()
             except ValueError as fault:
                 self.get_logger().error(str(fault))
                 return TransitionCallbackReturn.FAILURE
@@ -89,8 +96,23 @@ class BtNavigator(Server):
             self.destroy_subscription(heard)
         self._self_client.destroy()
         self._crew.destroy()
-        self._where.close()
+        if self._foreign is not None:
+            self._foreign.close()
+        self.where.close()
         return super().on_cleanup(state)
+
+    def _load(self, names: list[str]) -> ForeignNodes | None:
+        """Load the workspaces' libraries of nodes. Raises CppFault."""
+        self._kinds: Kinds = KINDS
+        try:
+            foreign = load(names, self)
+            if foreign is not None:
+                foreign.configure()
+                self._kinds = {**KINDS, **foreign.kinds()}
+        except CppFault:
+            self.where.close()
+            raise
+        return foreign
 
     def _take_odometry(self, msg: Odometry) -> None:
         self._speed = msg.twist.twist.linear.x
@@ -101,7 +123,7 @@ class BtNavigator(Server):
 
     def _pose(self) -> Pose2D | None:
         try:
-            return self._where.robot(self._frame)
+            return self.where.robot(self._frame)
         except TransformException:
             return None
 
@@ -135,7 +157,7 @@ class BtNavigator(Server):
             return self._driver not in (handle, None)
 
         try:
-            tree = load_tree(handle.request.behavior_tree or self._file(kind), self._crew, goals)
+            tree = load_tree(handle.request.behavior_tree or self._file(kind), self._crew, goals, self._kinds)
         except ValueError as fault:
             log.error(f"{fault}. Navigation canceled.")
             handle.abort()

@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from rclpy.time import Time
+
 from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeNode
 
 if TYPE_CHECKING:
@@ -119,6 +121,22 @@ def _truncate(node: TreeNode) -> bool:
     return True
 
 
+def _truncate_to_surroundings(node: TreeNode) -> bool:
+    """TruncatePathLocal: keeps `distance_backward` and `distance_forward` metres of the path around the robot."""
+    path, here = node.get("input_path"), node.board["crew"].pose()
+    if here is None:
+        return False
+    places = [_place(pose) for pose in path.poses]
+    nearest = min(range(len(places)), key=lambda k: math.dist(places[k], (here.x, here.y)), default=0)
+    begin, end, back, ahead = nearest, nearest, node.number("distance_backward", 4.0), node.number("distance_forward", 8.0)
+    while begin > 0 and (back := back - math.dist(places[begin], places[begin - 1])) >= 0:
+        begin -= 1
+    while end + 1 < len(places) and (ahead := ahead - math.dist(places[end], places[end + 1])) >= 0:
+        end += 1
+    node.put("output_path", type(path)(header=path.header, poses=path.poses[begin : end + 1]))
+    return True
+
+
 def _expired(node: TreeNode) -> bool:
     now = node.board["crew"].seconds()
     begun = node.__dict__.setdefault("begun", now)
@@ -156,6 +174,9 @@ CONDITIONS: dict[str, type[TreeNode]] = {
     "InitialPoseReceived": _condition("InitialPoseReceived", lambda node: node.board["crew"].pose() is not None),
     "RemovePassedGoals": _condition("RemovePassedGoals", _drop_passed),
     "TruncatePath": _condition("TruncatePath", _truncate),
+    "TruncatePathLocal": _condition("TruncatePathLocal", _truncate_to_surroundings),
+    "TransformAvailable": _condition("TransformAvailable", lambda node: node.board["crew"].node.where.buffer.can_transform(
+        node.get("child", ""), node.get("parent", ""), Time())),
     **{f"{name}Selector": _chooses(what) for name, what in (
         ("Planner", "planner"), ("Controller", "controller"), ("Smoother", "smoother"), ("GoalChecker", "goal_checker"))},
 }  # fmt: skip

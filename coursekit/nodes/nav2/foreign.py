@@ -51,6 +51,10 @@ class Foreign:
         """Let it use an object. Returns the object's number there."""
         return self._program.share(thing)
 
+    def unshare(self, number: int) -> None:
+        """Let it use an object no longer."""
+        self._program.unshare(number)
+
     def ask(self, *words: str | int, rest: bytes = b"") -> Unpacker:
         """Let it do something. Raises CppFault."""
         answer = self._program.ask(*words, rest=rest)

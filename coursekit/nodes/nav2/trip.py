@@ -10,20 +10,23 @@ from typing import TYPE_CHECKING, Any
 
 from geometry_msgs.msg import PoseStamped
 from rclpy.action import ActionClient
+from rclpy.logging import get_logger
 from std_msgs.msg import String
 from tf2_ros import TransformException
 
 from coursekit.files import installed
 from coursekit.geometry.plane import Pose2D
-from coursekit.nav.behavior_tree import RUNNING, SUCCESS, TreeError, TreeNode, read_tree
+from coursekit.nav.behavior_tree import RUNNING, SUCCESS, Kinds, TreeError, TreeNode, read_tree
 from coursekit.nav.planner import length
 from coursekit.nav.second_thoughts import remaining
 from coursekit.nav.tree_branches import BRANCHES
 from coursekit.nav.tree_controls import CONTROLS
+from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.nav2.condition_nodes import CONDITIONS
 from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.running import Beat
 from coursekit.nodes.nav2.tree_actions import ACTIONS
+from coursekit.nodes.nav2.tree_cancels import CANCELS
 from coursekit.nodes.nav2.tree_watchers import WATCHERS
 from coursekit.nodes.scanning.planar import points_of
 
@@ -31,7 +34,7 @@ if TYPE_CHECKING:
     from rclpy.node import Node
     from rclpy.qos import QoSProfile
 
-KINDS: dict[str, type[TreeNode]] = {**CONTROLS, **BRANCHES, **ACTIONS, **CONDITIONS, **WATCHERS}
+KINDS: dict[str, type[TreeNode]] = {**CONTROLS, **BRANCHES, **ACTIONS, **CANCELS, **CONDITIONS, **WATCHERS}
 MOST_BYTES = 2**20
 
 
@@ -95,7 +98,7 @@ class Crew:
         self._heard.clear()
 
 
-def load_tree(file: str, crew: Crew, goals: list[PoseStamped]) -> TreeNode:
+def load_tree(file: str, crew: Crew, goals: list[PoseStamped], kinds: Kinds = KINDS) -> TreeNode:
     """Load the tree of a file for these goals; raises TreeError with the file, the fault and its remedy."""
     try:
         with Path(installed(file)).open("rb") as stream:
@@ -104,7 +107,7 @@ def load_tree(file: str, crew: Crew, goals: list[PoseStamped]) -> TreeNode:
         reason = getattr(fault, "strerror", None) or "it is no text"
         raise TreeError(f"Couldn't open input XML file: {file} ({reason}): name a behaviour tree's .xml in full") from None
     try:
-        return read_tree(text, KINDS, {"crew": crew, "goal": goals[-1] if goals else None, "goals": goals})
+        return read_tree(text, kinds, {"crew": crew, "goal": goals[-1] if goals else None, "goals": goals})
     except TreeError as fault:
         raise TreeError(f"Error loading XML file: {file} {fault}") from None
 
@@ -153,6 +156,9 @@ class Trip:
                     self._tell(self)
                 await beat.next()
             return "stopped"
+        except (TreeError, CppFault) as fault:
+            get_logger("BehaviorTreeEngine").error(f"Behavior tree threw exception: {fault}. Exiting with failure.")
+            return "failed"
         except GeneratorExit:  # collected long after its node was destroyed: there is nothing left to stop or to report to
             abandoned = True
             raise
@@ -161,3 +167,4 @@ class Trip:
                 beat.stop()
                 self.crew.goes_on = self._goes_on()
                 self.tree.halt()
+                self.tree.retire()

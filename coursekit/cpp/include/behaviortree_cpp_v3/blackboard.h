@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -53,6 +54,8 @@ public:
   void debugMessage() const;
   std::vector<StringView> getKeys() const;
   void clear();
+  /// The keys that were set since the last call, for who keeps a copy.
+  std::set<std::string> take_changed();
   /// Whoever uses what getAny() returned holds it meanwhile.
   std::mutex & entryMutex() {return entry_mutex_;}
 
@@ -75,6 +78,7 @@ private:
   mutable std::mutex mutex_;
   std::mutex entry_mutex_;
   std::unordered_map<std::string, Entry> entries_;
+  std::set<std::string> changed_;
   std::weak_ptr<Blackboard> parent_;
   std::unordered_map<std::string, std::string> remapped_;
 };

@@ -94,6 +94,7 @@ protected:
   friend class DecoratorNode;
   friend class ControlNode;
   friend class Tree;
+  friend struct ServedNode;  // of a tree that another process ticks
 
   virtual NodeStatus tick() = 0;
   void setStatus(NodeStatus new_status);

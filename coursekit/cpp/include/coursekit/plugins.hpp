@@ -21,6 +21,8 @@ Handler progress_checker_of(const std::string & type);
 Handler layer_of(const std::string & type);
 Handler behavior_of(const std::string & type);
 Handler waypoint_task_of(const std::string & type);
+/// Here the libraries of a tree's nodes, one a line.
+Handler tree_nodes_of(const std::string & paths);
 
 inline const char * type_name(const std::exception & error) {return typeid(error).name();}
 

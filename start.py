@@ -104,9 +104,12 @@ def lab(words):
 
 
 def test(words):
-    """The tests, then the chapters; the exit code of the first that fails. JOBS says how many run side by side."""
+    """The tests, then the chapters; the exit code of the first that fails. JOBS says how many run side by side.
+
+    Three are right for two cores, as many of the tests wait for a browser or a kernel.
+    """
     set_up("test")
-    side_by_side = ["-rs", "-n", os.environ.get("JOBS", "2"), "--dist", "loadfile", "--no-loadscope-reorder"]
+    side_by_side = ["-rs", "-n", os.environ.get("JOBS", "3"), "--dist", "loadfile", "--no-loadscope-reorder"]
     pytest = [str(python_of(VENV)), "-m", "pytest", *side_by_side]
     chapters = ["-p", "tests.notebooks.own_course", "--nbval", "--nbval-cell-timeout", "120", "notebooks"]
     return run([*pytest, *words]) or run([*pytest, *chapters], COURSEKIT_TIME="virtual")

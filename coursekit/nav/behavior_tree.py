@@ -7,6 +7,8 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 IDLE, RUNNING, SUCCESS, FAILURE = "idle", "running", "success", "failure"
+STATUS_CHANGED = "status_changed"
+"""The key in the blackboard of a function that is told of each change: the node, its status before and after."""
 DEEPEST, MOST_NODES = 100, 5000
 """Maximum number of levels and nodes of a tree: a tree whose subtrees contain each other would be infinite."""
 
@@ -28,6 +30,8 @@ class TreeNode:
 
     arity: tuple[int, float] = (0, 0)
     """Minimum and maximum number of children."""
+    uid = 0
+    """Its number in the tree: a node before its children."""
 
     def __init__(self, name: str, ports: Mapping[str, str], children: list[TreeNode], board: dict[str, Any]) -> None:
         self.name, self.ports, self.children, self.board, self.status = name, ports, children, board, IDLE
@@ -45,7 +49,12 @@ class TreeNode:
 
     def tick(self) -> str:
         """Do one step of work and return the status. The child of a decorator begins anew after its end."""
+        before = self.status
+        if self.children and before != RUNNING:  # a parent runs before its children do
+            self._note(before, RUNNING)
+            before = RUNNING
         self.status = self.step()
+        self._note(before, self.status)
         if self.arity == (1, 1) and self.children and self.children[0].status in (SUCCESS, FAILURE):
             self.children[0].halt()
         return self.status
@@ -54,9 +63,15 @@ class TreeNode:
         """Stop the node and its children if they are running."""
         if self.status == RUNNING:
             self.stop()
+        self._note(self.status, IDLE)
         self.status = IDLE
         for child in self.children:
             child.halt()
+
+    def _note(self, before: str, after: str) -> None:
+        note = self.board.get(STATUS_CHANGED)
+        if note is not None and before != after:
+            note(self, before, after)
 
     def retire(self) -> None:
         """Let go of what the node and its children hold: their tree is not ticked any more."""
@@ -137,6 +152,7 @@ class _Reader:
 
     def _node(self, element: ElementTree.Element, depth: int) -> TreeNode:
         self._made += 1
+        number = self._made
         if depth > DEEPEST:
             raise TreeError(f"is more than {DEEPEST} levels deep: does a subtree contain itself?")
         if self._made > MOST_NODES:
@@ -150,6 +166,7 @@ class _Reader:
             raise TreeError(f"has a node '{kind}', which is not known here; known are: {known}")
         children = [self._node(child, depth + 1) for child in element]
         tree_node = self._kinds[kind](ports.pop("name", kind), ports, children, self._board)
+        tree_node.uid = number
         low, high = tree_node.arity
         if not low <= len(children) <= high:
             wanted = low if low == high else f"{low} or more"

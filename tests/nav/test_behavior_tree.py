@@ -2,7 +2,7 @@
 
 import pytest
 
-from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeError, TreeNode, read_tree
+from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, STATUS_CHANGED, SUCCESS, TreeError, TreeNode, read_tree
 from coursekit.nav.tree_controls import CONTROLS
 
 
@@ -133,3 +133,18 @@ def test_what_is_no_tree_is_told(text, says):
 def test_a_child_begins_anew_when_its_parent_says_so(inside, ticks, begun):
     _, log = ticked(inside.format("<Begins name='b' says='s'/>"), ticks)
     assert log.count("begin") == begun
+
+
+def test_each_change_of_a_status_is_told_parents_first():
+    root, _ = tree(f"<Sequence name='s'>{work('a', 's')}<Inverter name='i'>{work('b', 'rf')}</Inverter></Sequence>")
+    changes = []
+    root.board[STATUS_CHANGED] = lambda node, before, after: changes.append(f"{node.uid}{node.name} {before} {after}")
+    root.tick()
+    assert changes == ["1s idle running", "2a idle success", "3i idle running", "4b idle running"]
+    changes.clear()
+    root.tick()
+    ended = ["4b running failure", "3i running success", "4b failure idle", "2a success idle", "3i success idle"]
+    assert changes == [*ended, "1s running success"]
+    changes.clear()
+    root.halt()
+    assert changes == ["1s success idle"]

@@ -5,6 +5,7 @@ from itertools import pairwise
 
 import pytest
 from nav2_msgs.action import ComputePathThroughPoses, NavigateToPose
+from nav2_msgs.msg import BehaviorTreeLog
 from rclpy.action import ActionClient
 
 from coursekit.geometry.plane import Pose2D
@@ -115,9 +116,16 @@ def test_trees_of_goals_are_gone_and_those_that_are_none_refused(stage, tmp_path
         return stage.until(stage.until(client.send_goal_async(goal)).get_result_async()).status
 
     assert status(PLAN_AND_FOLLOW, Pose2D(1.5, 0.0, 0.0)) == 4 and stage.distance_to(Pose2D(1.5, 0.0, 0.0)) < 0.4
-    heading = stage.robot.place.theta
+    heading, changes = stage.robot.place.theta, []
+    log = "behavior_tree_log"
+    heard = stage.node.create_subscription(BehaviorTreeLog, log, lambda msg: changes.extend(msg.event_log), 10)
     assert status('<Sequence><Spin spin_dist="1.0"/><Wait wait_duration="1"/></Sequence>', START) == 4
     assert stage.robot.place.theta - heading == pytest.approx(1.0, abs=0.1)
+    told = [f"{one.uid} {one.node_name} {one.current_status}" for one in changes if one.current_status != "IDLE"]
+    of_children = [f"{child} {status}" for child in ("2 Spin", "3 Wait") for status in ("RUNNING", "SUCCESS")]
+    assert told == ["1 Sequence RUNNING", *of_children, "1 Sequence SUCCESS"]
+    assert 0.9 < changes[-1].timestamp.sec - changes[0].timestamp.sec < 10, "each change has its time"
+    stage.node.destroy_subscription(heard)
     assert status(PLAN_AND_FOLLOW, Pose2D(1.2, 40.0, 0.0)) == 6
     assert status("<Dance/>", START) == 6
     assert "has a node 'Dance', which is not known here; known are: AlwaysFailure" in stage.launch.output

@@ -20,6 +20,7 @@ from coursekit.nodes.nav2.foreign_tree import ForeignNodes, load
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import Server, SingleGoal, run
 from coursekit.nodes.nav2.tree_libraries import LIBRARIES
+from coursekit.nodes.nav2.tree_log import TreeLog
 from coursekit.nodes.nav2.trip import KINDS, Crew, Trip, load_tree
 from coursekit.nodes.nav2.whereabouts import Whereabouts, stamped
 
@@ -70,6 +71,7 @@ class BtNavigator(Server):
         self.where = Whereabouts(self, given["robot_base_frame"])
         self._crew = Crew(self, self._pose, lambda goal: self.where.pose_in(self._frame, goal))
         self._foreign = self._load(given["plugin_lib_names"])
+        self._log = TreeLog(self)
         self._period = max(given["bt_loop_duration"], 1) * 1e-3
         self._to_pose = self.serve(NavigateToPose, "navigate_to_pose", self._go_to)
         self._through = self.serve(NavigateThroughPoses, "navigate_through_poses", self._go_through)
@@ -96,6 +98,7 @@ class BtNavigator(Server):
             self.destroy_subscription(heard)
         self._self_client.destroy()
         self._crew.destroy()
+        self._log.destroy()
         if self._foreign is not None:
             self._foreign.close()
         self.where.close()
@@ -163,7 +166,7 @@ class BtNavigator(Server):
             handle.abort()
             return kind.Result()
         self._driver = handle
-        end = await Trip(tree, self._crew, stop, goes_on, tell, self._period).run()
+        end = await Trip(tree, self._crew, stop, goes_on, tell, self._period, self._log).run()
         self._driver = None if self._driver is handle else self._driver
         self._finish(handle, action, end)
         return kind.Result()

@@ -97,6 +97,7 @@ class ForeignNode(TreeNode):
         """Halt it if it is running, and let it begin anew."""
         if self.status != IDLE:
             self._ask("halt" if self.status == RUNNING else "rest")
+        self._note(self.status, IDLE)
         self.status = IDLE
         for child in self.children:
             child.halt()

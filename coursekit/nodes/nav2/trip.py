@@ -34,6 +34,8 @@ if TYPE_CHECKING:
     from rclpy.node import Node
     from rclpy.qos import QoSProfile
 
+    from coursekit.nodes.nav2.tree_log import TreeLog
+
 KINDS: dict[str, type[TreeNode]] = {**CONTROLS, **BRANCHES, **ACTIONS, **CANCELS, **CONDITIONS, **WATCHERS}
 MOST_BYTES = 2**20
 
@@ -120,8 +122,11 @@ class Trip:
 
     def __init__(
         self, tree: TreeNode, crew: Crew, stop: Callable[[], bool], goes_on: Callable[[], bool],
-        tell: Callable[[Trip], None], period: float,
+        tell: Callable[[Trip], None], period: float, log: TreeLog | None = None,
     ) -> None:  # fmt: skip
+        self._log = log
+        if log is not None:
+            log.watch(tree.board)
         self._goes_on = goes_on
         self.tree, self.crew, self._stop, self._tell, self._period = tree, crew, stop, tell, period
 
@@ -149,6 +154,7 @@ class Trip:
         try:
             while not self._stop():
                 status = self.tree.tick()
+                self._flush()
                 if status != RUNNING:
                     return "succeeded" if status == SUCCESS else "failed"
                 if self.crew.seconds() - told >= 0.1:
@@ -167,4 +173,9 @@ class Trip:
                 beat.stop()
                 self.crew.goes_on = self._goes_on()
                 self.tree.halt()
+                self._flush()
                 self.tree.retire()
+
+    def _flush(self) -> None:
+        if self._log is not None:
+            self._log.flush()

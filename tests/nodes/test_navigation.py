@@ -6,6 +6,7 @@ from itertools import pairwise
 import pytest
 from nav2_msgs.action import ComputePathThroughPoses, NavigateToPose
 from nav2_msgs.msg import BehaviorTreeLog
+from nav_msgs.msg import Odometry, Path
 from rclpy.action import ActionClient
 
 from coursekit.geometry.plane import Pose2D
@@ -78,6 +79,17 @@ def give(stage, client, pose):
     return handle
 
 
+def check_plans(stage, plans, driven):
+    """Where the commands were to lead, and the rest of the path: from where the robot was, to where it came."""
+    local, rest = ([msg for topic, msg in plans if topic == name] for name in ("local_plan", "transformed_global_plan"))
+    assert {msg.header.frame_id for _, msg in plans} == {"odom"} and len(local) == len(rest) > 50
+    begins, ends = ([(msg.poses[k].pose.position.x, msg.poses[k].pose.position.y) for msg in local] for k in (0, -1))
+    way = [(place.x, place.y) for place in driven]
+    assert all(min(math.dist(begin, place) for place in way) < 0.1 for begin in begins[:: len(begins) // 20])
+    assert max(math.dist(begin, end) for begin, end in zip(begins, ends, strict=True)) > 0.3, "they lead on"
+    assert math.dist(way[-1], (rest[-1].poses[-1].pose.position.x, rest[-1].poses[-1].pose.position.y)) < 0.4
+
+
 def test_goals_are_reached_replaced_cancelled_and_refused(stage):
     stage.tell_pose(START)
     client = ActionClient(stage.node, NavigateToPose, "navigate_to_pose")
@@ -86,9 +98,14 @@ def test_goals_are_reached_replaced_cancelled_and_refused(stage):
     stage.spin(4.0)
     there = Pose2D(3.0, 1.0, 1.5)
     second = give(stage, client, there)
+    plans, driven = [], []
+    for topic in ("local_plan", "transformed_global_plan"):
+        stage.node.create_subscription(Path, topic, lambda msg, topic=topic: plans.append((topic, msg)), 10)
+    stage.node.create_subscription(Odometry, "odom", lambda msg: driven.append(msg.pose.pose.position), 10)
     assert stage.until(first.get_result_async()).status == 6  # aborted: replaced
     assert stage.until(second.get_result_async()).status == 4
     assert stage.distance_to(there) < 0.4 and abs(stage.robot.place.theta - 1.5) < 0.4
+    check_plans(stage, plans, driven)
     third = give(stage, client, Pose2D(8.0, 0.5, 0.0))
     stage.spin(3.0)
     assert stage.robot.velocity[0] > 0.2

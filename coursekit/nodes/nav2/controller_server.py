@@ -18,6 +18,7 @@ from coursekit.nodes.nav2.costmap_node import CostmapNode
 from coursekit.nodes.nav2.drive import Drive, ForeignDrive
 from coursekit.nodes.nav2.foreign import ForeignPlugins
 from coursekit.nodes.nav2.foreign_controller import ForeignController, ForeignGoalChecker
+from coursekit.nodes.nav2.local_plan import LocalPlan
 from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import Beat, Server, run
 
@@ -70,6 +71,7 @@ class ControllerServer(Server):
         self.velocity, self._limit, self._limit_share = Twist(), 0.0, 0.0
         self._cmd_out = self.create_lifecycle_publisher(Twist, "cmd_vel", 1)
         self._plan_out = self.create_lifecycle_publisher(Path, "received_global_plan", 1)
+        self.local_plan = LocalPlan(self)
         self._heard = [
             self.create_subscription(Odometry, self.text("odom_topic"), self._take_odometry, 10),
             self.create_subscription(SpeedLimit, self.text("speed_limit_topic"), self._take_limit, 10),
@@ -96,6 +98,7 @@ class ControllerServer(Server):
         self.costmap.trigger_cleanup()
         for heard in self._heard:
             self.destroy_subscription(heard)
+        self.local_plan.destroy()
         for publisher in (self._cmd_out, self._plan_out):
             self.destroy_lifecycle_publisher(publisher)
         return super().on_cleanup(state)

@@ -1,5 +1,6 @@
 """Settings of all tests: a busy computer is no failure, and sessions of tests and of the user never meet."""
 
+import gc
 import importlib
 import os
 import subprocess
@@ -47,6 +48,12 @@ LONG = (
 def pytest_collection_modifyitems(items):
     """Begin with what takes long; `--no-loadscope-reorder` keeps to that."""
     items.sort(key=lambda item: next((at for at, start in enumerate(LONG) if item.nodeid.startswith(start)), len(LONG)))
+
+
+def pytest_collection_finish(session):
+    """Keep Python's garbage collection from going through all tests each time: they stay until the end."""
+    gc.collect()
+    gc.freeze()
 
 
 ALONE = ("tests/notebooks/test_taking",)

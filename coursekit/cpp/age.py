@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import mmap
+from functools import cache
 from pathlib import Path
 
 from coursekit.files import in_order, read_bytes
@@ -14,8 +15,13 @@ _LENGTH = 16
 _ROOM = Path(__file__).parent
 
 
+@cache
 def runtime_key() -> str:
-    """Return a hash of the runtime's headers and sources."""
+    """Return a hash of the runtime's headers and sources, as they are when it is first asked for.
+
+    A process goes on with the code that it was started with, whatever is installed meanwhile; and each start of a node
+    asks, which would take 20 ms.
+    """
     seen = hashlib.sha256()
     for folder in ("include", "src"):
         for path in in_order(path for path in (_ROOM / folder).rglob("*") if path.is_file()):

@@ -109,20 +109,20 @@ def test_groups_scope_configurations_and_environment(
 @both(
     """
   <timer period="2.5"><log message="later"/></timer>
-  <executable cmd="echo 'two  words' $(eval '1 + 1') end" output="screen" name="say"/>
-  <executable cmd="true" respawn="false" shell="false" sigterm_timeout="1.0" on_exit="shutdown"/>
+  <executable cmd="true" respawn="false" shell="false" sigterm_timeout="1.0"/>
+  <executable cmd="echo 'two  words' $(eval '1 + 1') end" output="screen" name="say" on_exit="shutdown"/>
 """,
     """
 - timer: {period: 2.5, children: [log: {message: later}]}
-- executable: {cmd: "echo 'two  words' $(eval '1 + 1') end", output: screen, name: say}
-- executable: {cmd: "true", respawn: false, shell: false, sigterm_timeout: 1.0, on_exit: shutdown}
+- executable: {cmd: "true", respawn: false, shell: false, sigterm_timeout: 1.0}
+- executable: {cmd: "echo 'two  words' $(eval '1 + 1') end", output: screen, name: say, on_exit: shutdown}
 """,
 )
 def test_timers_and_executables(launch, text: str) -> None:
     lines = launch([read(text)]).lines
-    assert "[say-1] two  words 2 end" in lines
+    assert "[say-2] two  words 2 end" in lines
     assert USER + "later" not in lines
-    assert "[INFO] [launch]: process[true-2] was required: shutting down launched system" in lines
+    assert "[INFO] [launch]: process[say-2] was required: shutting down launched system" in lines
 
 
 @both(

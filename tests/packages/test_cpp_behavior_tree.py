@@ -22,7 +22,7 @@ def workspace(tmp_path_factory):
     folder = tmp_path_factory.mktemp("bt_ws")
     shutil.copytree(SOURCES.parent.parent / "bt_ws" / "src", folder / "src")
     built = colcon(folder, "build")
-    assert built.returncode == 0 and "2 packages finished" in built.stdout, built.stdout + built.stderr
+    assert built.returncode == 0 and "3 packages finished" in built.stdout, built.stdout + built.stderr
     assert "stderr" not in built.stdout + built.stderr and "Skipped" not in built.stdout
     return folder
 

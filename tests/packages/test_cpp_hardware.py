@@ -66,7 +66,7 @@ def test_a_velocity_goes_in_and_joint_states_come_out(workspace, virtual):
     """
     said = told(workspace, body, virtual=virtual)
     assert "['left', 'right'] [0.0, 0.0]" in said and "ended 0" in said
-    assert resources(said) == LIFE + END
+    assert resources(said) == LIFE + END, said
 
 
 def test_a_driver_sleeps_and_has_a_node(workspace):
@@ -121,7 +121,7 @@ def test_hardware_is_brought_to_other_states(workspace):
         "'deactivate' hardware 'cart'", "deactivate from active", "Successful 'deactivate' of hardware 'cart'",
     ]  # fmt: skip
     assert {"cleanup from inactive", "Successful 'cleanup' of hardware 'cart'"} <= set(resources(said))
-    assert resources(said)[-2:] == ["hardware 'cart' is in finalized state and can be only destroyed.", "destroyed"]
+    assert resources(said)[-2:] == ["hardware 'cart' is in finalized state and can be only destroyed.", "destroyed"], said
 
 
 MISSING = (

@@ -264,7 +264,7 @@ with Session().use() as session:
     process = session.start(stubborn, name="p")
     session.clock.sleep(0.1)
     process.kill()
-    process.wait(10)
+    process.wait(60)
     assert process.abandoned
 go.set()
 printed.wait(10)

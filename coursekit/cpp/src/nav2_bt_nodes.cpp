@@ -29,14 +29,14 @@ public:
   void halt() override
   {
     if (status() != NodeStatus::IDLE) {
-      asked("halt");
+      navigators("halt");
       resetStatus();
     }
   }
 
 private:
-  NodeStatus tick() override {return static_cast<NodeStatus>(asked(status() == NodeStatus::IDLE ? "begin" : "tick").i());}
-  Unpacker asked(const char * what) const
+  NodeStatus tick() override {return static_cast<NodeStatus>(navigators(status() == NodeStatus::IDLE ? "begin" : "tick").i());}
+  Unpacker navigators(const char * what) const
   {
     return coursekit::request("tree_child", Packer{}.i(*getInput<int>("of")).i(*getInput<int>("place")).s(what));
   }

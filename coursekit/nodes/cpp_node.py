@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any, TypeVar
 
 from rcl_interfaces.msg import ParameterDescriptor, ParameterEvent, SetParametersResult
+from rclpy.exceptions import ParameterNotDeclaredException
 from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_parameter_events
@@ -21,6 +22,9 @@ class CppNode(Node):
             name = f"qos_overrides./parameter_events.publisher.{policy}"
             self.declare_parameter(name, value, ParameterDescriptor(read_only=True))
         self.create_subscription(ParameterEvent, "/parameter_events", lambda _event: None, qos_profile_parameter_events)
+
+    def _rclpy_reason(self, error: Exception) -> str:
+        return undeclared(error) if isinstance(error, ParameterNotDeclaredException) else super()._rclpy_reason(error)
 
     def _rclpy_listed_names(self) -> list[str]:
         return sorted(super()._rclpy_listed_names())  # rclcpp keeps them in a std::map
@@ -47,10 +51,22 @@ def as_cpp(kind: type[Kind]) -> type[Kind]:
     return type(kind.__name__, (kind, CppNode), {})
 
 
+def undeclared(error: ParameterNotDeclaredException) -> str:
+    """Return rclcpp's words for setting a parameter that is not declared.
+
+    >>> undeclared(ParameterNotDeclaredException("speed"))
+    "parameter 'speed' cannot be set because it was not declared"
+    """
+    names = error.args[1]
+    return f"parameter '{names if isinstance(names, str) else names[0]}' cannot be set because it was not declared"
+
+
 def _reason(parameter: Parameter, descriptor: ParameterDescriptor, check_read_only: bool) -> str:
     """Return why a parameter may not have that value."""
     if check_read_only and descriptor.read_only:
         return f"parameter '{parameter.name}' cannot be set because it is read-only"
+    if parameter.type_ == Parameter.Type.NOT_SET and not descriptor.dynamic_typing:
+        return "cannot undeclare an statically typed parameter"
     if descriptor.type != parameter.type_.value:
         return wrong_type(parameter.name, Parameter.Type(descriptor.type), parameter.type_)
     kind = "integer" if parameter.type_ == Parameter.Type.INTEGER else "floating point"

@@ -3,6 +3,7 @@
 import pytest
 import rclpy
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
+from rcl_interfaces.srv import SetParameters
 from rclpy.parameter import Parameter
 
 from coursekit.nodes.cpp_node import CppNode
@@ -48,11 +49,20 @@ def test_it_has_the_qos_of_its_events_as_parameters_and_hears_those_of_others(no
         ),
         ("red", 300, "Parameter {red} doesn't comply with integer range."),
         ("speed", 2.5, "Parameter {speed} doesn't comply with floating point range."),
+        ("speed", None, "cannot undeclare an statically typed parameter"),
     ],
 )
 def test_it_refuses_parameters_in_the_words_of_rclcpp(node, name, value, reason):
     result = node.set_parameters([Parameter(name, value=value)])[0]
     assert (result.successful, result.reason) == (False, reason)
+
+
+def test_its_service_says_in_those_words_that_a_parameter_is_not_declared(node):
+    client = node.create_client(SetParameters, "/node/set_parameters")
+    asked = client.call_async(SetParameters.Request(parameters=[Parameter("sped", value=1).to_parameter_msg()]))
+    rclpy.spin_until_future_complete(node, asked, timeout_sec=5.0)
+    result = asked.result().results[0]
+    assert (result.successful, result.reason) == (False, "parameter 'sped' cannot be set because it was not declared")
 
 
 @pytest.mark.parametrize(

@@ -98,7 +98,7 @@ Context::Context()
 void Context::init(int argc, char const * const * argv, const InitOptions & options)
 {
   if (valid_) {
-    throw std::runtime_error("context is already initialized");
+    throw ContextAlreadyInitialized();
   }
   Packer with = Packer{}.i(number_).i(options.domain_id_).i(argc);
   for (int i = 0; i < argc; ++i) {

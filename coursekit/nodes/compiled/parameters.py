@@ -20,7 +20,7 @@ from rclpy.parameter import PARAMETER_SEPARATOR_STRING, Parameter
 from rclpy.parameter_service import is_listed
 
 from coursekit.nodes.compiled.frames import Unpacker, packed
-from coursekit.nodes.cpp_node import wrong_type
+from coursekit.nodes.cpp_node import undeclared, wrong_type
 from coursekit.rcl import parameter_file
 
 if TYPE_CHECKING:
@@ -140,7 +140,10 @@ def do_set_parameters(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Set parameters individually or atomically."""
     node, together = host.things[frame.integer()], frame.integer()
     wanted = [Parameter.from_parameter_msg(frame.message(ParameterMessage)) for _ in range(frame.integer())]
-    results = [node.set_parameters_atomically(wanted)] if together else node.set_parameters(wanted)
+    try:
+        results = [node.set_parameters_atomically(wanted)] if together else node.set_parameters(wanted)
+    except ParameterNotDeclaredException as error:
+        raise ParameterNotDeclaredException(undeclared(error)) from None
     return packed(len(results), *results)
 
 

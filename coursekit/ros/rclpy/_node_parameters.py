@@ -127,6 +127,10 @@ class NodeParameters(ParameterSetting):
         """The names of all parameters in the order in which they are listed."""
         return list(self._parameters)
 
+    def _rclpy_reason(self, error: Exception) -> str:
+        """What the node's service says of an exception."""
+        return str(error)
+
     # -- reading
 
     def get_parameter_types(self, names: list[str]) -> list[int]:

@@ -98,7 +98,7 @@ class ParameterService:
         try:
             return setter([Parameter.from_parameter_msg(message) for message in messages])
         except (ParameterNotDeclaredException, ValueError) as error:
-            return SetParametersResult(successful=False, reason=str(error))
+            return SetParametersResult(successful=False, reason=self.node._rclpy_reason(error))
 
 
 def is_listed(name: str, prefixes: list[str], depth: int) -> bool:

@@ -119,6 +119,7 @@ private:
   void pressure(diagnostic_updater::DiagnosticStatusWrapper & status)
   {
     status.summary(diagnostic_msgs::msg::DiagnosticStatus::OK, "steady");
+    status.mergeSummary(diagnostic_msgs::msg::DiagnosticStatus::OK, "of two good ones the first stays");
     status.add("bar", 2.5);
     status.addf("raw", "%04d", 12);
     status.add("open", true);

@@ -44,6 +44,41 @@ def test_a_node_goes_through_its_states_by_its_own_calls(session, start):
     ]
 
 
+BASE = """
+#include "realtime_tools/realtime_publisher.h"
+#include "rclcpp_lifecycle/lifecycle_node.hpp"
+#include "std_msgs/msg/string.hpp"
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp_lifecycle::LifecycleNode>("asleep");
+  int heard = 0;
+  auto listener = node->create_subscription<std_msgs::msg::String>(
+    "state", 10, [&heard](std_msgs::msg::String::ConstSharedPtr) {++heard;});
+  rclcpp::Publisher<std_msgs::msg::String>::SharedPtr base = node->create_publisher<std_msgs::msg::String>("state", 10);
+  base->publish(std_msgs::msg::String());
+  realtime_tools::RealtimePublisher<std_msgs::msg::String> in_real_time(base);
+  in_real_time.lock();
+  in_real_time.unlockAndPublish();
+  for (int k = 0; k < 50 && heard < 2; ++k) {
+    rclcpp::spin_some(node->get_node_base_interface());
+    rclcpp::sleep_for(std::chrono::milliseconds(20));
+  }
+  std::cout << heard << std::endl;
+  try {
+    rclcpp::init(argc, argv);
+  } catch (const rclcpp::ContextAlreadyInitialized & error) {
+    std::cout << error.what() << std::endl;
+  }
+}
+"""
+
+
+def test_a_publisher_of_the_base_class_speaks_in_every_state(session, build):
+    process = session.launch(make_process(session, build("base", BASE), [], name="base"))
+    assert process.wait(20.0) == 0 and process.output == "2\ncontext is already initialized\n"
+
+
 def test_ros2_lifecycle_takes_it_through_its_states(session, start, ros2):
     process = start()
     rclpy.init()

@@ -27,9 +27,10 @@ public:
   }
   void clearSummary() {summary(OK, "");}
   /// The worse of two levels; the words of both where they are equally well or ill.
+  /// Faults are joined; of two good states the first stays.
   void mergeSummary(unsigned char level, const std::string & text)
   {
-    if ((level > OK) == (this->level > OK)) {
+    if (level > OK && this->level > OK) {
       message += (message.empty() || text.empty() ? "" : "; ") + text;
     } else if (level > this->level) {
       message = text;

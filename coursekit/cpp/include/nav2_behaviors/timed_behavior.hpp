@@ -11,7 +11,10 @@
 #include "nav2_util/robot_utils.hpp"
 #include "nav2_util/simple_action_server.hpp"
 #include "rclcpp/rclcpp.hpp"
+#include "tf2/utils.h"
 #include "tf2_ros/buffer.h"
+#include "tf2_ros/create_timer_ros.h"
+#include "tf2_ros/transform_listener.h"
 
 namespace nav2_behaviors
 {

@@ -15,6 +15,13 @@
 
 namespace rclcpp
 {
+class ContextAlreadyInitialized : public std::runtime_error
+{
+public:
+  ContextAlreadyInitialized()
+  : std::runtime_error("context is already initialized") {}
+};
+
 class InitOptions
 {
 public:

@@ -201,8 +201,9 @@ public:
   bool has_parameter(const std::string & name) const {return base_->has_parameter(name);}
   Parameter get_parameter(const std::string & name) const {return base_->get_parameter(name);}
   bool get_parameter(const std::string & name, Parameter & parameter) const {return base_->get_parameter(name, parameter);}
+  /// Not inlined: the compiler would warn of a variable that stays as it was where the parameter is not there.
   template<class T>
-  bool get_parameter(const std::string & name, T & value) const
+  __attribute__((noinline)) bool get_parameter(const std::string & name, T & value) const
   {
     Parameter found;
     bool known = get_parameter(name, found) && found.get_type() != PARAMETER_NOT_SET;

@@ -115,7 +115,7 @@ public:
     prepare(*node, ROSMessageType::coursekit_type, topic, wanted, options);
   }
 
-  virtual void publish(const PublishedType & message) {send(custom_to_cdr<T>(message));}
+  void publish(const PublishedType & message) {send(custom_to_cdr<T>(message));}
   template<class Deleter>
   void publish(std::unique_ptr<PublishedType, Deleter> message)
   {

@@ -1,4 +1,4 @@
-// A publisher that is silent while its node is not active.
+// A publisher that is silent while its node is not active. Through a pointer to an rclcpp::Publisher it always speaks.
 #pragma once
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp_lifecycle/managed_entity.hpp"
@@ -18,7 +18,7 @@ public:
 
   template<class Deleter>
   void publish(std::unique_ptr<PublishedType, Deleter> message) {publish(*message);}
-  void publish(const PublishedType & message) override
+  void publish(const PublishedType & message)
   {
     if (may_speak()) {
       Base::publish(message);

@@ -60,6 +60,8 @@ int main(int argc, char ** argv)
   throws<errors::InvalidParametersException>("no name", [&] {node->declare_parameter("", 1);});
   throws<errors::InvalidParameterTypeException>("another type", [&] {node->get_parameter("count").as_string();});
   throws<errors::ParameterNotDeclaredException>("set what is not declared", [&] {node->set_parameter({"nothing", 1});});
+  equal("words for it", said([&] {node->set_parameter({"nothing", 1});}),
+    "parameter 'nothing' cannot be set because it was not declared");
   throws<errors::UninitializedStaticallyTypedParameterException>("declared by type alone", [&] {
       node->declare_parameter<int>("typed");
     });

@@ -8,6 +8,7 @@ import os
 import re
 import shutil
 import sys
+from collections.abc import Iterable
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -31,6 +32,7 @@ _RUNTIME = re.compile(r"/cpp/([0-9a-f]{16})/share/")
 _QUIET = "-Wno-author"
 """Silences what newer versions of CMake say of policies that Humble's did not know."""
 _COLOR = re.compile(rb"\x1b\[[\d;]*m")
+_FAILED = re.compile(rb"FAILED: .*?CMakeFiles/([^/\s]+)\.dir/")
 _OF_CMAKE = re.compile(rb"\[\d+/\d+\] |ninja: |FAILED: |--|loading initial cache file |\Z")
 
 
@@ -53,15 +55,15 @@ def package_config(package: str, dependencies: list[str]) -> str:
     return re.sub(r"@(\w+)@", lambda match: known.get(match[1], ""), text)
 
 
-async def build_with_cmake(context: Any, tools: Toolchain) -> tuple[int, list[bytes]]:
-    """Configure, build and install the package of colcon's context.
+async def build_with_cmake(context: Any, tools: Toolchain, left_out: Iterable[str] = ()) -> tuple[int, ErrorsAside]:
+    """Configure, build and install the package of colcon's context, without some of its targets.
 
     Returns the exit code of the first step that fails, and the lines of errors and warnings, which are not reported yet.
     """
     args = context.args
     reuse_compiler(Path(args.build_base), runtime_folder(tools))
     own_words = list(args.cmake_args or [])
-    args.cmake_args = [*_words(context, tools), *own_words]
+    args.cmake_args = [*_words(context, tools, left_out), *own_words]
     task = colcon_cmake.CmakeBuildTask()
     listening = ErrorsAside(context)
     complete = partial(_complete, runtime=runtime_folder(tools))
@@ -71,17 +73,17 @@ async def build_with_cmake(context: Any, tools: Toolchain) -> tuple[int, list[by
         code = await task.build(skip_hook_creation=True, environment_callback=complete)
     finally:
         args.cmake_args = own_words or None
-    return int(code or 0), listening.errors
+    return int(code or 0), listening
 
 
-def _words(context: Any, tools: Toolchain) -> list[str]:
+def _words(context: Any, tools: Toolchain, left_out: Iterable[str]) -> list[str]:
     args = context.args
     linking = "ON" if getattr(args, "symlink_install", False) else "OFF"
-    facts = initial_cache(Path(args.build_base), Path(args.install_base), tools)
+    facts = initial_cache(Path(args.build_base), Path(args.install_base), tools, left_out)
     return [_QUIET, "-G", tools.generator, "-C", str(facts), f"-DAMENT_CMAKE_SYMLINK_INSTALL={linking}"]
 
 
-def initial_cache(build: Path, prefix: Path, tools: Toolchain) -> Path:
+def initial_cache(build: Path, prefix: Path, tools: Toolchain, left_out: Iterable[str] = ()) -> Path:
     """Write the CMake variables for this computer to a file: unlike command-line arguments, they need not all be used."""
     facts = {
         **tools.defines(),
@@ -90,6 +92,7 @@ def initial_cache(build: Path, prefix: Path, tools: Toolchain) -> Path:
         "COURSEKIT_CMAKE": ROOM / "cmake",
         "COURSEKIT_ROOT": ROOM,
         "COURSEKIT_PYTHON": Path(sys.executable),
+        "COURSEKIT_LEFT_OUT": ";".join(left_out),
         "COURSEKIT_SITE_PACKAGES": layout.site_packages(prefix).relative_to(prefix),
         "BUILD_TESTING": "OFF",  # tests in C++ are named by `colcon test`, and not compiled
         "CMAKE_INSTALL_LIBDIR": "lib",
@@ -168,6 +171,9 @@ class ErrorsAside:
     def __init__(self, context: Any) -> None:
         self._context = context
         self.errors: list[bytes] = []
+        self.of_targets: dict[str, list[bytes]] = {}
+        """Those of targets that failed, as ninja names them."""
+        self._target: list[bytes] = []
         self._last = b""
 
     def __getattr__(self, name: str) -> Any:
@@ -180,6 +186,11 @@ class ErrorsAside:
         is_error = isinstance(event, StderrLine) or (isinstance(event, StdoutLine) and not _OF_CMAKE.match(line.strip()))
         if is_error and not self._last.startswith(b"FAILED: "):  # ninja's command follows that line
             self.errors.append(line)
+            self._target.append(line)
         else:
+            if failed := _FAILED.match(line):
+                self._target = self.of_targets.setdefault(failed[1].decode(), [])
+            elif not self._last.startswith(b"FAILED: "):
+                self._target = []  # of no target
             self._context.put_event_into_queue(event)
         self._last = line

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -100,20 +101,30 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         return 0
 
     async def _compile(self, tools: Toolchain) -> int:
-        code, errors = await cmake_build.build_with_cmake(self.context, tools)
-        package = self.context.pkg.name
-        said = b"".join(errors).decode(errors="replace")
-        why = code and cpp_limits.reason(said, self._depends(), bool(stand_ins(package)))
-        if why:
+        package, left_out = self.context.pkg.name, dict[str, str]()
+        code, told = await cmake_build.build_with_cmake(self.context, tools)
+        while code and (more := {**self._unavailable(told.of_targets), **left_out}) != left_out:
+            left_out = more
+            code, told = await cmake_build.build_with_cmake(self.context, tools, left_out)
+        if code and (why := self._why(told.errors)):
             return await self._copy_files(why)
-        for line in cpp_hints.with_hints(errors) if code else errors:
+        for line in cpp_hints.with_hints(told.errors) if code else told.errors:
             self.context.put_event_into_queue(StderrLine(line))
         if code == 0:
             self._installed = cmake_build.installed(Path(self.context.args.build_base), Path(self.context.args.install_base))
-            self._finish(package, [], "")
+            self._note_skipped(package, left_out)
+            self._finish(package, list(left_out), "; ".join(dict.fromkeys(left_out.values())))
             if stands_for_links():
                 print(f"{package} is copied: build it again after every change of a file", flush=True)
         return code
+
+    def _unavailable(self, errors: Mapping[str, list[bytes]]) -> dict[str, str]:
+        """Return the targets that failed because something is missing here, with the reasons."""
+        return {target: why for target, lines in sorted(errors.items()) if (why := self._why(lines))}
+
+    def _why(self, errors: list[bytes]) -> str:
+        said = b"".join(errors).decode(errors="replace")
+        return cpp_limits.reason(said, self._depends(), bool(stand_ins(self.context.pkg.name)))
 
     def _depends(self) -> set[str]:
         return {dependency.name for kind in self.context.pkg.dependencies.values() for dependency in kind}
@@ -156,8 +167,12 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         if not reading.targets:
             config = cmake_build.package_config(package, interface_rules.exported_dependencies(reading))
             self._create(f"share/{package}/cmake/{package}Config.cmake", config)
-        if reading.targets:  # for `ros2 run` to explain why an executable is missing
-            self._create(f"{_INDEX}/coursekit_skipped/{package}", "".join(f"{t}\n" for t in reading.targets))
+        self._note_skipped(package, reading.targets)
+
+    def _note_skipped(self, package: str, targets: Collection[str]) -> None:
+        """Let `ros2 run` explain why an executable is missing."""
+        if targets:
+            self._create(f"{_INDEX}/coursekit_skipped/{package}", "".join(f"{target}\n" for target in targets))
 
     def _note_copies(self, package: str) -> None:
         """Record copies made instead of refused links, to update them without a build."""

@@ -56,6 +56,9 @@ function(_coursekit_library_of name variable)
 endfunction()
 
 function(_coursekit_add_plugin_program target name)
+  if("${target}" IN_LIST COURSEKIT_LEFT_OUT)
+    return()
+  endif()
   set(program __plugins_${name})
   set(source "${CMAKE_CURRENT_BINARY_DIR}/plugins/${program}.cpp")
   file(GENERATE OUTPUT "${source}" CONTENT "#include \"coursekit/plugins.hpp\"

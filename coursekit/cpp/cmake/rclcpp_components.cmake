@@ -41,6 +41,9 @@ macro(rclcpp_components_register_nodes target)
 endmacro()
 
 function(_coursekit_component target program plugin executor)
+  if("${target}" IN_LIST COURSEKIT_LEFT_OUT)
+    return()
+  endif()
   set(source "${CMAKE_CURRENT_BINARY_DIR}/rclcpp_components/${program}.cpp")
   set(content "#include \"rclcpp_components/coursekit_run.hpp\"
 int main(int argc, char ** argv)

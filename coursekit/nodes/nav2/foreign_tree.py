@@ -91,7 +91,7 @@ class ForeignNode(TreeNode):
 
     def step(self) -> str:
         """Tick it."""
-        return STATUSES[self._ask("tick").integer()]
+        return STATUSES[self._ask("tick")]
 
     def halt(self) -> None:
         """Halt it if it is running, and let it begin anew."""
@@ -111,15 +111,13 @@ class ForeignNode(TreeNode):
             self._nodes.ask("forget_board", changes.number)
         super().retire()
 
-    def _ask(self, what: str, *words: str) -> Unpacker:
+    def _ask(self, what: str, *words: str) -> int:
+        """Let it do something, with the same blackboard on both sides. Returns the number of a tick's status."""
         changes: Changes = self.board[_CHANGES]
         answer = self._nodes.ask(what, changes.number, rest=changes.told(self.board) + packed(self._number, *words))
-        if what == "tick":
-            status = packed(answer.integer())
-            changes.take(answer, self.board)
-            return Unpacker(status)
+        status = answer.integer() if what == "tick" else 0
         changes.take(answer, self.board)
-        return answer
+        return status
 
 
 class Changes:

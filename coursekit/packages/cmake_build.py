@@ -55,7 +55,7 @@ def package_config(package: str, dependencies: list[str]) -> str:
     return re.sub(r"@(\w+)@", lambda match: known.get(match[1], ""), text)
 
 
-async def build_with_cmake(context: Any, tools: Toolchain, left_out: Iterable[str] = ()) -> tuple[int, ErrorsAside]:
+async def build_with_cmake(context: Any, tools: Toolchain, left_out: Iterable[str]) -> tuple[int, ErrorsAside]:
     """Configure, build and install the package of colcon's context, without some of its targets.
 
     Returns the exit code of the first step that fails, and the lines of errors and warnings, which are not reported yet.

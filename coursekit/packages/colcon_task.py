@@ -102,10 +102,12 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
 
     async def _compile(self, tools: Toolchain) -> int:
         package, left_out = self.context.pkg.name, dict[str, str]()
-        code, told = await cmake_build.build_with_cmake(self.context, tools)
-        while code and (more := {**self._unavailable(told.of_targets), **left_out}) != left_out:
-            left_out = more
+        while True:
             code, told = await cmake_build.build_with_cmake(self.context, tools, left_out)
+            unavailable = self._unavailable(told.of_targets) if code else {}
+            if unavailable.keys() <= left_out.keys():
+                break
+            left_out |= unavailable
         if code and (why := self._why(told.errors)):
             return await self._copy_files(why)
         for line in cpp_hints.with_hints(told.errors) if code else told.errors:

@@ -73,3 +73,10 @@ def test_a_mistake_beside_them_is_still_the_author_s(package, tmp_path):
     done = colcon(tmp_path, "build")
     assert done.returncode == 1 and "'zero' was not declared" in done.stderr.replace("‘", "'").replace("’", "'")
     assert "execution_timer" not in done.stderr and "Skipped" not in done.stdout
+
+
+def test_a_target_that_nobody_has_made_is_not_left_out_in_silence(package, tmp_path):
+    file = package / "CMakeLists.txt"
+    file.write_text(file.read_text().replace("TARGETS plain more", "TARGETS plian"))
+    done = colcon(tmp_path, "build")
+    assert done.returncode == 1 and 'install TARGETS given target "plian" which does not exist' in done.stderr

@@ -18,10 +18,7 @@ function(_coursekit_add_tree_nodes_program folder)
   if(NOT has OR TARGET __tree_nodes)
     return()
   endif()
-  set(source "${CMAKE_CURRENT_BINARY_DIR}/plugins/__tree_nodes.cpp")
-  file(GENERATE OUTPUT "${source}" CONTENT "#include \"coursekit/plugins.hpp\"
-int main(int argc, char ** argv) {return coursekit::run_plugins(argc, argv);}
-")
+  _coursekit_plugins_source(__tree_nodes source)
   add_executable(__tree_nodes "${source}")
   target_link_libraries(__tree_nodes PRIVATE class_loader::class_loader)
   install(TARGETS __tree_nodes DESTINATION lib/${PROJECT_NAME})

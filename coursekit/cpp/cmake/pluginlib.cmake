@@ -60,10 +60,7 @@ function(_coursekit_add_plugin_program target name)
     return()
   endif()
   set(program __plugins_${name})
-  set(source "${CMAKE_CURRENT_BINARY_DIR}/plugins/${program}.cpp")
-  file(GENERATE OUTPUT "${source}" CONTENT "#include \"coursekit/plugins.hpp\"
-int main(int argc, char ** argv) {return coursekit::run_plugins(argc, argv);}
-")
+  _coursekit_plugins_source(${program} source)
   add_executable(${program} "${source}" $<TARGET_OBJECTS:${target}>)  # the objects, so that the classes are entered
   set_property(TARGET ${program} APPEND PROPERTY LINK_LIBRARIES $<TARGET_PROPERTY:${target},LINK_LIBRARIES> coursekit_headers)
   install(TARGETS ${program} DESTINATION lib/${PROJECT_NAME})

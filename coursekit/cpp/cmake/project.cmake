@@ -119,6 +119,15 @@ macro(add_library _coursekit_target)
   endif()
 endmacro()
 
+# The source of a program that has C++ classes for a process of Python.
+function(_coursekit_plugins_source program variable)
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/plugins/${program}.cpp")
+  file(GENERATE OUTPUT "${source}" CONTENT "#include \"coursekit/plugins.hpp\"
+int main(int argc, char ** argv) {return coursekit::run_plugins(argc, argv);}
+")
+  set(${variable} "${source}" PARENT_SCOPE)
+endfunction()
+
 function(_coursekit_add_loadable target)
   set(loadable ${target}__loadable)
   _add_library(${loadable} MODULE $<TARGET_OBJECTS:${target}> "${COURSEKIT_CPP}/age.cpp")
@@ -181,12 +190,13 @@ function(_coursekit_install_targets kind)
   set(words ${ARGN})
   if(COURSEKIT_LEFT_OUT)
     list(REMOVE_ITEM words ${COURSEKIT_LEFT_OUT})
+    list(GET words 0 first)
+    if(NOT "${words}" STREQUAL "${ARGN}" AND NOT TARGET ${first})
+      return()  # nothing is left to install
+    endif()
   endif()
-  list(GET words 0 first)
-  if(TARGET ${first})
-    _install(${kind} ${words})
-    _coursekit_install_loadable(${words})
-  endif()
+  _install(${kind} ${words})
+  _coursekit_install_loadable(${words})
 endfunction()
 
 function(_coursekit_install_loadable)

@@ -98,8 +98,8 @@ class Drive:
     def _command(self, costs: Costmap, here: Pose2D, goal: Pose2D, points: np.ndarray) -> Twist:
         velocity, speeds = Twist(), self._speeds(costs, here, goal, points)
         velocity.linear.x, velocity.angular.z = speeds
-        headings = self.poses[:, 2:] + wrap(goal.theta - self.poses[-1, 2])
-        self.server.local_plan.tell(here, speeds, self.controller.horizon, np.hstack([points, headings]))
+        turn = wrap(goal.theta - self.poses[-1, 2])
+        self.server.local_plan.tell(here, speeds, self.controller.horizon, points, lambda: self.poses[:, 2] + turn)
         return velocity
 
     def _speeds(self, costs: Costmap, here: Pose2D, goal: Pose2D, points: np.ndarray) -> tuple[float, float]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -26,16 +27,21 @@ class LocalPlan:
         self._plan_out = server.create_lifecycle_publisher(Path, "local_plan", 1)
         self._path_out = server.create_lifecycle_publisher(Path, "transformed_global_plan", 1)
 
-    def tell(self, here: Pose2D, velocity: tuple[float, float], horizon: float, path: Array) -> None:
-        """Publish what a velocity [m/s, rad/s] does in `horizon` seconds, and the path (n, 3) in the costmap's frame."""
+    def tell(
+        self, here: Pose2D, velocity: tuple[float, float], horizon: float, points: Array, headings: Callable[[], Array]
+    ) -> None:
+        """Publish what a velocity [m/s, rad/s] does in `horizon` seconds, and the path: points (n, 2) and headings (n).
+
+        All is in the costmap's frame.
+        """
         if self._plan_out.get_subscription_count():
             self._plan_out.publish(self._message(arc(here, velocity, np.arange(0.0, horizon + 1e-9, _STEP_S))))
         if self._path_out.get_subscription_count():
-            gaps = np.hypot(path[:, 0] - here.x, path[:, 1] - here.y)
+            gaps = np.hypot(points[:, 0] - here.x, points[:, 1] - here.y)
             nearest = int(gaps.argmin())
             far = np.flatnonzero(gaps[nearest:] > _REACH_M)
-            end = nearest + int(far[0]) if len(far) else len(path)
-            self._path_out.publish(self._message(path[nearest:end]))
+            end = nearest + int(far[0]) if len(far) else len(points)
+            self._path_out.publish(self._message(np.column_stack([points, headings()])[nearest:end]))
 
     def _message(self, poses: Array) -> Path:
         server = self._server

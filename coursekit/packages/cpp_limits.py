@@ -13,15 +13,14 @@ _NOT_YET = re.compile(
     r"|opencv2|Eigen|rcl|rcl_\w+|rcpputils|rclcpp/(wait_set\w*|guard_condition"
     r"|parameter_client|parameter_event_\w+|serialization|loaned_message|node_interfaces|executors|strategies|experimental|topic_\w+"
     r"|contexts|graph_listener|message_info|parameter_events_filter|subscription_\w+|waitable|type_support_decl|detail)"
-    r"|nav2_util/(costmap|execution_timer|lifecycle_service_client|lifecycle_utils)|nav2_lifecycle_manager"
+    r"|nav2_util/costmap|nav2_lifecycle_manager/lifecycle_manager\."
     r"|rosbag2_cpp/(converter_interfaces|typesupport_helpers)|hardware_interface/resource_manager"
     r"|controller_manager/controller_manager|joint_trajectory_controller|diff_drive_controller|robot_state_publisher"
-    r"|control_toolbox/(dither|limited_proxy|sine_sweep|sinusoid)|realtime_tools/(realtime_helpers|thread_priority)"
-    r"|semantic_components/range_sensor"
+    r"|control_toolbox/(dither|limited_proxy|sine_sweep|sinusoid)|realtime_tools/realtime_helpers"
     r"|rcutils/(configuration_flags|qsort|stdatomic_helper|testing"
     r"|types/(array_list|hash_map|string_map))|rosidl_typesupport_introspection_c"
     r"|nav2_core/behavior_tree_navigator|nav2_costmap_2d/(clear_costmap_service|costmap_2d_publisher|costmap_filters"
-    r"|denoise|inflation_layer|observation|obstacle_layer|range_sensor_layer|static_layer|voxel_layer)\w*"
+    r"|denoise|observation|obstacle_layer|range_sensor_layer|static_layer|voxel_layer)\w*"
     r"|nav2_behaviors/plugins|nav2_behavior_tree/(plugins|bt_action_server\w*)|nav2_map_server|nav_2d_utils|bondcpp|behaviortree_cpp"
     r"|behaviortree_cpp_v3/(controls/manual_node|decorators/timer_queue|flatbuffers|loggers/bt_(file|minitrace|zmq)_\w+"
     r"|utils/(any|simple_string))"
@@ -46,8 +45,8 @@ def reason(text: str, depends: Collection[str], stood_for: bool) -> str:
     'tf2_bullet/tf2_bullet.hpp is not among what C++ has here'
     >>> reason("a.cpp:1:10: fatal error: rmw/features.h: No such file or directory", [], False)
     'rmw/features.h is not among what C++ has here'
-    >>> reason("a.cpp:1:10: fatal error: nav2_util/execution_timer.hpp: No such file or directory", ["nav2_util"], False)
-    'nav2_util/execution_timer.hpp is not among what C++ has here'
+    >>> reason("a.cpp:1:10: fatal error: nav2_util/costmap.hpp: No such file or directory", ["nav2_util"], False)
+    'nav2_util/costmap.hpp is not among what C++ has here'
     >>> reason("a.cpp:1:10: fatal error: rclcpp/rclcp.hpp: No such file or directory", ["rclcpp"], False)
     ''
     >>> reason("a.cpp:1:10: fatal error: behaviortree_cpp/bt_factory.h: No such file or directory", [], False)

@@ -48,6 +48,7 @@ def test_a_path_is_that_of_the_planner_in_cpp(workspace):
     spoken = lines(said, "planner_server")
     assert ("INFO", "Created global planner plugin GridBased of type k_nav/CornerPlanner") in spoken
     assert ("INFO", "GridBased: configured in map for base_link") in spoken and ("INFO", "GridBased: activated") in spoken
+    assert ("INFO", "layers: static_layer obstacle_layer inflation_layer 89") in spoken
     fault = 'GridBased plugin failed to plan calculation to (40.00, 0.00): "the way leaves the map"'
     assert ("WARN", fault) in spoken
     assert "process has died" not in said

@@ -2,6 +2,7 @@
 #include "coursekit/nav2.hpp"
 #include "coursekit/plugins.hpp"
 #include "nav2_costmap_2d/costmap_2d_ros.hpp"
+#include "nav2_costmap_2d/inflation_layer.hpp"
 #include "nav2_costmap_2d/layer.hpp"
 #include "tf2/utils.h"
 
@@ -16,6 +17,33 @@ Costmap2DROS::Costmap2DROS(rclcpp::SharedNode node, std::shared_ptr<tf2_ros::Buf
   robot_base_frame_(get_parameter("robot_base_frame").as_string()), transform_tolerance_(number("transform_tolerance")),
   layered_costmap_(std::make_unique<LayeredCostmap>(
       global_frame_, get_parameter("rolling_window").as_bool(), get_parameter("track_unknown_space").as_bool())) {}
+
+namespace
+{
+/// Stands for a layer of the server, which does that layer's work.
+struct LayerElsewhere : Layer
+{
+  void onInitialize() override {current_ = enabled_ = true;}
+  void reset() override {}
+  bool isClearable() override {return false;}
+  void updateBounds(double, double, double, double *, double *, double *, double *) override {}
+  void updateCosts(Costmap2D &, int, int, int, int) override {}
+};
+}  // namespace
+
+void Costmap2DROS::meet_layers()
+{
+  const std::vector<std::string> names = get_parameter("plugins").as_string_array();
+  for (const std::string & layer : names) {
+    const bool inflates = get_parameter(layer + ".plugin").as_string() == "nav2_costmap_2d::InflationLayer";
+    std::shared_ptr<Layer> made =
+      inflates ? std::make_shared<InflationLayer>() : std::shared_ptr<Layer>(std::make_shared<LayerElsewhere>());
+    layered_costmap_->addPlugin(made);
+    made->initialize(
+      layered_costmap_.get(), layer, tf_buffer_.get(), std::static_pointer_cast<LifecycleNode>(shared_from_this()),
+      get_node_base_interface()->get_default_callback_group());
+  }
+}
 
 double Costmap2DROS::number(const std::string & parameter)
 {
@@ -99,7 +127,7 @@ struct LayerHost : coursekit::Nav2Server
   void initialize(Unpacker & from)
   {
     meet(from);
-    all().addPlugin(layer);
+    all().getPlugins()->assign(1, layer);
     layer->initialize(&all(), name, buffer.get(), costmap, costmap->get_node_base_interface()->get_default_callback_group());
     layer->onFootprintChanged();  // the robot's has just been set
   }

@@ -25,6 +25,7 @@ def test_the_names_do_what_they_say(session, build):
         "failed. value_ptr_ is null.",
         "11 4 5 10",
         "10 nan 2",
+        "11 3",
         "arm system a/Arm /dev/arm bool 2",
         "gear transmission_interface/SimpleTransmission main 50 motor 0.25",
         "no description",

@@ -6,7 +6,7 @@ import pytest
 import rclpy
 from std_msgs.msg import String
 
-from coursekit.processes.executables import make_process
+from coursekit.processes.executables import find, make_process
 from tests.nodes.compiled.conftest import program
 
 
@@ -156,3 +156,52 @@ def test_a_launch_file_brings_it_to_work(valve, tmp_path, ros2):
     said = ros2("launch", str(file), seconds=4.0)
     assert "[yard.intake]: configure from unconfigured [1]" in said
     assert "[yard.intake]: activate from inactive [2]" in said
+
+
+MANAGER = """
+#include "nav2_lifecycle_manager/lifecycle_manager_client.hpp"
+#include "nav2_util/execution_timer.hpp"
+#include "nav2_util/lifecycle_utils.hpp"
+#include "realtime_tools/thread_priority.hpp"
+using namespace std::chrono_literals;
+using lifecycle_msgs::msg::Transition;
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  nav2_util::ExecutionTimer timer;
+  timer.start();
+  rclcpp::sleep_for(100ms);
+  timer.end();
+  std::cout << (timer.elapsed_time() >= 100ms) << (timer.elapsed_time_in_seconds() < 60) << std::endl;
+  nav2_util::startup_lifecycle_nodes("/valve");
+  nav2_util::LifecycleServiceClient valve("valve");
+  std::cout << int(valve.get_state()) << " ";
+  nav2_util::reset_lifecycle_nodes(std::vector<std::string>{"valve"}, 5s);
+  std::cout << int(valve.get_state(5s)) << valve.change_state(Transition::TRANSITION_ACTIVATE)
+            << valve.change_state(Transition::TRANSITION_ACTIVATE, 5s) << std::endl;
+  auto node = rclcpp::Node::make_shared("boss");
+  using nav2_lifecycle_manager::SystemStatus;
+  nav2_lifecycle_manager::LifecycleManagerClient manager("lifecycle_manager", node), nobody("nobody", node);
+  std::cout << (manager.is_active() == SystemStatus::INACTIVE) << manager.startup()
+            << (manager.is_active(5s) == SystemStatus::ACTIVE) << manager.pause(5s)
+            << manager.resume() << manager.reset() << int(valve.get_state()) << manager.startup()
+            << manager.shutdown() << int(valve.get_state()) << std::endl;
+  std::cout << nobody.startup(1s) << (nobody.is_active(1s) == SystemStatus::TIMEOUT) << std::endl;
+  realtime_tools::has_realtime_kernel();
+  try {
+    nav2_util::startup_lifecycle_nodes("nowhere", 1s, 1);
+  } catch (const std::runtime_error & error) {
+    std::cout << error.what() << std::endl;
+  }
+}
+"""
+
+
+def test_nodes_are_brought_up_and_managed_by_nav2_s_clients(session, start, build):
+    start()
+    manager = ["--ros-args", "-p", "node_names:=[valve]", "-p", "bond_timeout:=0.0"]
+    session.start_executable(find("nav2_lifecycle_manager", "lifecycle_manager"), manager, name="lifecycle_manager")
+    process = session.launch(make_process(session, build("manager", MANAGER), [], name="manager"))
+    assert process.wait(60.0) == 0, process.output
+    said = [line for line in process.output.splitlines() if not line.startswith("[")]
+    assert said == ["11", "3 101", "1111111114", "01", "change_state service is not available!"]

@@ -34,6 +34,7 @@ struct Nav2Server
     meet_node(from);
     costmap = std::make_shared<nav2_costmap_2d::Costmap2DROS>(rclcpp::SharedNode{from.i()}, buffer);
     costmap->renew(from);
+    costmap->meet_layers();
   }
   /// Instead of the costmap, hear what another node publishes of it, by the names that the server's parameters give.
   void meet_and_listen(Unpacker & from)

@@ -47,6 +47,8 @@ public:
 
   /// Take the server's costs, and the outline of the robot.
   void renew(coursekit::Unpacker & from);
+  /// Make an object for each layer that the server's parameters name: getPlugins() has them.
+  void meet_layers();
 
 private:
   double number(const std::string & parameter);

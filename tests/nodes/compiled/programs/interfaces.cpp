@@ -9,6 +9,7 @@
 #include "hardware_interface/types/lifecycle_state_names.hpp"
 #include "semantic_components/force_torque_sensor.hpp"
 #include "semantic_components/imu_sensor.hpp"
+#include "semantic_components/range_sensor.hpp"
 
 namespace hw = hardware_interface;
 
@@ -50,6 +51,12 @@ void sensors()
   semantic_components::ForceTorqueSensor wrist("", "", "", "", "", "wrist/torque.z"), missing("ankle");
   std::cout << wrist.assign_loaned_state_interfaces(loans) << missing.assign_loaned_state_interfaces(loans) << " "
             << wrist.get_forces()[0] << " " << wrist.get_torques()[2] << std::endl;
+  hw::StateInterface echo("sonar", "range", &numbers[2]);
+  std::vector<hw::LoanedStateInterface> heard;
+  heard.emplace_back(echo);
+  semantic_components::RangeSensor sonar("sonar");
+  sensor_msgs::msg::Range far;
+  std::cout << sonar.assign_loaned_state_interfaces(heard) << sonar.get_values_as_message(far) << " " << far.range << std::endl;
 }
 
 void descriptions(const char * text)

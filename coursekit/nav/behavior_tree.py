@@ -6,9 +6,9 @@ import xml.etree.ElementTree as ElementTree
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from coursekit.nav.tree_blackboard import STATUS_CHANGED, Board, board_of, key_of
+
 IDLE, RUNNING, SUCCESS, FAILURE = "idle", "running", "success", "failure"
-STATUS_CHANGED = "status_changed"
-"""The key in the blackboard of a function that is told of each change: the node, its status before and after."""
 DEEPEST, MOST_NODES = 100, 5000
 """Maximum number of levels and nodes of a tree: a tree whose subtrees contain each other would be infinite."""
 
@@ -18,7 +18,7 @@ class TreeError(ValueError):
 
 
 class TreeNode:
-    """A node of a tree; `ports` are its attributes in the XML, `board` is the blackboard shared by the nodes.
+    """A node of a tree; `ports` are its attributes in the XML, `board` is the blackboard that it shares with others.
 
     >>> class Battery(TreeNode):
     ...     def step(self):
@@ -33,7 +33,7 @@ class TreeNode:
     uid = 0
     """Its number in the tree: a node before its children."""
 
-    def __init__(self, name: str, ports: Mapping[str, str], children: list[TreeNode], board: dict[str, Any]) -> None:
+    def __init__(self, name: str, ports: Mapping[str, str], children: list[TreeNode], board: Board) -> None:
         self.name, self.ports, self.children, self.board, self.status = name, ports, children, board, IDLE
         self.prepare()
 
@@ -90,7 +90,8 @@ class TreeNode:
         text = self.ports.get(port)
         if text is None:
             return default
-        return self.board.get(text[1:-1], default) if text.startswith("{") and text.endswith("}") else text
+        key = key_of(text)
+        return text if key is None else self.board.get(key, default)
 
     def number(self, port: str, default: float) -> float:
         """Return a port as a number; TreeError when it is not one."""
@@ -107,15 +108,25 @@ class TreeNode:
         >>> board
         {'way': [(0.0, 0.0), (1.0, 0.0)]}
         """
-        text = self.ports.get(port, "")
-        if text.startswith("{") and text.endswith("}"):
-            self.board[text[1:-1]] = value
+        key = key_of(self.ports.get(port, ""))
+        if key is not None:
+            self.board[key] = value
+
+
+class SubTree(TreeNode):
+    """Ticks the tree that it names."""
+
+    arity = (1, 1)
+
+    def step(self) -> str:
+        """Tick the top of that tree."""
+        return self.children[0].tick()
 
 
 Kinds = Mapping[str, Callable[..., TreeNode]]
 
 
-def read_tree(text: str, kinds: Kinds, board: dict[str, Any]) -> TreeNode:
+def read_tree(text: str, kinds: Kinds, board: Board) -> TreeNode:
     """Parse the main tree of an XML text; TreeError when it is invalid, or has nodes that are not in `kinds`.
 
     >>> from coursekit.nav.tree_controls import CONTROLS
@@ -132,43 +143,54 @@ def read_tree(text: str, kinds: Kinds, board: dict[str, Any]) -> TreeNode:
     main = root.get("main_tree_to_execute") or next(iter(trees), "")
     if root.tag != "root" or main not in trees:
         raise TreeError(f"has no <BehaviorTree ID='{main}'>; it has: {', '.join(trees) or 'none'}")
-    return _Reader(trees, kinds, board).tree(main, 0)
+    return _Reader(trees, kinds).tree(main, board, 0)
 
 
 class _Reader:
     """Creates nodes from elements; each use of a subtree creates its own nodes."""
 
-    def __init__(self, trees: Mapping[str, ElementTree.Element], kinds: Kinds, board: dict[str, Any]) -> None:
-        self._trees, self._kinds, self._board = trees, kinds, board
+    def __init__(self, trees: Mapping[str, ElementTree.Element], kinds: Kinds) -> None:
+        self._trees, self._kinds = trees, kinds
         self._made = 0
 
-    def tree(self, name: str, depth: int) -> TreeNode:
+    def tree(self, name: str, board: Board, depth: int) -> TreeNode:
         if name not in self._trees:
             raise TreeError(f"names a subtree '{name}', which it does not have; it has: {', '.join(self._trees)}")
         nodes = self._trees[name]
         if len(nodes) != 1:
             raise TreeError(f"tree '{name}' has {len(nodes)} nodes at its top; it should have one")
-        return self._node(nodes[0], depth + 1)
+        return self._node(nodes[0], board, depth + 1)
 
-    def _node(self, element: ElementTree.Element, depth: int) -> TreeNode:
-        self._made += 1
-        number = self._made
-        if depth > DEEPEST:
-            raise TreeError(f"is more than {DEEPEST} levels deep: does a subtree contain itself?")
-        if self._made > MOST_NODES:
-            raise TreeError(f"has more than {MOST_NODES} nodes, its subtrees counted as often as they are named")
+    def _node(self, element: ElementTree.Element, board: Board, depth: int) -> TreeNode:
+        number = self._number(depth)
         ports = dict(element.attrib)
         kind = ports.pop("ID", "") if element.tag in ("Action", "Condition", "Control", "Decorator") else element.tag
         if kind in ("SubTree", "SubTreePlus"):
-            return self.tree(ports.get("ID", ""), depth)
+            return self._subtree(element, board, depth, number)
         if kind not in self._kinds:
             known = ", ".join(sorted(self._kinds))
             raise TreeError(f"has a node '{kind}', which is not known here; known are: {known}")
-        children = [self._node(child, depth + 1) for child in element]
-        tree_node = self._kinds[kind](ports.pop("name", kind), ports, children, self._board)
+        children = [self._node(child, board, depth + 1) for child in element]
+        tree_node = self._kinds[kind](ports.pop("name", kind), ports, children, board)
         tree_node.uid = number
         low, high = tree_node.arity
         if not low <= len(children) <= high:
             wanted = low if low == high else f"{low} or more"
             raise TreeError(f"'{kind}' has {len(children)} children; it should have {wanted}")
         return tree_node
+
+    def _subtree(self, element: ElementTree.Element, board: Board, depth: int, number: int) -> TreeNode:
+        name = element.get("ID", "")
+        inside = self._trees.get(name, element)
+        node = SubTree(name, {}, [self.tree(name, board_of(element, inside, board), depth)], board)
+        node.uid = number
+        return node
+
+    def _number(self, depth: int) -> int:
+        """Return the number of the next node; TreeError for a tree that is too large."""
+        self._made += 1
+        if depth > DEEPEST:
+            raise TreeError(f"is more than {DEEPEST} levels deep: does a subtree contain itself?")
+        if self._made > MOST_NODES:
+            raise TreeError(f"has more than {MOST_NODES} nodes, its subtrees counted as often as they are named")
+        return self._made

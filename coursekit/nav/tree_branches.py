@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, TreeNode
+from coursekit.nav.tree_blackboard import SECONDS
 
 
 class IfThenElse(TreeNode):
@@ -119,7 +120,7 @@ class _Timed(TreeNode):
 
     def passed(self, port: str) -> bool:
         """Whether so many milliseconds have passed since the first tick."""
-        now: float = self.board["crew"].seconds()
+        now: float = self.board[SECONDS]()
         if self.begun is None:
             self.begun = now
         return (now - self.begun) * 1e3 >= self.number(port, 0.0)

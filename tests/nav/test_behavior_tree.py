@@ -2,7 +2,9 @@
 
 import pytest
 
-from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, STATUS_CHANGED, SUCCESS, TreeError, TreeNode, read_tree
+from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeError, TreeNode, read_tree
+from coursekit.nav.tree_blackboard import STATUS_CHANGED
+from coursekit.nav.tree_branches import BRANCHES
 from coursekit.nav.tree_controls import CONTROLS
 
 
@@ -88,8 +90,35 @@ def test_halting_stops_what_runs_and_only_that():
 
 def test_subtrees_and_explicit_kinds_are_read():
     more = f'<BehaviorTree ID="S"><Sequence>{work("a", "s")}</Sequence></BehaviorTree>'
-    inside = '<Fallback><Action ID="Work" name="b" says="f"/><SubTree ID="S"/></Fallback>'
+    inside = '<Fallback><Action ID="Work" name="b" says="f"/><SubTree ID="S" __shared_blackboard="true"/></Fallback>'
     assert ticked(inside, 1, more) == ([SUCCESS], ["b", "a"])
+
+
+INNER = '<Sequence><Show key="{in}"/><Show key="{out}"/><SetBlackboard output_key="out" value="back"/></Sequence>'
+
+
+@pytest.mark.parametrize(
+    ("subtree", "shown", "left"),
+    [  # as C++ ticks the same trees in tests/packages/test_cpp_behavior_tree.py
+        ('<SubTree ID="S" in="x" out="y"/>', ["given", "-"], {"out": "mine", "y": "back"}),
+        ('<SubTree ID="S"/>', ["-", "-"], {"out": "mine"}),
+        ('<SubTree ID="S" __shared_blackboard="true"/>', ["-", "mine"], {"out": "back"}),
+        ('<SubTreePlus ID="S" in="plain" out="{y}"/>', ["plain", "-"], {"out": "mine", "y": "back"}),
+        ('<SubTreePlus ID="S" __autoremap="1" in="{x}"/>', ["given", "mine"], {"out": "back"}),
+    ],
+)
+def test_a_subtree_has_a_blackboard_of_its_own_and_the_keys_that_are_named(subtree, shown, left):
+    heard = []
+
+    class Show(TreeNode):
+        def step(self):
+            heard.append(self.get("key", "-"))
+            return SUCCESS
+
+    text = f'<root main_tree_to_execute="M"><BehaviorTree ID="M">{subtree}</BehaviorTree><BehaviorTree ID="S">{INNER}'
+    board = {"x": "given", "out": "mine"}
+    root = read_tree(f"{text}</BehaviorTree></root>", {**CONTROLS, **BRANCHES, "Show": Show}, board)
+    assert (root.tick(), heard, board) == (SUCCESS, shown, {"x": "given", **left})
 
 
 DOUBLING = "".join(

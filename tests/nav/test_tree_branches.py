@@ -5,6 +5,7 @@ from types import SimpleNamespace
 import pytest
 
 from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, TreeError, TreeNode, read_tree
+from coursekit.nav.tree_blackboard import SECONDS
 from coursekit.nodes.nav2.trip import KINDS
 
 
@@ -21,7 +22,7 @@ class Told(TreeNode):
 @pytest.fixture
 def board():
     now = SimpleNamespace(seconds=0.0)
-    return {"now": now, "crew": SimpleNamespace(seconds=lambda: now.seconds)}
+    return {"now": now, SECONDS: lambda: now.seconds}
 
 
 @pytest.fixture

@@ -26,7 +26,7 @@ def crew():
 @pytest.fixture
 def tree(crew):
     def made(inner, **board):
-        board |= {"crew": crew}
+        board |= {"node": crew}
         return read_tree(f'<root><BehaviorTree ID="Main">{inner}</BehaviorTree></root>', KINDS, board), board
 
     return made

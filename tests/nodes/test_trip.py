@@ -8,7 +8,8 @@ import rclpy
 from rclpy.node import Node
 
 from coursekit.nav.behavior_tree import RUNNING, TreeNode
-from coursekit.nodes.nav2.trip import Crew, Trip
+from coursekit.nodes.nav2.crew import Crew
+from coursekit.nodes.nav2.trip import Trip
 from coursekit.processes.session import Session
 
 
@@ -37,7 +38,7 @@ def tree() -> Iterator[Endless]:
 
 def going(tree: Endless, stop: bool) -> tuple[Crew, Any]:
     """A trip's crew, and the trip on its way."""
-    crew = Crew(Node("navigator"), lambda: None, lambda pose: None)  # type: ignore[arg-type, return-value]
+    crew = Crew(Node("navigator"), lambda: None, lambda pose: None, lambda target, source: False)  # type: ignore[arg-type, return-value]
     return crew, Trip(tree, crew, lambda: stop, lambda: True, lambda trip: None, 0.1).run()
 
 

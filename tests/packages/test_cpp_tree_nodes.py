@@ -8,7 +8,7 @@ import shutil
 import pytest
 
 from tests.needs import compiler_or_skip
-from tests.packages.bt_cases import node, whole
+from tests.packages.bt_cases import node, trees, whole
 from tests.packages.nav2_told import lines, told
 from tests.packages.test_cpp_workspace import SOURCES, colcon
 
@@ -86,6 +86,24 @@ def test_children_may_be_of_either_language(navigated):
     said = navigated(tree)
     assert "navigate_to_pose succeeded" in said
     assert printed(said) == [*["look"] * 6, "looked away at 10.5"]
+
+
+def test_nodes_of_a_subtree_have_the_keys_that_it_is_given(navigated):
+    put = node("SetBlackboard", output_key="turned", value="1")
+    look = node("SubTree", ID="Inner", angle="turned")
+    race = node("Race", node("Delay", node("AlwaysSuccess"), delay_msec=45), node("Look", ticks=50, angle="{turned}"))
+    said = navigated(trees(node("Sequence", put, look, race), Inner=node("Look", ticks=3, angle="{angle}")))
+    assert "navigate_to_pose succeeded" in said
+    assert printed(said) == ["look", "look", "looked away at 4.5"]
+
+
+@pytest.mark.parametrize("inner", [node("TakePhoto", service_name="camera"), node("Wait", wait_duration="1")])
+def test_a_subtree_with_a_blackboard_of_its_own_has_no_ros_node(navigated, inner):
+    apart = trees(node("SubTree", ID="Inner"), Inner=inner)
+    said = [text for level, text in lines(navigated(apart, "stage.spin(3.0)"), "bt_navigator") if level == "ERROR"]
+    assert len(said) == 1 and "Blackboard::get() error. Missing key [node]" in said[0]
+    together = trees(node("SubTree", ID="Inner", __shared_blackboard="true"), Inner=inner)
+    assert "navigate_to_pose succeeded" in navigated(together)
 
 
 def test_what_a_node_throws_ends_the_goal_and_not_the_navigator(navigated):

@@ -164,6 +164,8 @@ void serve(TreeHost & host, Unpacker & from, Packer & done)
     host.nodes.erase(from.i());
   } else if (what == "forget_board") {
     host.boards.erase(from.i());
+  } else if (what == "empty_board") {
+    host.boards[from.i()] = Blackboard::create();
   } else {
     serve_node(host, what, from, done);
   }

@@ -12,21 +12,22 @@ from nav_msgs.msg import Odometry
 from rclpy.action import ActionClient
 from rclpy.duration import Duration
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
+from rclpy.time import Time
 from tf2_ros import TransformException
 
 from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.compiled.classes import CppFault
+from coursekit.nodes.nav2.crew import Crew
 from coursekit.nodes.nav2.foreign_tree import ForeignNodes, load
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import Server, SingleGoal, run
 from coursekit.nodes.nav2.tree_libraries import LIBRARIES
 from coursekit.nodes.nav2.tree_log import TreeLog
-from coursekit.nodes.nav2.trip import KINDS, Crew, Trip, load_tree
+from coursekit.nodes.nav2.trip import KINDS, Trip, load_tree
 from coursekit.nodes.nav2.whereabouts import Whereabouts, stamped
 
 if TYPE_CHECKING:
     from rclpy.action.goal_handle import ServerGoalHandle
-    from rclpy.time import Time
 
     from coursekit.nav.behavior_tree import Kinds
 
@@ -69,7 +70,10 @@ class BtNavigator(Server):
             return TransitionCallbackReturn.FAILURE
         self._frame, self._speed = given["global_frame"], 0.0
         self.where = Whereabouts(self, given["robot_base_frame"])
-        self._crew = Crew(self, self._pose, lambda goal: self.where.pose_in(self._frame, goal))
+        self._crew = Crew(
+            self, self._pose, lambda goal: self.where.pose_in(self._frame, goal),
+            lambda target, source: self.where.buffer.can_transform(target, source, Time()),
+        )  # fmt: skip
         self._foreign = self._load(given["plugin_lib_names"])
         self._log = TreeLog(self)
         self._period = max(given["bt_loop_duration"], 1) * 1e-3

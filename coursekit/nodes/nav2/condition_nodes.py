@@ -6,9 +6,9 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from rclpy.time import Time
-
 from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeNode
+from coursekit.nav.tree_blackboard import SECONDS
+from coursekit.nodes.nav2.crew import crew_of
 
 if TYPE_CHECKING:
     from geometry_msgs.msg import PoseStamped
@@ -22,7 +22,7 @@ class Paced(TreeNode):
 
     def step(self) -> str:
         """Tick the child when it is due."""
-        now, child = self.board["crew"].seconds(), self.children[0]
+        now, child = self.board[SECONDS](), self.children[0]
         if self.status == IDLE:
             self.begun = -math.inf
         if child.status != RUNNING and not self.due(now):
@@ -56,12 +56,12 @@ class PacedByWay(Paced):
 
     def due(self, now: float) -> bool:
         """Whether the robot has travelled that far."""
-        here = self.board["crew"].pose()
+        here = crew_of(self).pose()
         return self.begun == -math.inf or here is None or here.distance(self.place) >= self.number("distance", 1.0)
 
     def began(self, now: float) -> None:
         """Measure from here."""
-        self.begun, self.place = now, self.board["crew"].pose()
+        self.begun, self.place = now, crew_of(self).pose()
 
 
 class TakeGoal(TreeNode):
@@ -71,7 +71,7 @@ class TakeGoal(TreeNode):
 
     def prepare(self) -> None:
         """Subscribe."""
-        self.heard = self.board["crew"].listen("goal_update")
+        self.heard = crew_of(self).listen("goal_update")
 
     def step(self) -> str:
         """Pass the goal on."""
@@ -94,13 +94,13 @@ def _condition(name: str, answer: Callable[[TreeNode], bool]) -> type[ConditionN
 
 
 def _near(node: TreeNode) -> bool:
-    return bool(node.board["crew"].gap(node.get("goal")) <= 0.25)
+    return bool(crew_of(node).gap(node.get("goal")) <= 0.25)
 
 
 def _drop_passed(node: TreeNode) -> bool:
     """RemovePassedGoals: removes goals, except the last, that are within `radius` [m]."""
     goals = list(node.get("input_goals"))
-    while len(goals) > 1 and node.board["crew"].gap(goals[0]) < node.number("radius", 0.5):
+    while len(goals) > 1 and crew_of(node).gap(goals[0]) < node.number("radius", 0.5):
         goals.pop(0)
     node.put("output_goals", goals)
     return True
@@ -123,7 +123,7 @@ def _truncate(node: TreeNode) -> bool:
 
 def _truncate_to_surroundings(node: TreeNode) -> bool:
     """TruncatePathLocal: keeps `distance_backward` and `distance_forward` metres of the path around the robot."""
-    path, here = node.get("input_path"), node.board["crew"].pose()
+    path, here = node.get("input_path"), crew_of(node).pose()
     if here is None:
         return False
     places = [_place(pose) for pose in path.poses]
@@ -138,7 +138,7 @@ def _truncate_to_surroundings(node: TreeNode) -> bool:
 
 
 def _expired(node: TreeNode) -> bool:
-    now = node.board["crew"].seconds()
+    now = crew_of(node).seconds()
     begun = node.__dict__.setdefault("begun", now)
     if now - begun >= node.number("seconds", 1.0):
         node.__dict__["begun"] = now
@@ -147,7 +147,7 @@ def _expired(node: TreeNode) -> bool:
 
 
 def _travelled(node: TreeNode) -> bool:
-    here = node.board["crew"].pose()
+    here = crew_of(node).pose()
     begun = node.__dict__.setdefault("begun", here)
     if here is not None and begun is not None and here.distance(begun) >= node.number("distance", 1.0):
         node.__dict__["begun"] = here
@@ -159,7 +159,7 @@ def _chooses(what: str) -> type[ConditionNode]:
     """Return a selector: it outputs the latest name on its topic, or the default one."""
 
     def answer(node: TreeNode) -> bool:
-        heard = node.board["crew"].listen_to_text(node.get("topic_name", f"{what}_selector"))
+        heard = crew_of(node).listen_to_text(node.get("topic_name", f"{what}_selector"))
         node.put(f"selected_{what}", heard[-1] if heard else node.get(f"default_{what}", ""))
         return True
 
@@ -171,12 +171,12 @@ CONDITIONS: dict[str, type[TreeNode]] = {
     "GoalReached": _condition("GoalReached", _near), "TimeExpired": _condition("TimeExpired", _expired),
     "DistanceTraveled": _condition("DistanceTraveled", _travelled),
     "GoalUpdated": ConditionNode, "IsStuck": ConditionNode,
-    "InitialPoseReceived": _condition("InitialPoseReceived", lambda node: node.board["crew"].pose() is not None),
+    "InitialPoseReceived": _condition("InitialPoseReceived", lambda node: crew_of(node).pose() is not None),
     "RemovePassedGoals": _condition("RemovePassedGoals", _drop_passed),
     "TruncatePath": _condition("TruncatePath", _truncate),
     "TruncatePathLocal": _condition("TruncatePathLocal", _truncate_to_surroundings),
-    "TransformAvailable": _condition("TransformAvailable", lambda node: node.board["crew"].node.where.buffer.can_transform(
-        node.get("child", ""), node.get("parent", ""), Time())),
+    "TransformAvailable": _condition("TransformAvailable", lambda node: crew_of(node).knows(
+        node.get("child", ""), node.get("parent", ""))),
     **{f"{name}Selector": _chooses(what) for name, what in (
         ("Planner", "planner"), ("Controller", "controller"), ("Smoother", "smoother"), ("GoalChecker", "goal_checker"))},
 }  # fmt: skip

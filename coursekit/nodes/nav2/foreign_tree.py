@@ -15,6 +15,7 @@ from rosidl_runtime_py.utilities import get_message
 from coursekit.cpp.age import is_of_another_age
 from coursekit.interfaces.cdr import deserialize, serialize
 from coursekit.nav.behavior_tree import IDLE, RUNNING, Kinds, TreeError, TreeNode
+from coursekit.nav.tree_blackboard import Board
 from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.host import ANOTHER_AGE
@@ -75,6 +76,8 @@ class ForeignNode(TreeNode):
         """Make it there. Raises TreeError, for ports that it does not have as well."""
         if _CHANGES not in self.board:
             self.board[_CHANGES] = Changes(self._nodes.number())
+            if self.board.get("node") is None:  # in a subtree, as on a robot
+                self._nodes.ask("empty_board", self.board[_CHANGES].number)
         self._number, self._shared = self._nodes.number(), self._nodes.share(self) if self.children else 0
         try:
             self._ask("create", self._description())
@@ -127,14 +130,14 @@ class Changes:
         self.number = number
         self._known: dict[str, Any] = {}
 
-    def told(self, board: dict[str, Any]) -> bytes:
+    def told(self, board: Board) -> bytes:
         """Pack the values that they do not know yet."""
         news = [(key, value) for key, value in board.items() if self._known.get(key, self) is not value]
         self._known.update(news)
         crossing = [packed(key, name, data) for key, value in news for name, data in crossed(value)]
         return packed(len(crossing)) + b"".join(crossing)
 
-    def take(self, answer: Unpacker, board: dict[str, Any]) -> None:
+    def take(self, answer: Unpacker, board: Board) -> None:
         """Set the values that they have set."""
         while answer.rest():
             key, kind, data = answer.text(), answer.text(), answer.blob()

@@ -27,6 +27,7 @@ from std_srvs.srv import Empty
 
 from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, TreeNode
 from coursekit.nav.second_thoughts import remaining, worth_it
+from coursekit.nodes.nav2.crew import crew_of
 from coursekit.nodes.scanning.planar import points_of
 
 
@@ -51,7 +52,7 @@ class ActionNode(TreeNode):
 
     def prepare(self) -> None:
         """Create the client."""
-        crew = self.board["crew"]
+        crew = crew_of(self)
         self.client: ActionClient = crew.client(self.kind, self.ports.get("server_name") or self.server)
         self._sent: Any = None
 
@@ -60,7 +61,7 @@ class ActionNode(TreeNode):
         if self.status != RUNNING or self.again(self):
             if not self.client.server_is_ready():
                 name = self.ports.get("server_name") or self.server
-                self.board["crew"].error(f'"{name}" action server not available: is its node running and active?')
+                crew_of(self).error(f'"{name}" action server not available: is its node running and active?')
                 return FAILURE
             if self.recovers and self.status != RUNNING:
                 self.board["number_recoveries"] = self.board.get("number_recoveries", 0) + 1
@@ -69,7 +70,7 @@ class ActionNode(TreeNode):
         if self._result is None:
             if self._sent.done():
                 if not self._sent.result().accepted:
-                    self.board["crew"].error(f'Goal was rejected by the action server "{self.server}"')
+                    crew_of(self).error(f'Goal was rejected by the action server "{self.server}"')
                     return FAILURE
                 self._result = self._sent.result().get_result_async()
             return RUNNING
@@ -95,7 +96,7 @@ class PlanToPose(ActionNode):
     def prepare(self) -> None:
         """Create the clients."""
         super().prepare()
-        self._is_valid = self.board["crew"].service(IsPathValid, "is_path_valid")
+        self._is_valid = crew_of(self).service(IsPathValid, "is_path_valid")
         self._asked: Any = None
 
     def step(self) -> str:
@@ -119,7 +120,7 @@ class PlanToPose(ActionNode):
     def _other_way(self) -> Any:
         """The rest of the driven path, if the new path is a different one that is hardly shorter; else None."""
         old = self.get("path")
-        here = self.board["crew"].pose() if old is not None and self.board.get("driven") is old else None
+        here = crew_of(self).pose() if old is not None and crew_of(self).driven is old else None
         if here is None or not self._is_valid.service_is_ready():
             return None
         ahead = remaining(points_of(old), here.x, here.y)
@@ -161,18 +162,19 @@ class Follow(ActionNode):
 
     def goal(self) -> Any:
         """Follow the path, and record it as the driven path."""
-        self.path = self.board["driven"] = self.get("path")
+        self.path = crew_of(self).driven = self.get("path")
         names = {name: self.get(name, "") for name in ("controller_id", "goal_checker_id")}
         return FollowPath.Goal(path=self.path, **names)
 
     def done(self, result: FollowPath.Result) -> None:
         """Record that no path is driven any more."""
-        self.board.pop("driven", None)
+        crew_of(self).driven = None
 
     def stop(self) -> None:
         """Cancel the goal, unless a newer goal keeps the robot moving."""
-        self.board.pop("driven", None)
-        if not self.board["crew"].goes_on:
+        crew = crew_of(self)
+        crew.driven = None
+        if not crew.goes_on:
             super().stop()
 
 
@@ -208,7 +210,7 @@ class CallNode(TreeNode):
 
     def prepare(self) -> None:
         """Create the client."""
-        self.client = self.board["crew"].service(self.kind, self.ports.get("service_name") or self.server)
+        self.client = crew_of(self).service(self.kind, self.ports.get("service_name") or self.server)
         self._sent: Any = None
 
     def request(self) -> Any:

@@ -6,11 +6,10 @@ from typing import TYPE_CHECKING
 
 from nav2_msgs.msg import BehaviorTreeLog, BehaviorTreeStatusChange
 
-from coursekit.nav.behavior_tree import STATUS_CHANGED, TreeNode
+from coursekit.nav.behavior_tree import TreeNode
+from coursekit.nav.tree_blackboard import STATUS_CHANGED, Board
 
 if TYPE_CHECKING:
-    from typing import Any
-
     from rclpy.node import Node
 
 
@@ -25,7 +24,7 @@ class TreeLog:
         self._changes: list[BehaviorTreeStatusChange] = []
         self._publisher = node.create_publisher(BehaviorTreeLog, "behavior_tree_log", 10)
 
-    def watch(self, board: dict[str, Any]) -> None:
+    def watch(self, board: Board) -> None:
         """Note the changes of this blackboard's tree."""
         board[STATUS_CHANGED] = self._note
 

@@ -10,6 +10,7 @@ from rclpy.qos import qos_profile_system_default
 from sensor_msgs.msg import BatteryState
 
 from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeNode
+from coursekit.nodes.nav2.crew import crew_of
 
 if TYPE_CHECKING:
     from nav_msgs.msg import Path
@@ -36,7 +37,7 @@ class PathAge(TreeNode):
 
     def step(self) -> str:
         """Start anew with a new path, and after a success."""
-        now, path = self.board["crew"].seconds(), self.get("path")
+        now, path = crew_of(self).seconds(), self.get("path")
         if self.begun is None or path != self.path:
             self.begun, self.path = now, path
             return FAILURE
@@ -103,7 +104,7 @@ class LowBattery(TreeNode):
     def prepare(self) -> None:
         """Listen."""
         topic = self.ports.get("battery_topic", "/battery_status")
-        self._heard = self.board["crew"].listen(topic, BatteryState, qos_profile_system_default)
+        self._heard = crew_of(self).listen(topic, BatteryState, qos_profile_system_default)
 
     def step(self) -> str:
         """Compare the latest message; without one the battery is not low."""

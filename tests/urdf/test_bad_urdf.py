@@ -52,6 +52,18 @@ def test_blank_lines_before_the_declaration_are_taken_and_counted():
     assert parse(text).link("a").line == 4
 
 
+@pytest.mark.parametrize("before", ["<!-- ------ arm ------ -->", '<?xml verison="1.0"?>', "<!-- a -- b --> <?xml?>"])
+def test_what_tinyxml_takes_and_stricter_parsers_refuse_is_taken(before):
+    assert parse(f'{before}\n<robot name="r">\n<link name="a"/></robot>').link("a").line == 3
+
+
+@pytest.mark.parametrize("wrong", ["&", "<link name=a/>", '<link name="a" <link name="b"/>'])
+def test_a_fault_in_the_middle_is_not_taken_for_a_missing_end(wrong):
+    with pytest.raises(UrdfError, match="Look at line 2") as caught:
+        parse(f'<robot name="r">\n{wrong}</robot>')
+    assert "missing" not in caught.value.cure
+
+
 @pytest.mark.parametrize(
     ("text", "words", "line"),
     [

@@ -49,6 +49,11 @@ def test_shapes_have_their_size_and_their_middle(shape, extents):
     assert mesh.is_volume
 
 
+def test_a_ball_without_size_is_a_point():
+    (surface,) = surfaces_of(Sphere(0.0))
+    assert np.array_equal(surface.vertices, np.zeros_like(surface.vertices))
+
+
 @pytest.mark.parametrize("path", OURS, ids=lambda path: path.stem)
 def test_every_robot_of_the_course_can_be_drawn(path):
     robot = load(path)

@@ -45,6 +45,9 @@ def test_what_urdfdom_says_nothing_of_is_a_warning():
     fixed = parse(f'<robot name="r">{links("a", "b", "c")}{joint(type_="fixed")}{mimic}</robot>')
     assert any("'k' mimics 'j', which is fixed" in warning for warning in fixed.warnings)
     assert fixed.joints["k"].mimic is None
+    alone = parse(f'<robot name="r">{AB}' + joint('<mimic joint="elbow"/>', name="elbov") + "</robot>")
+    assert "'elbov' mimics 'elbow', which is no joint; it moves by itself. Did you mean 'elbov'?" in alone.warnings[-1]
+    assert alone.joints["elbov"].mimic is None
 
 
 def test_blank_lines_before_the_declaration_are_taken_and_counted():
@@ -127,3 +130,16 @@ def test_a_near_name_is_offered():
     text = f'<robot name="r">{links("base_link", "wheel_link")}{joint(parent="base_lnk", child="wheel_link")}</robot>'
     with pytest.raises(UrdfError, match="Did you mean 'base_link'"):
         parse(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '<robot><xacro:property name="w" value="1"/></robot>',
+        f'<robot name="r">{AB}' + joint('<origin xyz="${w} 0 0"/>') + "</robot>",
+        f'<robot name="r">{AB}' + joint('<limit lower="$(arg low)" effort="1" velocity="1"/>', "revolute") + "</robot>",
+    ],
+)
+def test_what_xacro_has_yet_to_work_out_is_said_to_be_that(text):
+    with pytest.raises(UrdfError, match="Expand the file first"):
+        parse(text.replace("<robot>", '<robot xmlns:xacro="x">'))

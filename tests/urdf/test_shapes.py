@@ -181,3 +181,8 @@ def test_the_robots_are_a_package():
 def test_a_third_slash_leaves_no_name_of_a_package():
     with pytest.raises(MeshError, match="'package:///turtlesim/package.xml' names no package"):
         find_file("package:///turtlesim/package.xml")
+
+
+def test_the_path_of_a_mesh_that_xacro_has_yet_to_work_out_is_said_to_be_that():
+    with pytest.raises(MeshError, match="Expand the file first"):
+        find_file("$(arg meshes)/hand.stl")

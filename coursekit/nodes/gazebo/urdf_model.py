@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from coursekit.urdf import MeshError, Robot
 from coursekit.urdf.errors import close
 from coursekit.urdf.kinematics import Kinematics
-from coursekit.urdf.shapes import matrix_of, notes_of
+from coursekit.urdf.shapes import matrix_of
 from coursekit.urdf.xml_tree import Element
 
 from .blueprint import BlueLink, Blueprint
@@ -36,7 +36,6 @@ def blueprint_of(robot: Robot) -> Blueprint:
             try:
                 where = blue.pose @ matrix_of(collision.origin)
                 blue.parts.append(part_of(collision.geometry, where, robot.file))
-                blueprint.notes += notes_of(collision.geometry, robot.file)
             except MeshError as error:
                 blueprint.notes.append(f"line {collision.line}: <collision> of link '{name}' is left out: {error.what}")
     blueprint.axles = {name: blueprint.links[joint.child].pose for name, joint in robot.joints.items()}

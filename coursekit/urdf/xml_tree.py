@@ -13,7 +13,7 @@ DEEPEST = 200
 """Maximum depth of elements; a robot needs about 10."""
 TRUNCATED = {expat.errors.codes[expat.errors.XML_ERROR_NO_ELEMENTS], 5, 15}
 _COMMENT, _DECLARATION = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL), re.compile(r"\A\s*<\?xml\b[^>]*\?>")
-"""TinyXML, the parser of urdfdom and SDF, accepts what expat does not: `--` in a comment; a declaration late or misspelled."""
+"""What the parsers of urdfdom and SDF accept and expat does not: `--` in a comment; a declaration late or misspelled."""
 
 
 @dataclass(eq=False)

@@ -103,7 +103,7 @@ def _loop(root: Element, start: str, above: Mapping[str, Joint], what: str) -> U
 
 
 def check_mimics(root: Element, joints: Mapping[str, Joint], warnings: list[str]) -> dict[str, Joint]:
-    """Return the joints without mimics of fixed or unknown joints, as robot_state_publisher moves them; UrdfError for a loop."""
+    """Return the joints, with mimics of fixed or unknown joints removed; UrdfError if one mimics itself."""
     elements = {element.get("name"): element.first("mimic") or element for element in root.all("joint")}
     checked = dict(joints)
     for joint in joints.values():

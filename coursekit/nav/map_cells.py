@@ -41,7 +41,7 @@ def _shade(shades: np.ndarray, *, with_alpha: bool) -> tuple[np.ndarray, np.ndar
         return total / (3 * top), None
     alpha = shades[..., 3] / top
     if with_alpha:
-        return (total + top - shades[..., 3]) / (4 * top), alpha
+        return (total + shades[..., 3]) / (4 * top), alpha
     return total / (3 * top), alpha
 
 

@@ -105,6 +105,23 @@ def test_transparent_cells_are_unknown_in_scale_mode_only(tmp_path):
     assert load_map(write(tmp_path, shades, more="mode: raw\n")).cells.tolist() == [[0, 0, -1]]
 
 
+def test_an_opaque_picture_gives_the_cells_of_the_same_picture_without_alpha(tmp_path):
+    opaque = [[[shade, shade, shade, 255] for shade in (0, 150, 254)]]
+    assert load_map(write(tmp_path, opaque)).cells.tolist() == [[100, -1, 0]]
+    clear = [[[255, 255, 255, 0]]]
+    assert load_map(write(tmp_path, clear)).cells.tolist() == [[-1]]
+
+
+@pytest.mark.parametrize("kind", ["jpg", "tif", "pbm"])
+def test_pictures_in_other_formats_are_read(tmp_path, kind):
+    shades = np.full((16, 16), 255, np.uint8)
+    shades[:, 8:] = 0
+    cv2.imwrite(str(tmp_path / f"room.{kind}"), shades)
+    path = write(tmp_path, [[0]])
+    path.write_text(path.read_text().replace("room.png", f"room.{kind}"))
+    assert load_map(path).cells.tolist() == [[0] * 8 + [100] * 8] * 16
+
+
 def test_raw_mode_keeps_the_values_to_100(tmp_path):
     path = write(tmp_path, [[0, 1, 100, 101, 255]], more="mode: raw\n", negate=1)
     assert load_map(path).cells.tolist() == [[0, 1, 100, -1, -1]]

@@ -1,6 +1,7 @@
 """Shapes as triangles, and where their files are."""
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -181,6 +182,12 @@ def test_the_robots_are_a_package():
 def test_a_third_slash_leaves_no_name_of_a_package():
     with pytest.raises(MeshError, match="'package:///turtlesim/package.xml' names no package"):
         find_file("package:///turtlesim/package.xml")
+
+
+def test_a_relative_path_in_a_description_from_a_topic_is_said_to_lead_nowhere():
+    with pytest.raises(MeshError, match="relative to the robot's file, and a description from '/robot_desc") as caught:
+        find_file("hand.stl", Path("/robot_description"))
+    assert caught.value.cure.startswith("Use package://NAME/path")
 
 
 def test_the_path_of_a_mesh_that_xacro_has_yet_to_work_out_is_said_to_be_that():

@@ -1,5 +1,7 @@
 """Maps as files, beside what nav2's map server makes of the same ones."""
 
+import tracemalloc
+
 import cv2
 import numpy as np
 import pytest
@@ -120,6 +122,17 @@ def test_pictures_in_other_formats_are_read(tmp_path, kind):
     path = write(tmp_path, [[0]])
     path.write_text(path.read_text().replace("room.png", f"room.{kind}"))
     assert load_map(path).cells.tolist() == [[0] * 8 + [100] * 8] * 16
+
+
+def test_a_large_picture_needs_little_more_memory_than_its_cells():
+    picture = np.full((3000, 3000), 254, np.uint8)
+    picture[1000:, :1000] = 0
+    tracemalloc.start()
+    cells = cells_of(picture, mode="trinary", negate=False, occupied_thresh=0.65, free_thresh=0.196)
+    most = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert most < 6 * picture.nbytes
+    assert np.array_equal(cells, np.where(picture == 0, 100, 0))
 
 
 def test_raw_mode_keeps_the_values_to_100(tmp_path):

@@ -217,6 +217,10 @@ def test_files_that_are_something_else_are_refused(tmp_path: Path, name: str) ->
         db.execute("CREATE TABLE birds(name)")
     with pytest.raises(BagError, match="not of a bag: it has no tables topics and messages"):
         all_of(tmp_path / "other.db3")
+    older = tmp_path / "x.bag"
+    older.write_bytes(b"#ROSBAG V2.0")
+    with pytest.raises(BagError, match="is a bag of ROS 1: .*rosbags-convert --src"):
+        BagReader(str(older))
     with pytest.raises(BagError, match="ends neither in .db3 nor in .mcap"):
         BagReader(__file__)
 

@@ -6,6 +6,7 @@ import heapq
 import io
 import struct
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -56,22 +57,31 @@ class McapReader:
                 raise self._broken(error) from None
         summary = Summary()
         for record in self._scan():
-            if isinstance(record, Schema):
-                summary.schemas[record.id] = record
-            elif isinstance(record, Channel):
-                summary.channels[record.id] = record
+            if isinstance(record, Chunk):
+                summary.chunk_indexes.append(self._index_of(record))
+            for part in self._unpack(record) if isinstance(record, Chunk) else (record,):
+                if isinstance(part, Schema):
+                    summary.schemas[part.id] = part
+                elif isinstance(part, Channel):
+                    summary.channels[part.id] = part
         return summary
+
+    def _index_of(self, chunk: Chunk) -> ChunkIndex:
+        """Return the index of the chunk that ends at the current position of the file."""
+        length = 40 + len(chunk.compression) + len(chunk.data)
+        begin = self._file.tell() - length - 9
+        packed, first, last = len(chunk.data), chunk.message_start_time, chunk.message_end_time
+        return ChunkIndex(length + 9, begin, chunk.compression, packed, last, 0, {}, first, chunk.uncompressed_size)
 
     def _starts_otherwise(self) -> bool:
         self._file.seek(0)
         return self._file.read(8) != b"\x89MCAP0\r\n"
 
     def _scan(self) -> Iterator[Any]:
-        """Yield all records in file order, as far as the file is readable: an interrupted recording may lack its end."""
+        """Yield all records in file order, chunks whole, as far as the file is readable: its end may be missing."""
         self._file.seek(0)
         try:
-            for record in StreamReader(self._file, emit_chunks=True, record_size_limit=LARGEST_CHUNK).records:
-                yield from self._unpack(record) if isinstance(record, Chunk) else (record,)
+            yield from StreamReader(self._file, emit_chunks=True, record_size_limit=LARGEST_CHUNK).records
         except (McapError, struct.error, EOFError):
             return
         except _TROUBLES as error:
@@ -82,7 +92,7 @@ class McapReader:
         if size > LARGEST_CHUNK:
             raise BagError(f"'{self._path}': a chunk has {size} bytes, more than {LARGEST_CHUNK}: it is not unpacked")
         try:
-            return breakup_chunk(chunk, validate_crc=True)
+            return breakup_chunk(_without_lz4(chunk), validate_crc=True)
         except Exception as error:  # the decompressors raise their own exception types
             raise self._broken(error) from None
 
@@ -118,8 +128,7 @@ class McapReader:
 
     def _records(self, start_ns: int) -> Iterator[Record]:
         if not self._summary.chunk_indexes:
-            records = [record for record in self._scan() if isinstance(record, Record) and record.log_time >= start_ns]
-            yield from sorted(records, key=lambda record: record.log_time)
+            yield from self._without_chunks(start_ns)
             return
         waiting = sorted(self._summary.chunk_indexes, key=lambda chunk: (chunk.message_start_time, chunk.chunk_start_offset))
         ready: list[tuple[int, int, int, Record]] = []
@@ -132,6 +141,17 @@ class McapReader:
                         heapq.heappush(ready, (record.log_time, index.chunk_start_offset, number, record))
         while ready:
             yield heapq.heappop(ready)[3]
+
+    def _without_chunks(self, start_ns: int) -> Iterator[Record]:
+        """Yield the messages outside of chunks; until it is their turn, only their places are kept."""
+        found = [
+            (record.log_time, self._file.tell(), len(record.data), record.channel_id)
+            for record in self._scan()
+            if isinstance(record, Record) and record.log_time >= start_ns
+        ]
+        for stamp, end, size, channel in sorted(found):
+            self._file.seek(end - size)
+            yield Record(channel, stamp, self._file.read(size), stamp, 0)
 
     def _chunk(self, index: ChunkIndex) -> list[Any]:
         try:
@@ -159,6 +179,16 @@ def _announced(chunk: Chunk) -> int:
         except zstandard.ZstdError:
             return 0
         return size
-    if chunk.compression == "lz4":
-        return len(chunk.data) * 255  # lz4's highest compression ratio
     return 0
+
+
+def _without_lz4(chunk: Chunk) -> Chunk:
+    """Return the chunk with lz4's data decompressed, which the library would do without a limit."""
+    if chunk.compression != "lz4":
+        return chunk
+    from lz4.frame import LZ4FrameDecompressor
+
+    data = LZ4FrameDecompressor().decompress(chunk.data, max_length=chunk.uncompressed_size + 1)
+    if len(data) != chunk.uncompressed_size:
+        raise ValueError(f"a chunk of {chunk.uncompressed_size} bytes has {len(data)}")
+    return replace(chunk, compression="", data=data)

@@ -52,7 +52,10 @@ def storage_id_of(path: Path) -> str:
     for storage_id, suffix in SUFFIXES.items():
         if name.endswith(suffix):
             return storage_id
-    raise BagError(f"'{path}' is no file of a bag: it ends neither in .db3 nor in .mcap")
+    what = "is no file of a bag: it ends neither in .db3 nor in .mcap"
+    if path.suffix == ".bag":
+        what = f"is a bag of ROS 1: `pip install rosbags`, then `rosbags-convert --src {path} --dst {path.stem}`"
+    raise BagError(f"'{path}' {what}")
 
 
 def check_storage_id(storage_id: str) -> str:

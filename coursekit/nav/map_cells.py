@@ -8,6 +8,9 @@ MODES = ("trinary", "scale", "raw")
 FREE, WALL, UNKNOWN = 254, 0, 205
 OCCUPIED_ABOVE, FREE_BELOW = 0.65, 0.196  # 205 is 0.19608 and stays unknown
 
+BAND = 1 << 18
+"""Values of an image that are converted at a time."""
+
 
 def cells_of(shades: np.ndarray, *, mode: str, negate: bool, occupied_thresh: float, free_thresh: float) -> np.ndarray:
     """Return int8 cells of an image: (rows, columns) gray, or (rows, columns, 3 or 4) with alpha last; uint8 or uint16.
@@ -16,6 +19,11 @@ def cells_of(shades: np.ndarray, *, mode: str, negate: bool, occupied_thresh: fl
     >>> cells_of(picture, mode="trinary", negate=False, occupied_thresh=0.65, free_thresh=0.196).tolist()
     [[100, -1, 0]]
     """
+    bands = np.array_split(shades, max(1, shades.size // BAND))  # the floats of a large map at once would fill a laptop
+    return np.concatenate([_cells(band, mode, negate, occupied_thresh, free_thresh) for band in bands])
+
+
+def _cells(shades: np.ndarray, mode: str, negate: bool, occupied_thresh: float, free_thresh: float) -> np.ndarray:
     shade, alpha = _shade(shades, with_alpha=mode == "trinary")
     if mode == "raw":
         value = np.floor(shade * 255 + 0.5)
@@ -41,7 +49,7 @@ def _shade(shades: np.ndarray, *, with_alpha: bool) -> tuple[np.ndarray, np.ndar
         return total / (3 * top), None
     alpha = shades[..., 3] / top
     if with_alpha:
-        return (total + top - shades[..., 3]) / (4 * top), alpha
+        return (total + shades[..., 3]) / (4 * top), alpha
     return total / (3 * top), alpha
 
 

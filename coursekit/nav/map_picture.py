@@ -1,9 +1,11 @@
-"""Images of maps as files: pgm, png, bmp."""
+"""Images of maps as files: pgm, png, bmp; others are read, too."""
 
 from __future__ import annotations
 
 import errno
+import io
 import re
+import warnings
 from pathlib import Path
 
 import cv2
@@ -13,6 +15,8 @@ from coursekit.files import read_bytes, write_whole
 from coursekit.nav.map_error import MapError
 
 FORMATS = ("pgm", "png", "bmp")
+OTHERS = ("JPEG", "TIFF", "PPM", "GIF", "WEBP")
+"""Formats that are read and not written."""
 MAX_PIXELS = 8192 * 8192
 MAX_BYTES = 512 * 2**20
 _PGM = re.compile(rb"(P[25])(?:\s|#[^\n]*\n)+(\d{1,9})(?:\s|#[^\n]*\n)+(\d{1,9})(?:\s|#[^\n]*\n)+(\d{1,5})\s")
@@ -29,9 +33,22 @@ def read_picture(path: Path) -> np.ndarray:
     elif data.startswith(b"BM") and len(data) > 26:
         width, height = (abs(int.from_bytes(data[at : at + 4], "little", signed=True)) for at in (18, 22))
     else:
-        raise _bad(path, "is no picture in a known format", f"use one of: {', '.join(FORMATS)}")
+        width, height = _announced(path, data)
     _check_size(path, width, height)
     return _decode(path, data)
+
+
+def _announced(path: Path, data: bytes) -> tuple[int, int]:
+    """Return width and height of an image in another format, such as JPEG, without decoding it."""
+    from PIL import Image
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of huge images, which are refused by their size
+        try:
+            with Image.open(io.BytesIO(data), formats=OTHERS) as picture:
+                return picture.size
+        except Exception:  # the readers of five formats raise all kinds of exceptions
+            raise _bad(path, "is no picture in a known format", f"use one of: {', '.join(FORMATS)}") from None
 
 
 def write_picture(path: Path, shades: np.ndarray) -> None:

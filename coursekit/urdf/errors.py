@@ -61,6 +61,18 @@ class MeshError(UrdfError):
     """A mesh file that is missing or cannot be read; the message names the folders that were searched."""
 
 
+EXPAND = "Expand the file first: xacro robot.urdf.xacro > robot.urdf."
+
+
+def expanded(text: str, cure: str) -> str:
+    """Return the cure, or that of a text which xacro has yet to work out.
+
+    >>> expanded("${width / 2}", "Write a number.")
+    'Expand the file first: xacro robot.urdf.xacro > robot.urdf.'
+    """
+    return EXPAND if "${" in text or "$(" in text else cure
+
+
 def close(name: str, known: Iterable[str]) -> str:
     """Return a hint with the most similar names, or with all of them.
 

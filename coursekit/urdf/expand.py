@@ -59,6 +59,8 @@ def _fault(error: BaseException, file: str, said: str) -> UrdfError:
         what = lines[-1]
     within = f" (included by {file})" if inner != file else ""
     cure = "Look at the names in ${...} and $(...), and at the macro's parameters."
+    if "PackageNotFoundError" in what:
+        cure = "Build the workspace that holds the package, and source it."
     return UrdfError(f"xacro: {what}{within}", file=inner, cure=cure)
 
 

@@ -84,8 +84,9 @@ def _read(path: Path, kind: str) -> MeshFile:
     from .textures import Beside
 
     data, beside = read_bytes(path), Beside(path)
-    promised = max((int(gltf or ply) for gltf, ply in _COUNTS.findall(data, 0, 1 << 22)), default=0)
-    if kind in (".glb", ".gltf", ".ply") and promised > 3 * MOST_FACES:
+    counts = _COUNTS.findall(data, 0, 1 << 22) if kind in (".glb", ".gltf", ".ply") else ()
+    promised = max((int(gltf or ply) for gltf, ply in counts), default=0)
+    if promised > 3 * MOST_FACES:
         raise ValueError(f"it promises {promised} numbers; {3 * MOST_FACES} are the most")
     surfaces = _parts(data, kind, beside)
     if not surfaces and kind == ".dae":

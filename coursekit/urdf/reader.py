@@ -10,7 +10,7 @@ from pathlib import Path
 
 from coursekit.files import is_file, read_text
 
-from .errors import UrdfError, close
+from .errors import EXPAND, UrdfError, close
 from .joints import read_joint
 from .links import read_link, read_material
 from .model import Joint, Link, Material, Robot
@@ -20,7 +20,6 @@ from .xml_tree import Element, read
 VERSIONS = ("1.0", "1.1", "1.2")
 XACRO_DEFINITIONS = ("xacro:include", "xacro:arg", "xacro:property", "xacro:macro")
 """Names that may remain in an expanded file; any other xacro element means that links are missing."""
-EXPAND = "Expand the file first: xacro robot.urdf.xacro > robot.urdf."
 
 
 def parse(text: str, file: str | os.PathLike[str] = "") -> Robot:
@@ -48,8 +47,7 @@ def parse(text: str, file: str | os.PathLike[str] = "") -> Robot:
             raise element.error(f"link '{link.name}' is not unique.", cure)
         links[link.name] = _coloured(link, element, materials, warnings)
     if not links:
-        xacro = any(child.tag.startswith("xacro:") for child in root.children)
-        cure = EXPAND if xacro else 'A robot has at least <link name="base_link"/>.'
+        cure = EXPAND if _is_xacro(root) else 'A robot has at least <link name="base_link"/>.'
         raise root.error("No link elements found in urdf file", cure)
     joints = _joints(root, warnings)
     top = find_root(root, links, joints)
@@ -86,6 +84,10 @@ def load_text(path: str | os.PathLike[str], arguments: Mapping[str, str] | None 
         raise UrdfError(f"is no UTF-8 text: {error}", file=str(path), cure=cure) from None
 
 
+def _is_xacro(root: Element) -> bool:
+    return any(child.tag.startswith("xacro:") for child in root.children)
+
+
 def _check_robot(root: Element) -> None:
     if root.tag != "robot":
         cure = "The outermost element is <robot>."
@@ -93,7 +95,7 @@ def _check_robot(root: Element) -> None:
             cure = "This is an SDF file (of Gazebo), not a URDF."
         raise root.error("Could not find the 'robot' element in the xml file", cure)
     if not root.get("name"):
-        raise root.error("No name given for the robot.", 'Write <robot name="my_robot">.')
+        raise root.error("No name given for the robot.", EXPAND if _is_xacro(root) else 'Write <robot name="my_robot">.')
     version = root.get("version")
     if version is not None and version not in VERSIONS:
         what = "The version attribute should be in the form 'x.y'"

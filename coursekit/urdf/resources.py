@@ -21,7 +21,7 @@ from coursekit.systems import copies, which
 from coursekit.systems.uris import path_of
 from coursekit.systems.words import split_folders
 
-from .errors import MeshError, close
+from .errors import MeshError, close, expanded
 
 MODEL_PATHS = ("GAZEBO_MODEL_PATH", "GAZEBO_RESOURCE_PATH", "GZ_SIM_RESOURCE_PATH", "IGN_GAZEBO_RESOURCE_PATH", "SDF_PATH")
 """Environment variables of Gazebo, old and new, with folders of models."""
@@ -150,8 +150,11 @@ def find_file(uri: str, near: Path | None = None) -> Path:
         path = Path(uri) if near is None else near.resolve().parent / uri
     if not is_file(path) and (is_folder(path) or _is_device(path)):
         raise MeshError(f"'{uri}' is no file: {path} is a folder or a device", cure="Name the mesh file itself.")
+    if not is_file(path) and not parts.scheme and near is not None and not is_file(near) and not Path(uri).is_absolute():
+        what = f"'{uri}' not found: it is relative to the robot's file, and a description from '{near}' has none"
+        raise MeshError(what, cure=expanded(uri, "Use package://NAME/path, or file:///path."))
     if not is_file(path):
-        raise MeshError(f"'{uri}' not found: there is no file {path}", cure=_beside(path))
+        raise MeshError(f"'{uri}' not found: there is no file {path}", cure=expanded(uri, _beside(path)))
     return path
 
 

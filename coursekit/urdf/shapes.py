@@ -81,7 +81,7 @@ def _primitive(geometry: Box | Cylinder | Sphere) -> Surface:
     elif isinstance(geometry, Cylinder):
         mesh = trimesh.creation.cylinder(radius=geometry.radius, height=geometry.length, sections=ROUND)
     else:
-        mesh = trimesh.creation.icosphere(subdivisions=3, radius=geometry.radius)
+        mesh = trimesh.creation.icosphere(subdivisions=3).apply_scale(geometry.radius)  # its own radius cannot be 0
     return Surface(np.asarray(mesh.vertices, float), np.asarray(mesh.faces))
 
 

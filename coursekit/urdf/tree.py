@@ -103,20 +103,18 @@ def _loop(root: Element, start: str, above: Mapping[str, Joint], what: str) -> U
 
 
 def check_mimics(root: Element, joints: Mapping[str, Joint], warnings: list[str]) -> dict[str, Joint]:
-    """Return the joints, with mimics of fixed joints removed; UrdfError if one mimics an unknown joint, or itself."""
+    """Return the joints, with mimics of fixed or unknown joints removed; UrdfError if one mimics itself."""
     elements = {element.get("name"): element.first("mimic") or element for element in root.all("joint")}
     checked = dict(joints)
     for joint in joints.values():
         if joint.mimic is None:
             continue
         element, leader = elements[joint.name], joint.mimic.joint
-        if leader not in joints:
-            what = f"joint [{joint.name}] mimics joint [{leader}], which does not exist"
-            raise element.error(what, close(leader, joints))
-        if not joints[leader].moves:
+        if leader not in joints or not joints[leader].moves:
             place = f"{element.file or 'robot description'}:{element.line}"
-            what = f"joint '{joint.name}' mimics '{leader}', which is {joints[leader].type}; it moves by itself."
-            warnings.append(f"{place}: {what}")
+            why = joints[leader].type if leader in joints else "no joint"
+            hint = "" if leader in joints else f" {close(leader, joints)}"
+            warnings.append(f"{place}: joint '{joint.name}' mimics '{leader}', which is {why}; it moves by itself.{hint}")
             checked[joint.name] = replace(joint, mimic=None)
     free = {name for name, joint in checked.items() if joint.mimic is None}
     for name in checked:

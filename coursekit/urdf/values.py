@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 
+from .errors import expanded
 from .model import Colour, Origin, Vector
 from .xml_tree import Element
 
@@ -38,7 +39,8 @@ def number(element: Element, name: str, default: float, what: str = "{name} valu
         return default
     value = plain(text)
     if value is None:
-        raise element.error(what.format(name=name, text=text), f'Write a number: {name}="{default}".')
+        cure = expanded(text, f'Write a number: {name}="{default}".')
+        raise element.error(what.format(name=name, text=text), cure)
     return value
 
 
@@ -60,7 +62,7 @@ def _several(element: Element, name: str, text: str, count: int, kind: str, pref
     words = re.split(f"[{_SPACES}]+", text.strip(_SPACES))
     words = [] if words == [""] else words
     values = []
-    cure = f'Write {count} numbers with blanks between them: {name}="{" ".join(["0"] * count)}".'
+    cure = expanded(text, f'Write {count} numbers with blanks between them: {name}="{" ".join(["0"] * count)}".')
     for word in words:
         value = plain(word)
         if value is None:

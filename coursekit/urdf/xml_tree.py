@@ -11,9 +11,9 @@ from .errors import UrdfError
 
 DEEPEST = 200
 """Maximum depth of elements; a robot needs about 10."""
-TRUNCATED = {expat.errors.codes[expat.errors.XML_ERROR_NO_ELEMENTS], 5, 4, 15}
-_EARLY = re.compile(r"\A\s+<\?xml\b[^>]*\?>")
-"""Blank lines before the declaration, which TinyXML, urdfdom's parser, accepts."""
+TRUNCATED = {expat.errors.codes[expat.errors.XML_ERROR_NO_ELEMENTS], 5, 15}
+_COMMENT, _DECLARATION = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL), re.compile(r"\A\s*<\?xml\b[^>]*\?>")
+"""What the parsers of urdfdom and SDF accept and expat does not: `--` in a comment; a declaration late or misspelled."""
 
 
 @dataclass(eq=False)
@@ -152,7 +152,12 @@ def read(text: str, file: str = "") -> Element:
     >>> read("<robot name='r'><link name='a'/></robot>").first("link").label()
     '<link name="a">'
     """
-    return _Builder(file).build(_EARLY.sub(lambda early: "\n" * early[0].count("\n"), text, 1))
+    return _Builder(file).build(_DECLARATION.sub(_blank, _COMMENT.sub(_blank, text), 1))
+
+
+def _blank(skipped: re.Match[str]) -> str:
+    """Return blanks in place of a text, so that lines and columns stay."""
+    return re.sub(r"[^\n]", " ", skipped[0])
 
 
 __all__ = ["Element", "read"]

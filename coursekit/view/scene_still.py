@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from itertools import repeat
 from typing import Any
 
 import cv2
@@ -18,6 +20,8 @@ _SHIFT = 4
 _TOP, _BOTTOM = (250, 247, 245), (232, 226, 221)
 _LIGHT = np.array([0.35, -0.5, 0.79])
 MOST_DOTS = 20_000
+FARTHEST = 20_000
+"""How far beside the picture a corner may be [pixels]; parts with farther ones are left out."""
 
 
 class Still:
@@ -30,7 +34,7 @@ class Still:
         steps = np.linspace(0.0, 1.0, self.height)[:, None, None]
         flat = np.array(_TOP) * (1 - steps) + np.array(_BOTTOM) * steps
         self.image = np.ascontiguousarray(np.broadcast_to(flat, (self.height, self.width, 3)).round().astype(np.uint8))
-        self._parts: list[tuple[float, np.ndarray, tuple[float, float, float], float, float]] = []
+        self._parts: list[tuple[float, np.ndarray, Sequence[float], float, float]] = []
         self._labels: list[tuple[np.ndarray, Label]] = []
 
     def png(self, scene: Scene, below: list[str]) -> bytes:
@@ -76,9 +80,10 @@ class Still:
         every = np.array(shape.colour) if shape.colours is None else shape.colours
         paints = np.broadcast_to(every, (len(shape.faces), 4))
         pixels = self._pixels(seen)
-        for index in np.nonzero(depth.min(axis=1) > NEAR)[0]:
-            red, green, blue = (float(paint) * 255 * float(bright[index]) for paint in paints[index, :3])
-            self._parts.append((float(depth[index].mean()), pixels[index], (blue, green, red), float(paints[index, 3]), 0.0))
+        drawn = (depth.min(axis=1) > NEAR) & (np.abs(pixels).max(axis=(1, 2)) <= FARTHEST)
+        colours = paints[drawn, 2::-1] * 255 * bright[drawn, None]
+        depths, alphas = depth[drawn].mean(axis=1).tolist(), paints[drawn, 3].tolist()
+        self._parts += zip(depths, _fixed(pixels[drawn]), colours.tolist(), alphas, repeat(0.0))
 
     def _lines(self, shape: Lines, world: Any) -> None:
         seen = self.camera.seen(world(shape.points)).reshape(-1, 2, 3)
@@ -89,7 +94,7 @@ class Still:
             if clipped is not None:
                 depth = float(clipped[:, 2].mean())
                 colour = float(blue), float(green), float(red)
-                self._parts.append((depth, self._pixels(clipped), colour, shape.colour[3], 0.0))
+                self._part(depth, self._pixels(clipped), colour, shape.colour[3], 0.0)
 
     def _points(self, shape: Points, world: Any) -> None:
         step = -(-len(shape.points) // MOST_DOTS) or 1
@@ -102,7 +107,11 @@ class Still:
             wide = shape.size * FINE if shape.pixels else shape.size / depth * self.zoom
             radius = max(1.0 * FINE, wide / 2)
             red, green, blue = map(float, paints[index])
-            self._parts.append((depth, pixels[index : index + 1], (blue, green, red), 1.0, radius))
+            self._part(depth, pixels[index : index + 1], (blue, green, red), 1.0, radius)
+
+    def _part(self, depth: float, corners: np.ndarray, colour: Sequence[float], alpha: float, radius: float) -> None:
+        if np.abs(corners).max() <= FARTHEST:
+            self._parts.append((depth, _fixed(corners), colour, alpha, radius))
 
     def _picture(self, shape: Picture, world: Any) -> None:
         """Draw a map at once: it lies below everything."""
@@ -125,26 +134,22 @@ class Still:
     # -- painting
 
     def _paint(self) -> None:
-        for _, corners, colour, alpha, radius in sorted(self._parts, key=lambda part: -part[0]):
-            if np.abs(corners).max() > 20_000:
-                continue
-            points = np.round(corners * (1 << _SHIFT)).astype(np.int32)
-            canvas = self.image if alpha >= 0.999 else self.image.copy()
-            if len(points) == 1:
-                cv2.circle(canvas, points[0].tolist(), round(radius * (1 << _SHIFT)), colour, -1, cv2.LINE_AA, _SHIFT)
-            elif len(points) == 2:
-                cv2.line(canvas, points[0].tolist(), points[1].tolist(), colour, FINE, cv2.LINE_AA, _SHIFT)
+        for _, points, colour, alpha, radius in sorted(self._parts, key=lambda part: -part[0]):
+            if alpha >= 0.999:
+                _draw(self.image, points, colour, radius)
             else:
-                cv2.fillConvexPoly(canvas, points, colour, cv2.LINE_8, _SHIFT)
-            if canvas is not self.image:
-                self._blend(canvas, corners, alpha)
+                self._blend(points, colour, alpha, radius)
         self._parts = []
 
-    def _blend(self, canvas: np.ndarray, corners: np.ndarray, alpha: float) -> None:
-        low = np.maximum(np.floor(corners.min(axis=0)).astype(int) - 3, 0)
-        high = np.maximum(np.ceil(corners.max(axis=0)).astype(int) + 4, 0)
-        box = slice(low[1], high[1]), slice(low[0], high[0])
-        self.image[box] = (canvas[box] * alpha + self.image[box] * (1 - alpha)).round()
+    def _blend(self, points: np.ndarray, colour: Sequence[float], alpha: float, radius: float) -> None:
+        """Draw a part that can be seen through, in the box around it."""
+        low = np.maximum((points.min(axis=0) >> _SHIFT) - 3, 0)
+        high = np.maximum((points.max(axis=0) >> _SHIFT) + 5, 0)
+        box = self.image[low[1] : high[1], low[0] : high[0]]
+        if box.size:
+            canvas = box.copy()
+            _draw(canvas, points - (low << _SHIFT).astype(np.int32), colour, radius)
+            box[:] = (canvas * alpha + box * (1 - alpha)).round()
 
     def _write(self, image: np.ndarray) -> None:
         """Draw the labels, in a font included in matplotlib."""
@@ -165,6 +170,21 @@ class Still:
             rim = (59, 50, 38) if label.light else (248, 245, 243)
             pen.text(place, label.text, (blue, green, red), font, anchor, stroke_width=1, stroke_fill=rim)
         image[:] = np.asarray(paper)
+
+
+def _fixed(corners: np.ndarray) -> np.ndarray:
+    """Return pixels as the whole numbers that are drawn."""
+    return np.round(corners * (1 << _SHIFT)).astype(np.int32)
+
+
+def _draw(image: np.ndarray, points: np.ndarray, colour: Sequence[float], radius: float) -> None:
+    """Draw a dot, a line or a triangle."""
+    if len(points) == 1:
+        cv2.circle(image, points[0].tolist(), round(radius * (1 << _SHIFT)), colour, -1, cv2.LINE_AA, _SHIFT)
+    elif len(points) == 2:
+        cv2.line(image, points[0].tolist(), points[1].tolist(), colour, FINE, cv2.LINE_AA, _SHIFT)
+    else:
+        cv2.fillConvexPoly(image, points, colour, cv2.LINE_8, _SHIFT)
 
 
 def _before(a: np.ndarray, b: np.ndarray) -> np.ndarray | None:

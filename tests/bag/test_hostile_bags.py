@@ -11,11 +11,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import lz4.frame
 import pytest
 import yaml
 import zstandard
 from hypothesis import given
 from hypothesis import strategies as st
+from mcap.records import Chunk
 
 from coursekit.bag import compression, mcap_reader, metadata_file
 from coursekit.bag.errors import BagError
@@ -215,6 +217,10 @@ def test_files_that_are_something_else_are_refused(tmp_path: Path, name: str) ->
         db.execute("CREATE TABLE birds(name)")
     with pytest.raises(BagError, match="not of a bag: it has no tables topics and messages"):
         all_of(tmp_path / "other.db3")
+    older = tmp_path / "x.bag"
+    older.write_bytes(b"#ROSBAG V2.0")
+    with pytest.raises(BagError, match="is a bag of ROS 1: .*rosbags-convert --src"):
+        BagReader(str(older))
     with pytest.raises(BagError, match="ends neither in .db3 nor in .mcap"):
         BagReader(__file__)
 
@@ -271,6 +277,13 @@ def test_a_chunk_that_announces_too_much_is_not_unpacked(make: Make, monkeypatch
     monkeypatch.setattr(mcap_reader, "LARGEST_CHUNK", 4000)
     with pytest.raises(BagError, match="a chunk has .* bytes, more than 4000: it is not unpacked"):
         all_of(bag)
+
+
+def test_an_lz4_chunk_that_lies_about_its_size_is_not_unpacked() -> None:
+    chunk = Chunk("lz4", lz4.frame.compress(bytes(10_000_000)), 0, 0, 0, 100)
+    assert len(chunk.data) < 100_000
+    with pytest.raises(ValueError, match="a chunk of 100 bytes has 101"):
+        mcap_reader._without_lz4(chunk)
 
 
 def test_a_chunk_that_lies_about_its_size_is_not_unpacked(make: Make) -> None:

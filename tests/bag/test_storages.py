@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import random
 import sqlite3
+import tracemalloc
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import pytest
 import yaml
+from mcap import writer as mcap_writer
 from rosbags.rosbag2 import CompressionFormat, CompressionMode, Reader, StoragePlugin, Writer
 from rosbags.typesys import Stores, get_typestore
 
 from coursekit.bag import metadata_file
 from coursekit.bag.errors import BagError
+from coursekit.bag.mcap_reader import McapReader
 from coursekit.bag.reader import BagReader
 from coursekit.bag.reindex import reindex
 from coursekit.bag.storage import Message
@@ -55,6 +60,38 @@ def test_metadata_made_anew_is_the_metadata_that_was(make: Make, settings: dict[
     path.unlink()
     reindex(bag)
     assert path.read_text() == before
+
+
+def mcap_file(path: Path, messages: list[bytes], **settings: Any) -> Path:
+    """A file by the mcap library, with one channel."""
+    with path.open("wb") as file:
+        writer = mcap_writer.Writer(file, **settings)
+        writer.start("ros2", "test")
+        channel = writer.register_channel("/chatter", "cdr", writer.register_schema("std_msgs/msg/String", "ros2msg", b""))
+        for number, data in enumerate(messages):
+            writer.add_message(channel, number * SECOND, data, number * SECOND)
+        writer.finish()
+    return path
+
+
+def test_a_large_message_in_an_lz4_chunk_is_read(tmp_path: Path) -> None:
+    frame = random.Random(1).randbytes(5_000_000)  # as a camera's picture: lz4 finds nothing to compress
+    path = mcap_file(tmp_path / "a.mcap", [frame], compression=mcap_writer.CompressionType.LZ4)
+    assert [message.data for message in all_of(path)] == [frame]
+
+
+@pytest.mark.parametrize("chunks", [True, False])
+def test_what_an_interrupted_recording_holds_is_read_without_keeping_it(tmp_path: Path, chunks: bool) -> None:
+    texts = [text_bytes(f"Hello {number} " + "x" * 10_000) for number in range(200)]
+    path = mcap_file(tmp_path / "a.mcap", texts, use_chunking=chunks, chunk_size=50_000)
+    if chunks:
+        path.write_bytes(path.read_bytes()[:-20])
+    reader = McapReader(path)
+    tracemalloc.start()
+    assert [message.data == text for message, text in zip(reader.messages(None, 0), texts, strict=True)] == [True] * 200
+    most = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert most < 1_000_000
 
 
 def test_an_sqlite_file_has_the_tables_of_humble(make: Make) -> None:

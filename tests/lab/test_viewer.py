@@ -221,6 +221,20 @@ def test_a_mesh_without_its_texture_is_drawn_plain_and_told_in_one_line(session,
     assert shapes(panel, "RobotModel")
 
 
+def test_a_missing_mesh_of_visuals_that_are_not_shown_is_no_fault(session, talker):
+    from rclpy.qos import DurabilityPolicy, QoSProfile
+    from std_msgs.msg import String
+
+    lost, ball = "<geometry><mesh filename='file:///lost.stl'/></geometry>", "<geometry><sphere radius='1'/></geometry>"
+    text = f"<robot name='x'><link name='base'><visual>{lost}</visual><collision>{ball}</collision></link></robot>"
+    lasting = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    talker.create_publisher(String, "/robot_description", lasting).publish(String(data=text))
+    frame(talker, "map", "base")
+    panel = viewer(fixed_frame="map", displays=["RobotModel"])
+    panel.stage.change(panel.stage.find("RobotModel"), {"visual_enabled": False, "collision_enabled": True})
+    assert panel.status("RobotModel").startswith("Ok")
+
+
 def test_a_topic_that_cannot_be_is_told_and_may_be_mended(session, talker):
     panel = viewer(fixed_frame="map", displays=["LaserScan /front scan"])
     panel._hear(panel, {"type": "topic", "row": "1", "topic": "/front-scan"}, [])

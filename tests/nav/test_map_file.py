@@ -1,5 +1,7 @@
 """Maps as files, beside what nav2's map server makes of the same ones."""
 
+import tracemalloc
+
 import cv2
 import numpy as np
 import pytest
@@ -103,6 +105,34 @@ def test_transparent_cells_are_unknown_in_scale_mode_only(tmp_path):
     shades = [[[0, 0, 0, 255], [0, 0, 0, 254], [255, 255, 255, 0]]]
     assert load_map(write(tmp_path, shades, more="mode: scale\n")).cells.tolist() == [[100, -1, -1]]
     assert load_map(write(tmp_path, shades, more="mode: raw\n")).cells.tolist() == [[0, 0, -1]]
+
+
+def test_an_opaque_picture_gives_the_cells_of_the_same_picture_without_alpha(tmp_path):
+    opaque = [[[shade, shade, shade, 255] for shade in (0, 150, 254)]]
+    assert load_map(write(tmp_path, opaque)).cells.tolist() == [[100, -1, 0]]
+    clear = [[[255, 255, 255, 0]]]
+    assert load_map(write(tmp_path, clear)).cells.tolist() == [[-1]]
+
+
+@pytest.mark.parametrize("kind", ["jpg", "tif", "pbm"])
+def test_pictures_in_other_formats_are_read(tmp_path, kind):
+    shades = np.full((16, 16), 255, np.uint8)
+    shades[:, 8:] = 0
+    cv2.imwrite(str(tmp_path / f"room.{kind}"), shades)
+    path = write(tmp_path, [[0]])
+    path.write_text(path.read_text().replace("room.png", f"room.{kind}"))
+    assert load_map(path).cells.tolist() == [[0] * 8 + [100] * 8] * 16
+
+
+def test_a_large_picture_needs_little_more_memory_than_its_cells():
+    picture = np.full((3000, 3000), 254, np.uint8)
+    picture[1000:, :1000] = 0
+    tracemalloc.start()
+    cells = cells_of(picture, mode="trinary", negate=False, occupied_thresh=0.65, free_thresh=0.196)
+    most = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert most < 6 * picture.nbytes
+    assert np.array_equal(cells, np.where(picture == 0, 100, 0))
 
 
 def test_raw_mode_keeps_the_values_to_100(tmp_path):

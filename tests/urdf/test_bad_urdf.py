@@ -45,11 +45,26 @@ def test_what_urdfdom_says_nothing_of_is_a_warning():
     fixed = parse(f'<robot name="r">{links("a", "b", "c")}{joint(type_="fixed")}{mimic}</robot>')
     assert any("'k' mimics 'j', which is fixed" in warning for warning in fixed.warnings)
     assert fixed.joints["k"].mimic is None
+    alone = parse(f'<robot name="r">{AB}' + joint('<mimic joint="elbow"/>', name="elbov") + "</robot>")
+    assert "'elbov' mimics 'elbow', which is no joint; it moves by itself. Did you mean 'elbov'?" in alone.warnings[-1]
+    assert alone.joints["elbov"].mimic is None
 
 
 def test_blank_lines_before_the_declaration_are_taken_and_counted():
     text = '\n\n<?xml version="1.0"?>\n<robot name="r"><link name="a"/></robot>'
     assert parse(text).link("a").line == 4
+
+
+@pytest.mark.parametrize("before", ["<!-- ------ arm ------ -->", '<?xml verison="1.0"?>', "<!-- a -- b --> <?xml?>"])
+def test_what_tinyxml_takes_and_stricter_parsers_refuse_is_taken(before):
+    assert parse(f'{before}\n<robot name="r">\n<link name="a"/></robot>').link("a").line == 3
+
+
+@pytest.mark.parametrize("wrong", ["&", "<link name=a/>", '<link name="a" <link name="b"/>'])
+def test_a_fault_in_the_middle_is_not_taken_for_a_missing_end(wrong):
+    with pytest.raises(UrdfError, match="Look at line 2") as caught:
+        parse(f'<robot name="r">\n{wrong}</robot>')
+    assert "missing" not in caught.value.cure
 
 
 @pytest.mark.parametrize(
@@ -115,3 +130,16 @@ def test_a_near_name_is_offered():
     text = f'<robot name="r">{links("base_link", "wheel_link")}{joint(parent="base_lnk", child="wheel_link")}</robot>'
     with pytest.raises(UrdfError, match="Did you mean 'base_link'"):
         parse(text)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        '<robot><xacro:property name="w" value="1"/></robot>',
+        f'<robot name="r">{AB}' + joint('<origin xyz="${w} 0 0"/>') + "</robot>",
+        f'<robot name="r">{AB}' + joint('<limit lower="$(arg low)" effort="1" velocity="1"/>', "revolute") + "</robot>",
+    ],
+)
+def test_what_xacro_has_yet_to_work_out_is_said_to_be_that(text):
+    with pytest.raises(UrdfError, match="Expand the file first"):
+        parse(text.replace("<robot>", '<robot xmlns:xacro="x">'))

@@ -131,6 +131,7 @@ def test_xacro_finds_packages_in_the_index(tmp_path):
     [
         (XACRO.format(link="${nothing}"), "nothing"),
         (XACRO.format(link="$(find no_such_package)"), "no_such_package"),
+        (XACRO.format(link="$(find no_such_package)"), "Build the workspace that holds the package"),
         (XACRO.format(link="$(arg colour)"), "colour"),
         ("<robot><xacro:include", "XML parser error"),
         ('<robot name="r"><xacro:property name="a" value="1"/></robot>', 'xmlns:xacro="http://www.ros.org/wiki/xacro"'),

@@ -1,6 +1,7 @@
 """Shapes as triangles, and where their files are."""
 
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -47,6 +48,11 @@ def test_shapes_have_their_size_and_their_middle(shape, extents):
     np.testing.assert_allclose(mesh.extents, extents, atol=0.01)
     np.testing.assert_allclose(mesh.bounds.mean(axis=0), 0.0, atol=1e-9)
     assert mesh.is_volume
+
+
+def test_a_ball_without_size_is_a_point():
+    (surface,) = surfaces_of(Sphere(0.0))
+    assert np.array_equal(surface.vertices, np.zeros_like(surface.vertices))
 
 
 @pytest.mark.parametrize("path", OURS, ids=lambda path: path.stem)
@@ -176,3 +182,14 @@ def test_the_robots_are_a_package():
 def test_a_third_slash_leaves_no_name_of_a_package():
     with pytest.raises(MeshError, match="'package:///turtlesim/package.xml' names no package"):
         find_file("package:///turtlesim/package.xml")
+
+
+def test_a_relative_path_in_a_description_from_a_topic_is_said_to_lead_nowhere():
+    with pytest.raises(MeshError, match="relative to the robot's file, and a description from '/robot_desc") as caught:
+        find_file("hand.stl", Path("/robot_description"))
+    assert caught.value.cure.startswith("Use package://NAME/path")
+
+
+def test_the_path_of_a_mesh_that_xacro_has_yet_to_work_out_is_said_to_be_that():
+    with pytest.raises(MeshError, match="Expand the file first"):
+        find_file("$(arg meshes)/hand.stl")

@@ -10,7 +10,6 @@ import numpy as np
 from coursekit.geometry.plane import Array
 from coursekit.urdf import MeshError
 from coursekit.urdf.model import Box, Cylinder, Mesh, Sphere
-from coursekit.urdf.shapes import notes_of
 from coursekit.urdf.xml_tree import Element
 
 from .blueprint import BlueLink, Blueprint
@@ -131,9 +130,7 @@ def _collide(element: Element, where: Array, blue: BlueLink, blueprint: Blueprin
         raise element.error("has no <geometry>", "Give it <geometry><box>, <cylinder>, <sphere>, <polyline> or <mesh>.")
     kind = geometry.children[0]
     try:
-        shapes = _shapes(kind, blueprint)
-        blue.parts += [part_of(shape, where, blueprint.file) for shape in shapes]
-        blueprint.notes += [note for shape in shapes if isinstance(shape, Mesh) for note in notes_of(shape, blueprint.file)]
+        blue.parts += [part_of(shape, where, blueprint.file) for shape in _shapes(kind, blueprint)]
     except MeshError as error:
         blueprint.note(element, f"is left out: {error.what}")
 

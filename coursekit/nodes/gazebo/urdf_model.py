@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from coursekit.urdf import MeshError, Robot
+from coursekit.urdf.errors import close
 from coursekit.urdf.kinematics import Kinematics
-from coursekit.urdf.shapes import matrix_of, notes_of
+from coursekit.urdf.shapes import matrix_of
 from coursekit.urdf.xml_tree import Element
 
 from .blueprint import BlueLink, Blueprint
@@ -35,7 +36,6 @@ def blueprint_of(robot: Robot) -> Blueprint:
             try:
                 where = blue.pose @ matrix_of(collision.origin)
                 blue.parts.append(part_of(collision.geometry, where, robot.file))
-                blueprint.notes += notes_of(collision.geometry, robot.file)
             except MeshError as error:
                 blueprint.notes.append(f"line {collision.line}: <collision> of link '{name}' is left out: {error.what}")
     blueprint.axles = {name: blueprint.links[joint.child].pose for name, joint in robot.joints.items()}
@@ -62,9 +62,8 @@ def _read_block(block: Element, robot: Robot, blueprint: Blueprint) -> None:
         elif child.tag == "sensor" and reference in blueprint.links:
             blueprint.links[reference].sensors.append(child)
         elif child.tag == "sensor":
-            raise child.error(
-                f"sits on link '{reference}', which does not exist", f"Links are: {', '.join(blueprint.links)}."
-            )
+            missing = f"is left out: there is no link '{reference}'. {close(reference or '', blueprint.links)}"
+            blueprint.note(child, "is not simulated: it sits on a joint" if reference in robot.joints else missing)
         elif child.tag == "static":
             blueprint.static = child.text.strip() in ("true", "1")
         elif child.tag == "material" and blueprint.look == PLAIN:

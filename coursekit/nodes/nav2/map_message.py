@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from array import array
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -29,7 +30,7 @@ def to_message(grid: GridMap, frame: str, stamp: TimeMsg) -> OccupancyGrid:
     pose = msg.info.origin
     pose.position.x, pose.position.y = x, y
     pose.orientation.z, pose.orientation.w = math.sin(yaw / 2), math.cos(yaw / 2)
-    msg.data = grid.cells.ravel().tolist()
+    msg.data = array("b", np.ascontiguousarray(grid.cells, np.int8).tobytes())
     return msg
 
 

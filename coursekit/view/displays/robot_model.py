@@ -82,7 +82,8 @@ class RobotModel(Display):
     def _plain(self) -> list[str]:
         """Return notes about meshes that are drawn without their textures."""
         assert self.robot is not None
-        shapes = [visual.geometry for link in self.robot.links.values() for visual in link.visuals]
+        links = self.robot.links.values() if self.options["visual_enabled"] else ()
+        shapes = [visual.geometry for link in links for visual in link.visuals]
         return [note for shape in dict.fromkeys(shapes) for note in notes_of(shape, self.robot.file)]
 
     def _shape(self, link: str, scene: Scene) -> str:

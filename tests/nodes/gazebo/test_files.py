@@ -249,3 +249,14 @@ def test_a_damaged_robot_never_does_worse_than_a_clear_error(start, length, othe
         assert str(error)
     else:
         assert np.isfinite(entity.robot.mass) if entity.robot else True
+
+
+def test_a_sensor_on_a_joint_or_on_nothing_does_not_keep_a_robot_out_of_the_world():
+    link, joint = "<link name='{}'/>", "<joint name='wrist' type='fixed'><parent link='arm'/><child link='hand'/></joint>"
+    sensor = "<gazebo reference='{}'><sensor name='force' type='force_torque'/></gazebo>"
+    links = link.format("arm") + link.format("hand") + joint
+    force, lost = (
+        read_entity(f"<robot name='r'>{links}{sensor.format(place)}</robot>").notes for place in ("wrist", "hnd")
+    )
+    assert len(force) == 1 and force[0].endswith("is not simulated: it sits on a joint")
+    assert "there is no link 'hnd'. Did you mean 'hand'?" in lost[0]

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.lifecycle import LifecycleNodeMixin, LifecycleState, TransitionCallbackReturn
 from rclpy.lifecycle.state_machine import STATES, Transition
-from rclpy.logging import get_logger
 
 from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.node import CompiledNode

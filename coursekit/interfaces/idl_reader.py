@@ -11,6 +11,8 @@ from lark.exceptions import UnexpectedInput
 
 from coursekit.files import read_text
 from coursekit.interfaces.errors import InterfaceError
+from coursekit.interfaces.model import Interface
+from coursekit.interfaces.parser import parse
 
 _GRAMMAR = r"""
 start: module+
@@ -50,14 +52,29 @@ def definition_of_idl(path: Path) -> tuple[str, str]:
 
     Raises InterfaceError, with file and line, for text that ROS would not accept.
     """
-    text = read_text(path)
+    return _Definition(path, _tree(read_text(path), str(path))).text()
+
+
+def interface_of_idl(text: str) -> Interface:
+    """Return the interface that a text in IDL defines: its first structure tells the name.
+
+    Raises InterfaceError for text that ROS would not accept.
+    """
+    told = _Definition(Path("text.idl"), _tree(text, "text.idl"))
+    first = next(iter(told.structs), "")
+    name = first.removesuffix("_Request").removesuffix("_Goal")
+    told.path = Path(f"{name}.idl")
+    kind, definition = told.text()
+    return parse(told.kinds[0], kind, name, definition)
+
+
+def _tree(text: str, file: str) -> Tree[Any]:
     try:
-        tree = _parser().parse(text)
+        return _parser().parse(text)
     except UnexpectedInput as error:
         source = text.splitlines()[error.line - 1 : error.line] if error.line > 0 else []
         why = "this is not IDL as ROS knows it"
-        raise InterfaceError(why, file=str(path), line=max(error.line, 1), source="".join(source)) from None
-    return _Definition(path, tree).text()
+        raise InterfaceError(why, file=file, line=max(error.line, 1), source="".join(source)) from None
 
 
 @cache

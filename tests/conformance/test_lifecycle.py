@@ -223,14 +223,17 @@ def test_failures_lead_back(world, answers, path, state):
     assert state_of(node) == state
 
 
-def test_an_impossible_trigger_is_an_error(world):
-    """Humble raises; later releases tell by what they return."""
+def test_an_impossible_trigger_is_an_error(world, capfd):
+    """Humble raises; later releases tell by what they return. Programs look for rcl's words in the error."""
     node = scripted(world)
     try:
         assert node.trigger_activate() == ERROR
     except RuntimeError as error:
-        assert "No transition matching 3 found for current state unconfigured" in str(error)
+        words = "Failed to trigger lifecycle state machine transition: Transition is not registered., at ."
+        assert str(error).startswith(words)
+        assert str(error).endswith("(known: configure [1], shutdown [5])")
     assert state_of(node) == "unconfigured"
+    assert "[rcl_lifecycle]: No transition matching 3 found for current state unconfigured\n" in capfd.readouterr().err
 
 
 def test_a_finalized_node_does_not_shut_down(world):

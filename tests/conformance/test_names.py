@@ -10,7 +10,7 @@ from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
 from rclpy.validate_full_topic_name import validate_full_topic_name
 from rclpy.validate_namespace import validate_namespace
 from rclpy.validate_node_name import validate_node_name
-from rclpy.validate_topic_name import validate_topic_name
+from rclpy.validate_topic_name import TOPIC_SEPARATOR_STRING, validate_topic_name
 
 
 @pytest.mark.parametrize(
@@ -121,3 +121,7 @@ def test_what_cannot_be_expanded(arguments):
 )
 def test_hidden_names(name, hidden):
     assert topic_or_service_is_hidden(name) is hidden
+
+
+def test_a_topic_is_taken_apart_at_its_separator():
+    assert "/arm/camera/image".split(TOPIC_SEPARATOR_STRING)[-1] == "image"

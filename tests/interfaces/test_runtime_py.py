@@ -7,6 +7,8 @@ from rosidl_runtime_py import (
     get_interface_path,
     get_interfaces,
     get_message_interfaces,
+    get_message_slot_types,
+    import_message_from_namespaced_type,
     message_to_csv,
     message_to_ordereddict,
     message_to_yaml,
@@ -136,3 +138,7 @@ def test_classes_are_found_by_name():
         get_message("nope_msgs/msg/X")
     with pytest.raises(AttributeError):
         get_message("std_msgs/msg/Nope")
+
+
+def test_the_package_itself_leads_from_a_field_to_its_class():
+    assert import_message_from_namespaced_type(get_message_slot_types(PoseStamped())["header"]) is Header

@@ -75,3 +75,14 @@ def test_files_may_be_written_by_handlers_of_one_s_own() -> None:
     launch_config.log_handler_factory = lambda path, encoding=None: Keeper()
     get_logger("arm").error("broken")
     assert written == ["1700000000.0000000 [ERROR] [arm]: broken"]
+
+
+def test_a_launch_of_ones_own_tells_where_its_logs_are(capsys: pytest.CaptureFixture[str]) -> None:
+    launch_config.level = logging.WARNING
+    logger = get_logger("launch")
+    logger.setLevel(logging.INFO)
+    launch.logging.log_launch_config(logger=logger)
+    assert capsys.readouterr().out.splitlines() == [
+        f"[INFO] [launch]: All log files can be found below {launch_config.log_dir}",
+        "[INFO] [launch]: Default logging verbosity is set to WARNING",
+    ]

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING, Any
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.lifecycle import LifecycleNodeMixin, LifecycleState, TransitionCallbackReturn
 from rclpy.lifecycle.state_machine import STATES, Transition
-from rclpy.logging import get_logger
 
 from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.node import CompiledNode
@@ -39,16 +38,11 @@ class CompiledLifecycleNode(LifecycleNodeMixin, CompiledNode):
             self.get_logger().warning("Error occurred while doing error handling.")
         return answer
 
-    def _warn_of(self, wanted: object) -> str:
-        state = self._state_machine.current_state[1]
-        get_logger("rcl_lifecycle").warning(f"No transition matching {wanted} found for current state {state}")
-        return state
-
     def _rclpy_change_if_possible(self, transition_id: int) -> TransitionCallbackReturn:
         try:
             return self._rclpy_change_state(transition_id)
         except RCLError:
-            state = self._warn_of(transition_id)
+            state = self._state_machine.current_state[1]
             why = "Transition is not registered., at ./src/rcl_lifecycle.c:355"
             text = f"Unable to start transition {transition_id} from current state {state}: {why}"
             self.get_logger().error(text)
@@ -63,7 +57,6 @@ class CompiledLifecycleNode(LifecycleNodeMixin, CompiledNode):
         try:
             return self.change(self._state_machine.get_transition_by_label(label))
         except RCLError:
-            self._warn_of(label)
             return 0
 
     def transitions(self, all_of_them: bool) -> list[Transition]:

@@ -17,7 +17,6 @@ from .events import IncludeLaunchDescription, Shutdown
 from .launch_context import LaunchContext
 from .launch_description import LaunchDescription
 from .launch_description_entity import LaunchDescriptionEntity
-from .logging.config import shown_log_dir
 from .utilities.entities import visit_entities
 
 INTERRUPTED = "user interrupted with ctrl-c (SIGINT)"
@@ -52,8 +51,7 @@ class LaunchService:
         launch_logging.launch_config.level = logging.DEBUG if debug else logging.INFO
         self.__debug = debug
         self.__logger = launch_logging.get_logger("launch")
-        self.__logger.info(f"All log files can be found below {shown_log_dir()}")
-        self.__logger.info(f"Default logging verbosity is set to {'DEBUG' if debug else 'INFO'}")
+        launch_logging.log_launch_config(logger=self.__logger)
         self.__context = LaunchContext(argv=argv, noninteractive=noninteractive)
         self.__context.register_event_handler(OnIncludeLaunchDescription())
         self.__context.register_event_handler(OnShutdown(on_shutdown=self.__on_shutdown))

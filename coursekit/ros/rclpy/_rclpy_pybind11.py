@@ -274,7 +274,12 @@ class NodeHandle(Handle):
 
 
 def __getattr__(name: str) -> Any:
-    """Names defined in higher-level modules: Humble's QoSEvent (later EventHandle) and the QoS profiles."""
+    """Names defined in higher-level modules: functions, Humble's QoSEvent (later EventHandle) and the QoS profiles."""
+    if name.startswith("rclpy_"):
+        from rclpy import _rclpy_functions
+
+        if hasattr(_rclpy_functions, name):
+            return getattr(_rclpy_functions, name)
     if name in ("QoSEvent", "EventHandle"):
         from rclpy.event_handler import QoSEvent
 

@@ -127,8 +127,8 @@ class ParameterImmutableException(ParameterException):
 class ParameterUninitializedException(ParameterException):
     """A parameter that was declared by type only was read before it had a value."""
 
-    def __init__(self, parameter: Any, *args: Any) -> None:
-        super().__init__(f"The parameter '{parameter}' is not initialized", parameter, *args)
+    def __init__(self, parameter_name: Any, *args: Any) -> None:
+        super().__init__(f"The parameter '{parameter_name}' is not initialized", parameter_name, *args)
 
 
 class ROSInterruptException(Exception):

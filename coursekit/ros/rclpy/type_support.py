@@ -7,10 +7,10 @@ from typing import Any
 from rclpy.exceptions import NoTypeSupportImportedException
 
 
-def check_for_type_support(interface: Any) -> None:
-    """Raise unless `interface` was generated from a .msg, .srv or .action file."""
+def check_for_type_support(msg_or_srv_type: Any) -> None:
+    """Raise unless `msg_or_srv_type` was generated from a .msg, .srv or .action file."""
     try:
-        support = interface.__class__._TYPE_SUPPORT
+        support = msg_or_srv_type.__class__._TYPE_SUPPORT
     except AttributeError as error:
         error.args = (
             error.args[0]
@@ -19,24 +19,24 @@ def check_for_type_support(interface: Any) -> None:
         )
         raise
     if support is None:
-        interface.__class__.__import_type_support__()
-    if interface.__class__._TYPE_SUPPORT is None:
+        msg_or_srv_type.__class__.__import_type_support__()
+    if msg_or_srv_type.__class__._TYPE_SUPPORT is None:
         raise NoTypeSupportImportedException()
 
 
-def check_is_valid_msg_type(interface: Any) -> None:
-    """Raise unless `interface` is a message class."""
-    check_for_type_support(interface)
-    if not hasattr(interface, "SLOT_TYPES"):
+def check_is_valid_msg_type(msg_type: Any) -> None:
+    """Raise unless `msg_type` is a message class."""
+    check_for_type_support(msg_type)
+    if not hasattr(msg_type, "SLOT_TYPES"):
         raise RuntimeError(
-            f"The message type provided is not valid ({interface}), this might be a service or action"
+            f"The message type provided is not valid ({msg_type}), this might be a service or action"
         )
 
 
-def check_is_valid_srv_type(interface: Any) -> None:
-    """Raise unless `interface` is a service class."""
-    check_for_type_support(interface)
-    if not (hasattr(interface, "Request") and hasattr(interface, "Response")):
+def check_is_valid_srv_type(srv_type: Any) -> None:
+    """Raise unless `srv_type` is a service class."""
+    check_for_type_support(srv_type)
+    if not (hasattr(srv_type, "Request") and hasattr(srv_type, "Response")):
         raise RuntimeError(
-            f"The service type provided is not valid ({interface}), this might be a message or action"
+            f"The service type provided is not valid ({srv_type}), this might be a message or action"
         )

@@ -5,6 +5,8 @@ from __future__ import annotations
 from coursekit.rcl import names
 from rclpy.exceptions import InvalidServiceNameException, InvalidTopicNameException
 
+TOPIC_SEPARATOR_STRING = "/"
+
 
 def validate_topic_name(name: str, *, is_service: bool = False) -> bool:
     """Return True, or raise InvalidTopicNameException (InvalidServiceNameException when is_service).

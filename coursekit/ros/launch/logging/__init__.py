@@ -1,7 +1,7 @@
 """A launch's output and its log files."""
 
 from . import handlers
-from .config import LaunchConfig, get_logging_directory, launch_config, reset
+from .config import LaunchConfig, get_logging_directory, launch_config, log_launch_config, reset
 from .config import make_unique_log_dir as _make_unique_log_dir
 from .loggers import LaunchLogger, get_logger, get_output_loggers
 
@@ -14,5 +14,6 @@ __all__ = [
     "get_output_loggers",
     "handlers",
     "launch_config",
+    "log_launch_config",
     "reset",
 ]

@@ -174,3 +174,11 @@ def shown_log_dir() -> str:
     if session.current().clock.virtual and folder.startswith(home + os.sep):
         return "~" + folder[len(home) :]
     return folder
+
+
+def log_launch_config(*, logger: logging.Logger = logging.root) -> None:
+    """Tell where the log files are, once there are any, and the level."""
+    config = current_config()
+    if config.file_handlers:
+        logger.info(f"All log files can be found below {shown_log_dir()}")
+    logger.info(f"Default logging verbosity is set to {logging.getLevelName(config.level)}")

@@ -7,6 +7,11 @@ from enum import IntEnum
 from typing import Any, NamedTuple
 
 from rclpy._rclpy_pybind11 import RCLError
+from rclpy.logging import get_logger
+
+_NOT_REGISTERED = "Transition is not registered., at ./src/rcl_lifecycle.c:355"
+_TRIGGER = f"Failed to trigger lifecycle state machine transition: {_NOT_REGISTERED}"
+_LABEL = "Failed to get transition from label: error not set"
 
 
 class TransitionCallbackReturnType(IntEnum):
@@ -127,7 +132,7 @@ class StateMachine:
 
     def get_transition_by_label(self, label: str) -> int:
         """Return the id of the current state's transition with that label; RCLError if there is none."""
-        return self._find(label, lambda each: each.label == label).transition_id
+        return self._find(label, lambda each: each.label == label, _LABEL).transition_id
 
     def trigger_transition_by_id(self, transition_id: int, publish_update: bool = True) -> None:
         """Make the transition; RCLError if the current state has no such transition."""
@@ -137,14 +142,13 @@ class StateMachine:
         """Make the transition; RCLError if the current state has no such transition."""
         self._go(self._find(label, lambda each: each.label == label), publish_update)
 
-    def _find(self, wanted: object, fits: Callable[[Transition], bool]) -> Transition:
+    def _find(self, wanted: object, fits: Callable[[Transition], bool], failure: str = _TRIGGER) -> Transition:
         for each in self.available_transitions:
             if fits(each):
                 return each
+        get_logger("rcl_lifecycle").warning(f"No transition matching {wanted} found for current state {STATES[self._state]}")
         known = ", ".join(f"{each.label} [{each.transition_id}]" for each in self.available_transitions)
-        state = STATES[self._state]
-        text = f"No transition matching {wanted} found for current state {state}"
-        raise RCLError(f"{text} (known: {known or 'none'})")
+        raise RCLError(f"{failure} (known: {known or 'none'})")
 
     def _go(self, transition: Transition, publish_update: bool) -> None:
         self._state = transition.goal

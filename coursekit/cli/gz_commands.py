@@ -1,4 +1,4 @@
-"""The commands `gz` and `ign`: `gz sim WORLD`, `gz topic -l`, `gz topic -e -t TOPIC`, `gz model --list`, `gz service`."""
+"""The commands `gz` and `ign`: `gz sim WORLD`, `gz topic`, `gz service`."""
 
 from __future__ import annotations
 
@@ -9,7 +9,10 @@ from typing import Any
 
 from . import parser, ros2
 
-_KNOWN = "gz sim WORLD [-r], gz topic -l | -i -t TOPIC | -e -t TOPIC, gz service -l"
+_KNOWN = (
+    "gz sim WORLD [-r], gz topic -l | -i -t TOPIC | -e -t TOPIC | -t TOPIC -m TYPE -p MESSAGE, "
+    "gz service -l | -i -s SERVICE | -s SERVICE --reqtype TYPE --reptype TYPE --timeout MS --req REQUEST"
+)
 _HELP = """Works with the simulation of the newer Gazebo.
 
   gz <command> [options]
@@ -18,8 +21,8 @@ List of available commands:
 
   help:     Print this text.
   sim:      Simulate a world.
-  topic:    List Gazebo's topics, or print their messages.
-  service:  List Gazebo's services.
+  topic:    List Gazebo's topics, print their messages, or publish one.
+  service:  List Gazebo's services, or call one.
 
 'gz <command> --help' prints the options of a command."""
 
@@ -49,10 +52,14 @@ def carry_out(words: Sequence[str]) -> int:
         from coursekit.nodes.gz.server import main as simulate
 
         return int(simulate(rest) or 0)
-    if command in ("topic", "service"):
-        from .gz_topics import carry_out as look
+    if command == "topic":
+        from . import gz_topics
 
-        return look(command, rest)
+        return gz_topics.carry_out(rest)
+    if command == "service":
+        from . import gz_services
+
+        return gz_services.carry_out(rest)
     print(f"gz {command}: not part of coursekit. There are: {_KNOWN}", file=sys.stderr)
     return 255
 

@@ -1,4 +1,4 @@
-"""`gz topic` and `gz service`: the contents of the newer Gazebo's own graph."""
+"""`gz topic`: what goes on in the newer Gazebo's own graph, and messages into it."""
 
 from __future__ import annotations
 
@@ -7,10 +7,12 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 import rclpy
+from geometry_msgs.msg import PoseStamped
 from rosidl_runtime_py import message_to_yaml
 from rosidl_runtime_py.utilities import get_message
 
-from coursekit.nodes.gz.bridge_types import gz_name
+from coursekit.nodes.gz.bridge_types import carrier_of, gz_name
+from coursekit.nodes.gz.text_format import GzTextError, fill
 from coursekit.nodes.gz.transport import gz_context
 
 if TYPE_CHECKING:
@@ -20,42 +22,56 @@ if TYPE_CHECKING:
 _HIDDEN = ("/rosout", "/parameter_events")
 
 
-def _arguments(command: str, words: list[str]) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(prog=f"gz {command}")
-    parser.add_argument("-l", "--list", action="store_true", help="list them")
+def _arguments(words: list[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(prog="gz topic")
+    parser.add_argument("-l", "--list", action="store_true", help="list the topics")
     parser.add_argument("-i", "--info", action="store_true", help="who publishes and listens")
     parser.add_argument("-e", "--echo", action="store_true", help="print messages")
-    parser.add_argument("-t", "--topic", "-s", "--service", dest="name", default="", help="its name")
+    parser.add_argument("-t", "--topic", dest="name", default="", help="its name")
+    parser.add_argument("-m", "--msgtype", default="", help="the type of what is published, such as gz.msgs.Twist")
+    parser.add_argument("-p", "--pub", help='publish a message: "linear: {x: 0.5}"')
     parser.add_argument("-n", "--num", type=int, default=0, help="print so many messages")
     return parser.parse_args(words)
 
 
-def carry_out(command: str, words: list[str]) -> int:
-    """List topics or services, or print messages. Returns the exit code."""
-    told = _arguments(command, words)
+def carry_out(words: list[str]) -> int:
+    """List topics, print messages, or publish one. Returns the exit code."""
+    told = _arguments(words)
     context = gz_context()
     try:
         node = rclpy.create_node("gz_topic", context=context, start_parameter_services=False, enable_rosout=False)
-        if command == "service":
-            for name, _ in node.get_service_names_and_types():
-                if name.startswith("/world/"):
-                    print(name)
-            return 0
-        topics = {name: types for name, types in node.get_topic_names_and_types() if name not in _HIDDEN}
-        if told.list:
-            print("\n".join(sorted(topics)))
-            return 0
-        name = "/" + told.name.strip("/")
-        if name not in topics:
-            print(f"No publishers on topic [{told.name}]. There are: {', '.join(sorted(topics)) or 'none'}", file=sys.stderr)
-            return 255
-        if told.info:
-            count = node.count_publishers(name), node.count_subscribers(name)
-            print(f"Publishers [Address, Message Type]:\n  {count[0]}, {gz_name(topics[name][0])}\nSubscribers: {count[1]}")
-            return 0
-        return _echo(node, context, name, topics[name][0], told.num)
+        return _publish(node, told) if told.pub is not None else _look(node, context, told)
     finally:
         context.try_shutdown()
+
+
+def _publish(node: Node, told: argparse.Namespace) -> int:
+    """Publish one message."""
+    try:
+        message = get_message(carrier_of(told.msgtype))()
+        fill(told.pub, told.msgtype, message.pose if isinstance(message, PoseStamped) else message)
+    except (LookupError, GzTextError) as fault:
+        why = fault.args[0]
+        print(f"Unable to create message of type[{told.msgtype}] with data[{told.pub}].\n{why}", file=sys.stderr)
+        return 255
+    node.create_publisher(type(message), "/" + told.name.strip("/"), 10).publish(message)
+    return 0
+
+
+def _look(node: Node, context: Context, told: argparse.Namespace) -> int:
+    topics = {name: types for name, types in node.get_topic_names_and_types() if name not in _HIDDEN}
+    if told.list:
+        print("\n".join(sorted(topics)))
+        return 0
+    name = "/" + told.name.strip("/")
+    if name not in topics:
+        print(f"No publishers on topic [{told.name}]. There are: {', '.join(sorted(topics)) or 'none'}", file=sys.stderr)
+        return 255
+    if told.info:
+        count = node.count_publishers(name), node.count_subscribers(name)
+        print(f"Publishers [Address, Message Type]:\n  {count[0]}, {gz_name(topics[name][0])}\nSubscribers: {count[1]}")
+        return 0
+    return _echo(node, context, name, topics[name][0], told.num)
 
 
 def _echo(node: Node, context: Context, name: str, kind: str, most: int) -> int:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from .format import ROOT, XML, YAML, Faults, Format, values_only
+from .format import ROOT, TEXT, XML, YAML, Faults, Format, values_only
 from .robots import _urdf_faults
 
 SOURCE = ROOT / "tests" / "fixtures" / "gz_ws" / "src"
@@ -60,6 +60,26 @@ def _bridge(path: Path) -> Any:
     return of_file(str(path))
 
 
+TYPED = b"""name: "box" id: 3, pose { position: {x: -0.5 y: 1e-2} orientation <w: 1> } # what people type
+sdf: '<sdf/>' "\\n" allow_renaming: true;"""
+
+
+def _typed(path: Path) -> Any:
+    from ros_gz_interfaces.msg import Entity, EntityFactory
+
+    from coursekit.nodes.gz.text_format import fill
+
+    messages = EntityFactory(), Entity()
+    fill(path.read_text("utf-8", "replace"), "gz.msgs.EntityFactory", *messages)
+    return messages
+
+
+def _no_message() -> Faults:
+    from coursekit.nodes.gz.text_format import GzTextError
+
+    return (GzTextError,)
+
+
 def _nothing() -> Faults:
     return ()
 
@@ -73,6 +93,7 @@ def _mesh(path: Path) -> Any:
 
 _cart, _scout = SOURCE / "cart_bringup", SOURCE / "scout_gz"
 _burger = SOURCE / "burger_gazebo/models/burger/model.sdf"
+_pieces = (*TEXT, "{", "<", "x: ", "MODEL", "1e999", "[" * 200)
 _faces = ("f 9 9 9", "v nan 0 0", "f 1/", "mtllib /etc/passwd", "#")
 FORMATS = (
     Format("newer Gazebo's world", ".sdf", (_cart / "worlds/empty.world").read_bytes, _newer_world, _urdf_faults, XML),
@@ -80,6 +101,7 @@ FORMATS = (
     Format("ros2_control", ".urdf", lambda: ARM, _control, _urdf_faults, XML),
     Format("controllers", ".yaml", (_cart / "config/my_controllers.yaml").read_bytes, _controllers, _urdf_faults, YAML),
     Format("bridge", ".yaml", (_scout / "config/bridge_config.yaml").read_bytes, _bridge, _nothing, YAML),
+    Format("newer Gazebo's message", ".txt", lambda: TYPED, _typed, _no_message, _pieces),
     Format("mesh", ".dae", (ROOT / "robots/meshes/rdk_x3/camera.dae").read_bytes, _mesh, values_only, XML),
     Format("mesh of OBJ", ".obj", lambda: OBJ, _mesh, values_only, _faces),
 )

@@ -69,14 +69,34 @@ def carried_by(ros_type: str, gz_type: str) -> str:
     >>> carried_by("geometry_msgs/msg/TwistStamped", "ignition.msgs.Twist")
     'geometry_msgs/msg/Twist'
     """
-    prefix = next((start for start in PREFIXES if gz_type.startswith(start)), None)
-    row = PAIRS.get(gz_type.removeprefix(prefix)) if prefix else None
+    row = PAIRS.get(without_prefix(gz_type))
     if row is not None and full_name(ros_type) in row:
         return row[0]
     if row is not None:
         raise LookupError(f"{gz_type} is bridged to {' or '.join(row)}")
     fitting = [f"gz.msgs.{name}" for name, types in PAIRS.items() if full_name(ros_type) in types]
     raise LookupError(f"{ros_type} is bridged to {' or '.join(fitting) or 'no type of Gazebo'}")
+
+
+def without_prefix(gz_type: str) -> str:
+    """Return the bare name of a Gazebo type; '' for a name that is none.
+
+    >>> without_prefix("ignition.msgs.Twist"), without_prefix("geometry_msgs/msg/Twist")
+    ('Twist', '')
+    """
+    return next((gz_type.removeprefix(start) for start in PREFIXES if gz_type.startswith(start)), "")
+
+
+def carrier_of(gz_type: str) -> str:
+    """Return the ROS type that represents a Gazebo type. LookupError lists the types for an unknown one.
+
+    >>> carrier_of("gz.msgs.Twist")
+    'geometry_msgs/msg/Twist'
+    """
+    row = PAIRS.get(without_prefix(gz_type))
+    if row is None:
+        raise LookupError(f"There is no type '{gz_type}' here. There are: {', '.join(f'gz.msgs.{name}' for name in PAIRS)}")
+    return row[0]
 
 
 def gz_name(ros_type: str) -> str:
@@ -140,4 +160,4 @@ def conversion(source: str, target: str) -> Callable[[Any], Any] | None:
     return _same if source == target else CONVERSIONS.get((one, other))
 
 
-__all__ = ["PAIRS", "SERVICES", "carried_by", "conversion", "full_name", "gz_name"]
+__all__ = ["PAIRS", "SERVICES", "carried_by", "carrier_of", "conversion", "full_name", "gz_name", "without_prefix"]

@@ -142,7 +142,8 @@ def main(args: list[str] | None = None) -> Any:
     def made() -> GzSim:
         node = GzSim(told.world, paused=not told.run, seed=told.seed, verbose=told.verbose not in ("0", "1", "2", "3"))
         if not told.run:
-            start = f"gz service -s /world/{node.newer}/control ..."
+            types = "--reqtype gz.msgs.WorldControl --reptype gz.msgs.Boolean --timeout 1000"
+            start = f"gz service -s /world/{node.newer}/control {types} --req 'pause: false'"
             node.get_logger().info(f"The world is paused: start it with -r, or: {start}")
         return node
 

@@ -106,3 +106,49 @@ def test_the_window_alone_is_no_second_world(gz, run, friend, yard):
     assert {word.split("/")[2] for word in listed.output.split()} == {"yard"}
     window.interrupt()
     assert window.wait(5) is not None
+
+
+def test_the_world_is_steered_by_what_people_type(gz, run, friend, yard, cart):
+    def done(*words):
+        process = gz(*words)
+        return process.wait(5), process.output
+
+    server = gz("sim", yard())
+    friend.spin(0.5)
+    asked = "/world/yard/control", "--reqtype", "gz.msgs.WorldControl", "--reptype", "gz.msgs.Boolean", "--timeout", "1000"
+    assert f"gz service -s {' '.join(asked)} --req 'pause: false'" in server.output
+    assert done("service", "-s", *asked, "--req", "pause: false") == (0, "data: true\n\n")
+    file = cart(DRIVE.format(*SPELLINGS[0]))
+    types = "--reqtype", "ignition.msgs.EntityFactory", "--reptype", "ignition.msgs.Boolean"
+    text = f'sdf_filename: "{file}", name: "cart" pose {{position: {{x: -1}}}}'
+    assert done("service", "-s", "/world/yard/create", *types, "-r", text) == (0, "data: true\n\n")
+    run("ros_gz_bridge", "parameter_bridge", *BRIDGE)
+    odometry = friend.hear(Odometry, "/odom")
+    assert done("topic", "-t", "/cmd_vel", "-m", "gz.msgs.Twist", "-p", "linear: {x: 0.25}, angular: {z: 0.0}") == (0, "")
+    friend.spin(2.0)
+    assert odometry[-1].pose.pose.position.x == pytest.approx(0.5, abs=0.1)
+    types = "--reqtype", "gz.msgs.Pose", "--reptype", "gz.msgs.Boolean"
+    assert done("service", "-s", "/world/yard/set_pose", *types, "--req", 'name: "cart" position {y: 3}')[0] == 0
+    types = "--reqtype", "gz.msgs.Entity", "--reptype", "gz.msgs.Boolean"
+    for name, gone in (("nobody", "false"), ("cart", "true")):
+        text = f'name: "{name}" type: MODEL'
+        assert done("service", "-s", "/world/yard/remove", *types, "--req", text) == (0, f"data: {gone}\n\n")
+
+
+@pytest.mark.parametrize(
+    ("words", "says"),
+    [
+        (("topic", "-t", "a", "-m", "gz.msgs.Twist", "-p", "linear: {w: 1}"), 'Twist.linear" has no field named "w"'),
+        (("topic", "-t", "a", "-m", "gz.msgs.Twist", "-p", "linear: 1"), "write linear: {x: ...}"),
+        (("topic", "-t", "a", "-m", "gz.msgs.Twist", "-p", "linear: {x: 1"), "1:13: this is not"),
+        (("topic", "-t", "a", "-m", "gz.msgs.Double", "-p", "data: fast"), "a text stands in quotes"),
+        (("topic", "-t", "a", "-m", "Twist", "-p", ""), "There is no type 'Twist' here. There are: gz.msgs.Altimeter"),
+        (("service", "-s", "/world/yard/control", "--reqtype", "gz.msgs.Empty"), "takes --reqtype gz.msgs.WorldControl"),
+        (("service", "-s", "/world/yard/create_multiple"), "There are: /world/yard/control, /world/yard/create"),
+    ],
+)  # fmt: skip
+def test_what_gazebo_cannot_take_is_told(gz, yard, friend, words, says):
+    gz("sim", "-r", yard())
+    friend.spin(0.5)
+    process = gz(*words)
+    assert process.wait(5) == 255 and says in process.output

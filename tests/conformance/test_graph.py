@@ -1,3 +1,5 @@
+import re
+
 import pytest
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError, RCLError
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
@@ -119,9 +121,18 @@ def test_every_node_has_parameter_events_and_rosout(world, node):
     assert topics["/rosout"] == ["rcl_interfaces/msg/Log"]
 
 
-def test_a_bad_name_is_not_resolved(world):
-    with pytest.raises(RCLError, match="failed to resolve name"):
-        world.node().resolve_topic_name("bad?")
+@pytest.mark.parametrize(
+    ("name", "why"),
+    [
+        ("bad?", "topic name must not contain characters other than"), ("1bad", "topic name token must not start with"),
+        ("a//b", "topic name must not contain repeated '/'"), ("{ns}//x", "topic name must not contain repeated '/'"),
+        ("{x}", "unknown substitution: {x}"), ("a/", "topic name must not end with a forward slash"),
+    ],
+)  # fmt: skip
+def test_a_bad_name_is_not_resolved(world, name, why):
+    for resolve in (world.node().resolve_topic_name, world.node("other").resolve_service_name):
+        with pytest.raises(RCLError, match="failed to resolve name: " + re.escape(why)):
+            resolve(name)
 
 
 def test_what_is_not_the_node_s_is_not_destroyed(world):

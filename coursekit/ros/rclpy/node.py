@@ -9,6 +9,7 @@ from rcl_interfaces.msg import Log, ParameterDescriptor, ParameterEvent
 
 from coursekit.processes.components import take_for_first_node
 from coursekit.processes.process import current_process
+from coursekit.rcl import names
 from coursekit.rcl.arguments import RosArgumentsError, UnknownRosArguments, merge, parse_ros_arguments
 from rclpy import _rclpy_pybind11 as _rclpy
 from rclpy._lent import lender
@@ -272,10 +273,13 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
 
     def _rclpy_resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
         try:
-            full = expand_topic_name(name, self.get_name(), self.get_namespace())
-        except ValueError as error:
-            raise _rclpy.RCLError(f"failed to resolve name: {error}") from None
-        return full if only_expand else self._rclpy_remap(full, kind)
+            full = names.expand(name, self.get_name(), self.get_namespace())
+        except names.InvalidName as error:
+            raise _rclpy.RCLError(f"failed to resolve name: {error.message}") from None
+        resolved = full if only_expand else self._rclpy_remap(full, kind)
+        if reason := names.validate_full_topic_name(resolved):
+            raise _rclpy.RCLError(f"failed to resolve name: {reason[0]}")
+        return resolved
 
     def _rclpy_checked(self, name: str, kind: str) -> str:
         """The full name, after the checks in ROS's order."""

@@ -13,7 +13,10 @@ DEEPEST = 200
 """Maximum depth of elements; a robot needs about 10."""
 TRUNCATED = {expat.errors.codes[expat.errors.XML_ERROR_NO_ELEMENTS], 5, 15}
 _COMMENT, _DECLARATION = re.compile(r"<!--.*?(?:-->|\Z)", re.DOTALL), re.compile(r"\A\s*<\?xml\b[^>]*\?>")
-"""What the parsers of urdfdom and SDF accept and expat does not: `--` in a comment; a declaration late or misspelled."""
+"""What the parsers of urdfdom and SDF accept and expat does not: `--` in a comment; a declaration late or misspelled.
+
+To them a text ends at its first zero byte.
+"""
 
 
 @dataclass(eq=False)
@@ -152,7 +155,7 @@ def read(text: str, file: str = "") -> Element:
     >>> read("<robot name='r'><link name='a'/></robot>").first("link").label()
     '<link name="a">'
     """
-    return _Builder(file).build(_DECLARATION.sub(_blank, _COMMENT.sub(_blank, text), 1))
+    return _Builder(file).build(_DECLARATION.sub(_blank, _COMMENT.sub(_blank, text.partition("\0")[0]), 1))
 
 
 def _blank(skipped: re.Match[str]) -> str:

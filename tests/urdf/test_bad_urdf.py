@@ -60,6 +60,10 @@ def test_what_tinyxml_takes_and_stricter_parsers_refuse_is_taken(before):
     assert parse(f'{before}\n<robot name="r">\n<link name="a"/></robot>').link("a").line == 3
 
 
+def test_a_text_ends_at_its_first_zero_byte():
+    assert parse('<robot name="r"><link name="a"/></robot>\0 and what an editor has left').link("a")
+
+
 @pytest.mark.parametrize("wrong", ["&", "<link name=a/>", '<link name="a" <link name="b"/>'])
 def test_a_fault_in_the_middle_is_not_taken_for_a_missing_end(wrong):
     with pytest.raises(UrdfError, match="Look at line 2") as caught:

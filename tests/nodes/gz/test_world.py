@@ -1,5 +1,7 @@
 """The newer Gazebo's names: the same world, its topics in ROS only where they are bridged."""
 
+from pathlib import Path
+
 import pytest
 from nav_msgs.msg import Odometry
 from rosgraph_msgs.msg import Clock
@@ -89,7 +91,7 @@ def test_a_system_that_is_not_known_is_told_in_one_line_with_the_known_ones(gz, 
 
 def test_a_second_model_of_a_name_is_refused_or_renamed(gz, run, yard, cart):
     gz("sim", "-r", yard())
-    file = cart(DRIVE.format(*SPELLINGS[0]))
+    file = Path(cart(DRIVE.format(*SPELLINGS[0]))).as_posix()  # a backslash would need another one
     words = ("ros_gz_sim", "create", "-file", file, "-name", "cart")
     assert run(*words).wait(20) == 0
     assert run(*words, "-x", "-3").wait(20) == 1
@@ -118,7 +120,7 @@ def test_the_world_is_steered_by_what_people_type(gz, run, friend, yard, cart):
     asked = "/world/yard/control", "--reqtype", "gz.msgs.WorldControl", "--reptype", "gz.msgs.Boolean", "--timeout", "1000"
     assert f"gz service -s {' '.join(asked)} --req 'pause: false'" in server.output
     assert done("service", "-s", *asked, "--req", "pause: false") == (0, "data: true\n\n")
-    file = cart(DRIVE.format(*SPELLINGS[0]))
+    file = Path(cart(DRIVE.format(*SPELLINGS[0]))).as_posix()  # a backslash would need another one
     types = "--reqtype", "ignition.msgs.EntityFactory", "--reptype", "ignition.msgs.Boolean"
     text = f'sdf_filename: "{file}", name: "cart" pose {{position: {{x: -1}}}}'
     assert done("service", "-s", "/world/yard/create", *types, "-r", text) == (0, "data: true\n\n")

@@ -129,7 +129,7 @@ class Action:
 class IdlLocator:
     """Where an IDL file is."""
 
-    def __init__(self, basepath: Path, relative_path: Path) -> None:
+    def __init__(self, basepath: Path, relative_path: str | Path) -> None:
         self.basepath, self.relative_path = Path(basepath), Path(relative_path)
 
     def get_absolute_path(self) -> Path:

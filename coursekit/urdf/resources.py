@@ -151,7 +151,7 @@ def find_file(uri: str, near: Path | None = None) -> Path:
     if not is_file(path) and (is_folder(path) or _is_device(path)):
         raise MeshError(f"'{uri}' is no file: {path} is a folder or a device", cure="Name the mesh file itself.")
     if not is_file(path) and not parts.scheme and near is not None and not is_file(near) and not Path(uri).is_absolute():
-        what = f"'{uri}' not found: it is relative to the robot's file, and a description from '{near}' has none"
+        what = f"'{uri}' not found: it is relative to the robot's file, and a description from '{near.as_posix()}' has none"
         raise MeshError(what, cure=expanded(uri, "Use package://NAME/path, or file:///path."))
     if not is_file(path):
         raise MeshError(f"'{uri}' not found: there is no file {path}", cure=expanded(uri, _beside(path)))

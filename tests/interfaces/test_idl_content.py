@@ -1,5 +1,7 @@
 """rosidl_parser: what a text in IDL says."""
 
+from pathlib import Path
+
 import pytest
 from rosidl_parser.definition import Action, BasicType, IdlLocator, Include, Message, Service
 from rosidl_parser.parser import parse_idl_file, parse_idl_string
@@ -38,7 +40,8 @@ def test_a_service_has_a_request_and_a_response():
 
 
 def test_an_action_has_what_carries_its_parts():
-    content = parse_idl_file(IdlLocator("/", get_interface_path("test_msgs/action/Fibonacci.idl")[1:])).content
+    path = Path(get_interface_path("test_msgs/action/Fibonacci.idl"))
+    content = parse_idl_file(IdlLocator(path.parent, path.name)).content
     [action] = content.get_elements_of_type(Action)
     assert [member.name for member in action.send_goal_service.request_message.structure.members] == ["goal_id", "goal"]
     assert action.get_result_service.response_message.structure.namespaced_type.name == "Fibonacci_GetResult_Response"

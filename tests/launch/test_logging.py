@@ -9,6 +9,7 @@ from pathlib import Path
 import launch.logging
 import pytest
 from launch.logging import get_logger, get_output_loggers, launch_config
+from launch.logging.config import shown_log_dir
 
 
 @pytest.fixture(autouse=True)
@@ -83,6 +84,6 @@ def test_a_launch_of_ones_own_tells_where_its_logs_are(capsys: pytest.CaptureFix
     logger.setLevel(logging.INFO)
     launch.logging.log_launch_config(logger=logger)
     assert capsys.readouterr().out.splitlines() == [
-        f"[INFO] [launch]: All log files can be found below {launch_config.log_dir}",
+        f"[INFO] [launch]: All log files can be found below {shown_log_dir()}",
         "[INFO] [launch]: Default logging verbosity is set to WARNING",
     ]

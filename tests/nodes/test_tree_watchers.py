@@ -6,6 +6,7 @@ from types import SimpleNamespace
 import pytest
 from geometry_msgs.msg import PoseStamped, TransformStamped
 from nav_msgs.msg import Path
+from rclpy.time import Time
 from sensor_msgs.msg import BatteryState
 from tf2_ros import Buffer
 
@@ -60,7 +61,7 @@ def test_the_surroundings_of_a_path_are_what_is_near_the_robot(crew, tree):
 
 def test_a_transform_is_available_when_both_frames_are_known(crew, tree):
     buffer = Buffer()
-    crew.node = SimpleNamespace(where=SimpleNamespace(buffer=buffer))
+    crew.knows = lambda target, source: buffer.can_transform(target, source, Time())
     node, _ = tree('<TransformAvailable parent="odom" child="base_link"/>')
     assert node.tick() == FAILURE
     transform = TransformStamped(child_frame_id="base_link")

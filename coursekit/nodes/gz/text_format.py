@@ -87,7 +87,10 @@ def _set(message: Any, name: str, value: Any, where: str) -> None:
         if isinstance(value, Tree) and value.data == "list":
             setattr(message, name, [_plain(message, each) for each in value.children])
         else:
-            setattr(message, name, type(old)(_plain(message, value)))
+            plain = _plain(message, value)
+            if isinstance(plain, str) is not isinstance(old, str):
+                raise ValueError("texts stand in quotes, and nothing else does")
+            setattr(message, name, type(old)(plain))
     except (AssertionError, TypeError, ValueError, OverflowError) as error:
         raise GzTextError(f"{where}: {error}") from None
 

@@ -144,6 +144,8 @@ def test_the_world_is_steered_by_what_people_type(gz, run, friend, yard, cart):
         (("topic", "-t", "a", "-m", "gz.msgs.Twist", "-p", "linear: 1"), "write linear: {x: ...}"),
         (("topic", "-t", "a", "-m", "gz.msgs.Twist", "-p", "linear: {x: 1"), "1:13: this is not"),
         (("topic", "-t", "a", "-m", "gz.msgs.Double", "-p", "data: fast"), "a text stands in quotes"),
+        (("topic", "-t", "a", "-m", "gz.msgs.Boolean", "-p", 'data: "false"'), "texts stand in quotes, and nothing else"),
+        (("topic", "-t", "a", "-m", "gz.msgs.StringMsg", "-p", "data: 2"), "texts stand in quotes, and nothing else"),
         (("topic", "-t", "a", "-m", "Twist", "-p", ""), "There is no type 'Twist' here. There are: gz.msgs.Altimeter"),
         (("service", "-s", "/world/yard/control", "--reqtype", "gz.msgs.Empty"), "takes --reqtype gz.msgs.WorldControl"),
         (("service", "-s", "/world/yard/create_multiple"), "There are: /world/yard/control, /world/yard/create"),

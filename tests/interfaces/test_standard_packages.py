@@ -129,9 +129,9 @@ def test_what_receivers_of_satellites_tell_beyond_a_fix_is_there():
             "gazebo_msgs",
             "ContactState ContactsState EntityState LinkState LinkStates ModelState ModelStates ODEJointProperties "
             "ODEPhysics PerformanceMetrics SensorPerformanceMetric WheelSlip WorldState ApplyBodyWrench ApplyJointEffort "
-            "ApplyLinkWrench BodyRequest DeleteEntity DeleteLight DeleteModel GetEntityState GetJointProperties GetLightProperties "
-            "GetLinkProperties GetLinkState GetModelList GetModelProperties GetModelState GetPhysicsProperties "
-            "GetWorldProperties JointRequest LinkRequest SetEntityState SetJointProperties SetJointTrajectory "
+            "ApplyLinkWrench BodyRequest DeleteEntity DeleteLight DeleteModel GetEntityState GetJointProperties "
+            "GetLightProperties GetLinkProperties GetLinkState GetModelList GetModelProperties GetModelState "
+            "GetPhysicsProperties GetWorldProperties JointRequest LinkRequest SetEntityState SetJointProperties SetJointTrajectory "
             "SetLightProperties SetLinkProperties SetLinkState SetModelConfiguration SetModelState SetPhysicsProperties "
             "SpawnEntity SpawnModel",
         ),

@@ -55,6 +55,11 @@ _ON_PIP = {
 _CAMERA = "`ros2 run v4l2_camera v4l2_camera_node` publishes a webcam, or what the simulated robot sees, on image_raw"
 _QT = "needs Qt for windows of its own"
 _FAMILIES: tuple[tuple[str, str, str], ...] = (
+    (r"rospy|roscpp|roslib|roslaunch|rosgraph|rosparam|rosbag|actionlib|dynamic_reconfigure|tf|catkin|message_generation",
+     "belongs to ROS 1", "ROS 2 has rclpy with parameters and rclpy.action, tf2_ros, launch, rosbag2_py and ament_cmake"),
+    (r"ament_(xmllint|mypy|pycodestyle|pyflakes|black|clang_format|clang_tidy|cppcheck|cpplint|uncrustify|lint_cmake)",
+     "checks files with a program that is not here",
+     "leave its test out: ament_copyright, ament_flake8 and ament_pep257 are the checks that are here"),
     (r"\w+_description", "describes a robot", "its source builds here: put it into the src folder of your workspace, then "
      "`colcon build`"),
     (r"\w+_(msgs|interfaces)", "holds interfaces", "its source builds here: put it into the src folder of your workspace, "

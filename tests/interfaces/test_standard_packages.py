@@ -131,9 +131,9 @@ def test_what_receivers_of_satellites_tell_beyond_a_fix_is_there():
             "ODEPhysics PerformanceMetrics SensorPerformanceMetric WheelSlip WorldState ApplyBodyWrench ApplyJointEffort "
             "ApplyLinkWrench BodyRequest DeleteEntity DeleteLight DeleteModel GetEntityState GetJointProperties "
             "GetLightProperties GetLinkProperties GetLinkState GetModelList GetModelProperties GetModelState "
-            "GetPhysicsProperties GetWorldProperties JointRequest LinkRequest SetEntityState SetJointProperties SetJointTrajectory "
-            "SetLightProperties SetLinkProperties SetLinkState SetModelConfiguration SetModelState SetPhysicsProperties "
-            "SpawnEntity SpawnModel",
+            "GetPhysicsProperties GetWorldProperties JointRequest LinkRequest SetEntityState SetJointProperties "
+            "SetJointTrajectory SetLightProperties SetLinkProperties SetLinkState SetModelConfiguration SetModelState "
+            "SetPhysicsProperties SpawnEntity SpawnModel",
         ),
         (
             "ros_gz_interfaces",

@@ -58,6 +58,19 @@ def test_a_python_package_is_told_with_where_it_comes_from(package, command):
     assert f"{package} is not part of coursekit, but" in remark(package) and command in remark(package)
 
 
+@pytest.mark.parametrize(("module", "instead"), [("rospy", "rclpy"), ("tf", "tf2_ros"), ("actionlib", "rclpy.action")])
+def test_a_program_for_ros_1_is_told_what_ros_2_has(module, instead):
+    with Session(virtual=True).use():
+        with pytest.raises(ModuleNotFoundError, match=f"No module named '{module}': .* belongs to ROS 1; .*{instead}"):
+            importlib.import_module(module)
+
+
+def test_a_check_of_files_that_is_not_here_is_told_with_those_that_are():
+    why, those_here = remark("ament_xmllint").rsplit(":", 1)
+    assert why.endswith("leave its test out")
+    assert re.findall(r"ament_\w+", those_here) == ["ament_copyright", "ament_flake8", "ament_pep257"]
+
+
 def test_nothing_is_said_of_what_the_underlay_has():
     nodes = [name for name in executables.packages() if not name.endswith(("_msgs", "_interfaces"))]
     assert [name for name in nodes if remark(name)] == []

@@ -60,9 +60,9 @@ def test_a_python_package_is_told_with_where_it_comes_from(package, command):
 
 @pytest.mark.parametrize(("module", "instead"), [("rospy", "rclpy"), ("tf", "tf2_ros"), ("actionlib", "rclpy.action")])
 def test_a_program_for_ros_1_is_told_what_ros_2_has(module, instead):
-    with Session(virtual=True).use():
-        with pytest.raises(ModuleNotFoundError, match=f"No module named '{module}': .* belongs to ROS 1; .*{instead}"):
-            importlib.import_module(module)
+    told = pytest.raises(ModuleNotFoundError, match=f"No module named '{module}': .* belongs to ROS 1; .*{instead}")
+    with Session(virtual=True).use(), told:
+        importlib.import_module(module)
 
 
 def test_a_check_of_files_that_is_not_here_is_told_with_those_that_are():

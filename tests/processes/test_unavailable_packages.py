@@ -21,7 +21,8 @@ from coursekit.urdf import UrdfError, load
     [
         *("cartographer_ros", "spacenav", "moveit_configs_utils", "ros_gz_sim_demos", "aruco_ros", "moveit_servo"),
         *("laser_scan_matcher", "mapviz", "ublox_gps", "web_video_server", "ira_laser_tools", "multirobot_map_merge"),
-        *("behaviortree_cpp", "behaviortree_ros2", "pcl_ros"),
+        *("behaviortree_cpp", "behaviortree_ros2", "pcl_ros", "camera_calibration", "move_base", "openslam_gmapping"),
+        *("ros2_orbslam3", "fast_lio", "ur_robot_driver", "rviz_common", "nav2_rviz_plugins"),
         *(
             "micro_ros_agent",
             "imu_bno055",

@@ -65,6 +65,7 @@ def _programs() -> Iterator[tuple[str, str]]:
             module, _, function = place.partition(":")
             imported = function if function == "main" else f"{function} as main"
             yield f"lib/{package}/{name}", (
+                "#!/usr/bin/env python3\n"
                 f'"""ros2 run {package} {name}"""\n\nimport sys\n\nfrom {module} import {imported}\n\n'
                 'if __name__ == "__main__":\n    sys.exit(main())\n'
             )

@@ -47,16 +47,17 @@ class ExecutableNotFound(LookupError):
     """The package has no such executable; the message lists those that it has."""
 
     def __init__(self, package: str, executable: str, known: Sequence[str]) -> None:
-        names = ", ".join(known) or f"none ({_HOW})"
         why = why_missing(package, executable)
+        names = ", ".join(known) or ("none" if why else f"none ({_HOW})")
         super().__init__(f"No executable '{executable}' in package '{package}'. It has: {names}{why and '; ' + why}")
         self.package = package
         self.executable = executable
 
 
 def why_missing(package: str, executable: str) -> str:
-    """Return why a package lacks an executable, if known: `colcon build` skipped it, or it is not available here."""
-    return why_skipped(package, executable) or remark_on_executable(package, executable)
+    """Return why a package lacks an executable, if known: its build skipped or misplaced it, or it is not available here."""
+    asked = package, executable
+    return why_skipped(*asked) or why_misplaced(*asked) or remark_on_executable(*asked)
 
 
 def why_skipped(package: str, executable: str) -> str:
@@ -93,6 +94,20 @@ def prefix_of(package: str) -> Path:
             copies.renew(prefix, package)
             return prefix
     raise PackageNotFound(package, list(packages()))
+
+
+def why_misplaced(package: str, executable: str) -> str:
+    """Return what the package's author forgot if the file is installed, but not as an executable of it; else empty."""
+    for prefix in (prefix for prefix in prefixes() if (_index(prefix) / package).exists()):
+        if (prefix / "lib" / package / executable).is_file():
+            return f"'{executable}' may not be run: `chmod +x` its source, or install(PROGRAMS ...) in CMakeLists.txt"
+        if any((prefix / folder / executable).is_file() for folder in ("bin", "Scripts")):
+            folder = f"$base/lib/{package}"
+            return (
+                f"'{executable}' was installed into bin: setup.cfg needs [develop] with script_dir={folder} and [install] "
+                f"with install_scripts={folder}, then a build"
+            )
+    return ""
 
 
 def executables_of(package: str) -> list[Path]:

@@ -55,14 +55,25 @@ _ON_PIP = {
 _CAMERA = "`ros2 run v4l2_camera v4l2_camera_node` publishes a webcam, or what the simulated robot sees, on image_raw"
 _QT = "needs Qt for windows of its own"
 _FAMILIES: tuple[tuple[str, str, str], ...] = (
+    (r"rospy|roscpp|roslib|roslaunch|rosgraph|rosparam|rosbag|actionlib|dynamic_reconfigure|tf|catkin|message_generation",
+     "belongs to ROS 1", "ROS 2 has rclpy with parameters and rclpy.action, tf2_ros, launch, rosbag2_py and ament_cmake"),
+    (r"map_server|amcl|move_base|robot_pose_publisher|joint_state_controller|ar_track_alvar", "belongs to ROS 1",
+     "ROS 2 has nav2_map_server, nav2_amcl, nav2_bringup, joint_state_broadcaster and apriltag_ros"),
+    (r"ament_(xmllint|mypy|pycodestyle|pyflakes|black|clang_format|clang_tidy|cppcheck|cpplint|uncrustify|lint_cmake)",
+     "checks files with a program that is not here",
+     "leave its test out: ament_copyright, ament_flake8 and ament_pep257 are the checks that are here"),
     (r"\w+_description", "describes a robot", "its source builds here: put it into the src folder of your workspace, then "
      "`colcon build`"),
     (r"\w+_(msgs|interfaces)", "holds interfaces", "its source builds here: put it into the src folder of your workspace, "
      "then `colcon build`"),
-    (r"cartographer_ros|slam_gmapping|gmapping|hector_\w+|rtabmap\w*", _CPP, _SLAM),
+    (r"cartographer\w*|\w*gmapping|hector_\w+|rtabmap\w*|\w*orb_?slam\d?|(lio|fast_lio|karto)_?\w*", _CPP, _SLAM),
     (r"(imu_)?bno055\w*|\w*mpu(6050|9250)\w*|wit\w*imu|witmotion_ros|xsens_\w+|phidgets_\w+", _DRIVER, _SENSORS),
     (r"imu_(?!sensor_broadcaster$|tools$|filter_madgwick$|complementary_filter$)\w+|robot_pose_ekf", _CPP,
      "robot_localization's ekf_node takes an IMU's messages as they are"),
+    (r"camera_calibration", "asks in a window while a board is held before a camera",
+     "`ros2 topic echo /camera/camera_info` has a simulated camera's numbers; cv2.calibrateCamera finds those of another"),
+    (r"(ur|xarm|franka|kuka|abb|fanuc)_\w*(driver|bringup|control|hardware|moveit|simulation)\w*", "is the driver of an arm",
+     "ros2_control's mock_components/GenericSystem moves its joints as they are told, gazebo_ros2_control in a world"),
     (r"spacenav|wiimote", _DRIVER, f"`ros2 run joy joy_node` reads a gamepad; {_DRIVE}"),
     (r"moveit\w*|pymoveit2", "belongs to MoveIt, whose planners are C++ libraries that are not here",
      "to move an arm: goals for its joint_trajectory_controller, or the sliders of joint_state_publisher_gui"),
@@ -79,6 +90,7 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
     (r"rqt_(?!(graph|console|gui|plot|image_view|publisher|reconfigure|robot_steering|service_caller|tf_tree|topic)$)\w+|plotjuggler\w*|foxglove\w*",
      "opens windows or ports of its own",
      "look at topics with `ros2 topic echo TOPIC` and `ros2 topic hz TOPIC`, or viewer() in a notebook"),
+    (r"rviz_(?!2$)\w+|nav2_rviz_plugins", _QT, "viewer() in a notebook, or `ros2 run rviz2 rviz2` with the displays it has"),
     (r"python_qt_binding|qt_gui\w*|qt_dotgraph", _QT, "a panel of ipywidgets in a notebook shows and asks as well"),
     (r"ublox\w*|sound_play|audio_(capture|play)", _DRIVER, _SENSORS),
     (r"RPi|Jetson|smbus2?|spidev|pigpio|gpiozero|lgpio", "talks to the pins of a board", _SENSORS),

@@ -5,6 +5,7 @@ import os
 import shutil
 import stat
 import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -12,6 +13,7 @@ import pytest
 from coursekit.building.executables import EXECUTABLES
 from coursekit.building.underlay import files, write
 from coursekit.interfaces.find import UNDERLAY
+from tests.needs import posix
 
 FILES = files()
 ROOT = Path(__file__).parents[2]
@@ -50,6 +52,15 @@ def test_it_is_written_whole_and_only_where_it_differs(tmp_path):
     write(tmp_path)
     assert talker.read_text(encoding="utf-8") == FILES["lib/demo_nodes_py/talker"]
     assert (tmp_path / "ros" / "std_msgs" / "msg" / "__init__.pyi").stat().st_mtime_ns == before
+
+
+@posix("a file says there by its ending what runs it")
+def test_a_program_is_started_by_its_path_too(monkeypatch):
+    """As `subprocess.run([get_package_prefix(...) + "/lib/...", ...])` in launch files, and scripts in bash, start it."""
+    monkeypatch.setenv("PATH", str(Path(sys.executable).parent), prepend=os.pathsep)
+    program = UNDERLAY / "lib" / "tf2_ros" / "tf2_echo"
+    done = subprocess.run([program], capture_output=True, text=True)
+    assert "Usage: tf2_echo" in done.stdout + done.stderr
 
 
 @pytest.mark.skipif(shutil.which("git") is None or not (ROOT / ".git").exists(), reason="asks git about its own checkout")

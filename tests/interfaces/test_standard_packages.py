@@ -120,3 +120,42 @@ def test_what_receivers_of_satellites_tell_beyond_a_fix_is_there():
     assert fix.position_covariance_type == fix.COVARIANCE_TYPE_UNKNOWN and len(fix.position_covariance) == 9
     assert fix.status.status == fix.status.STATUS_FIX and fix.status.STATUS_NO_FIX == -1
     assert list(load("gps_msgs/GPSStatus")(satellite_used_prn=[3, 7]).satellite_used_prn) == [3, 7]
+
+
+@pytest.mark.parametrize(
+    ("package", "names"),
+    [
+        (
+            "gazebo_msgs",
+            "ContactState ContactsState EntityState LinkState LinkStates ModelState ModelStates ODEJointProperties "
+            "ODEPhysics PerformanceMetrics SensorPerformanceMetric WheelSlip WorldState ApplyBodyWrench ApplyJointEffort "
+            "ApplyLinkWrench BodyRequest DeleteEntity DeleteLight DeleteModel GetEntityState GetJointProperties "
+            "GetLightProperties GetLinkProperties GetLinkState GetModelList GetModelProperties GetModelState "
+            "GetPhysicsProperties GetWorldProperties JointRequest LinkRequest SetEntityState SetJointProperties "
+            "SetJointTrajectory SetLightProperties SetLinkProperties SetLinkState SetModelConfiguration SetModelState "
+            "SetPhysicsProperties SpawnEntity SpawnModel",
+        ),
+        (
+            "ros_gz_interfaces",
+            "Altimeter Contact Contacts Dataframe Entity EntityFactory EntityWrench Float32Array GuiCamera JointWrench "
+            "Light LogPlaybackStatistics MaterialColor ParamVec SensorNoise StringVec TrackVisual VideoRecord WorldControl "
+            "WorldReset WorldStatistics ControlWorld DeleteEntity SetEntityPose SpawnEntity",
+        ),
+    ],
+)
+def test_a_simulators_interfaces_are_all_that_humble_has(package, names):
+    """Programs import them together with those they need, so one that lacks stops the whole program."""
+    assert {name.rpartition("/")[2] for name in known_interfaces() if name.split("/")[0] == package} == set(names.split())
+
+
+def test_a_simulators_older_words_have_humbles_fields():
+    state = load("gazebo_msgs/ModelState")(model_name="cart", reference_frame="world")
+    assert load("gazebo_msgs/srv/SetModelState").Request(model_state=state).model_state.model_name == "cart"
+    answer = load("gazebo_msgs/srv/GetModelProperties").Response
+    assert list(answer.get_fields_and_field_types())[:4] == [
+        "parent_model_name", "canonical_body_name", "body_names", "geom_names",
+    ]  # fmt: skip
+    assert load("gazebo_msgs/srv/GetJointProperties").Response.UNIVERSAL == 5
+    assert load("gazebo_msgs/srv/SpawnModel").Request(robot_namespace="r").robot_namespace == "r"
+    assert load("ros_gz_interfaces/GuiCamera")().track.min_dist == 0.0
+    assert load("ros_gz_interfaces/SensorNoise").GAUSSIAN_QUANTIZED == 3

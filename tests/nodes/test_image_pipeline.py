@@ -4,8 +4,11 @@ import math
 
 import numpy as np
 import pytest
+from ament_index_python.packages import get_package_share_directory
 from launch import LaunchDescription, LaunchService
-from launch_ros.actions import ComposableNodeContainer
+from launch.actions import IncludeLaunchDescription
+from launch.launch_description_sources import PythonLaunchDescriptionSource
+from launch_ros.actions import ComposableNodeContainer, Node
 from launch_ros.descriptions import ComposableNode
 from rclpy.qos import qos_profile_sensor_data
 from sensor_msgs.msg import CameraInfo, Image, PointCloud2
@@ -209,3 +212,43 @@ def test_a_grey_image_has_no_colours_and_that_is_told(run, friend):
     send(friend, ("image_raw", image(RAMP, "mono8")))
     assert heard["/image_color"][-1].encoding == "mono8"
     assert "requested, but raw image data from topic '/image_raw' is grayscale" in process.output
+
+
+def launched(session, *entities):
+    """Start a launch of the entities; the process."""
+
+    def main():
+        service = LaunchService()
+        service.include_launch_description(LaunchDescription(entities))
+        return service.run()
+
+    return session.start(main, name="launch")
+
+
+def whole_pipeline(**words):
+    place = get_package_share_directory("image_proc") + "/launch/image_proc.launch.py"
+    return IncludeLaunchDescription(PythonLaunchDescriptionSource(place), launch_arguments=words.items())
+
+
+@pytest.mark.parametrize("place", ["", "/left"])
+def test_one_launch_file_takes_a_raw_image_to_straight_colours_and_greys(session, friend, place):
+    launch = launched(session, whole_pipeline(namespace=place))
+    topics = [f"{place}/image_rect", f"{place}/image_rect_color"]
+    heard = heard_of(friend, *((topic, Image) for topic in topics))
+    raw = image(np.full((HEIGHT, WIDTH, 3), 90, np.uint8), "rgb8")
+    send(friend, (f"{place}/image_raw", raw), (f"{place}/camera_info", info()), seconds=4.0)
+    names = friend.node.get_node_names()
+    launch.interrupt()
+    launch.wait(5.0)
+    assert [heard[topic][-1].encoding for topic in topics] == ["mono8", "rgb8"]
+    assert {"image_proc_container", "debayer_node", "rectify_mono_node", "rectify_color_node"} <= set(names)
+
+
+def test_the_pipeline_goes_into_a_container_that_is_there(session, friend):
+    box = Node(package="rclcpp_components", executable="component_container", name="box")
+    launch = launched(session, box, whole_pipeline(container="box"))
+    friend.spin(4.0)
+    names = friend.node.get_node_names()
+    launch.interrupt()
+    launch.wait(5.0)
+    assert {"box", "debayer_node", "rectify_color_node"} <= set(names) and "image_proc_container" not in names

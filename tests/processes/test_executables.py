@@ -48,6 +48,21 @@ def test_files_that_may_not_be_run_are_no_executables(prefix):
     assert [path.name for path in executables_of("mine")] == ["run_me"]
 
 
+@posix("every file may be run")
+def test_a_file_that_may_not_be_run_is_told_with_what_makes_it_an_executable(prefix):
+    prefix("drive.py", "#!/usr/bin/env python3\n").chmod(0o644)
+    with pytest.raises(ExecutableNotFound, match=r"'drive.py' may not be run: `chmod \+x` its source, or install\(PROGRAMS"):
+        find("mine", "drive.py")
+
+
+@pytest.mark.parametrize("folder", ["bin", "Scripts"])
+def test_a_program_of_a_package_without_setup_cfg_is_told_where_it_went(prefix, tmp_path, folder):
+    (tmp_path / folder).mkdir()
+    (tmp_path / folder / "drive").touch()
+    with pytest.raises(ExecutableNotFound, match=r"installed into bin: setup.cfg needs .* install_scripts=\$base/lib/mine"):
+        find("mine", "drive")
+
+
 def test_a_python_program_runs_inside_with_its_own_main_module(prefix, session):
     prefix("prog", "#!/usr/bin/env python3\nimport sys\nif __name__ == '__main__':\n    print(sys.argv[1:], __file__)\n")
     process = session.start_executable(find("mine", "prog"), ["--x"])

@@ -21,7 +21,8 @@ from coursekit.urdf import UrdfError, load
     [
         *("cartographer_ros", "spacenav", "moveit_configs_utils", "ros_gz_sim_demos", "aruco_ros", "moveit_servo"),
         *("laser_scan_matcher", "mapviz", "ublox_gps", "web_video_server", "ira_laser_tools", "multirobot_map_merge"),
-        *("behaviortree_cpp", "behaviortree_ros2", "pcl_ros"),
+        *("behaviortree_cpp", "behaviortree_ros2", "pcl_ros", "camera_calibration", "move_base", "openslam_gmapping"),
+        *("ros2_orbslam3", "fast_lio", "ur_robot_driver", "rviz_common", "nav2_rviz_plugins"),
         *(
             "micro_ros_agent",
             "imu_bno055",
@@ -56,6 +57,19 @@ def test_a_known_package_has_a_reason_and_a_way_out(package):
 )
 def test_a_python_package_is_told_with_where_it_comes_from(package, command):
     assert f"{package} is not part of coursekit, but" in remark(package) and command in remark(package)
+
+
+@pytest.mark.parametrize(("module", "instead"), [("rospy", "rclpy"), ("tf", "tf2_ros"), ("actionlib", "rclpy.action")])
+def test_a_program_for_ros_1_is_told_what_ros_2_has(module, instead):
+    told = pytest.raises(ModuleNotFoundError, match=f"No module named '{module}': .* belongs to ROS 1; .*{instead}")
+    with Session(virtual=True).use(), told:
+        importlib.import_module(module)
+
+
+def test_a_check_of_files_that_is_not_here_is_told_with_those_that_are():
+    why, those_here = remark("ament_xmllint").rsplit(":", 1)
+    assert why.endswith("leave its test out")
+    assert re.findall(r"ament_\w+", those_here) == ["ament_copyright", "ament_flake8", "ament_pep257"]
 
 
 def test_nothing_is_said_of_what_the_underlay_has():

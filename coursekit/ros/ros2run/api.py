@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import subprocess
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ros2pkg.api import PackageNotFound, get_executable_paths
 
+from coursekit.processes.prefixed import prefixed
 from coursekit.systems.layout import executable_name as executable_name_of
+from coursekit.systems.signal_names import described
 
 if TYPE_CHECKING:
     from argparse import Namespace
 
-__all__ = ["ExecutableNameCompleter", "MultipleExecutables", "PackageNotFound", "get_executable_path"]
+__all__ = ["ExecutableNameCompleter", "MultipleExecutables", "PackageNotFound", "get_executable_path", "run_executable"]
+
+ROS2RUN_MSG_PREFIX = "[ros2run]:"
 
 
 class MultipleExecutables(Exception):
@@ -34,6 +40,23 @@ def get_executable_path(*, package_name: str, executable_name: str) -> str | Non
     if len(paths) > 1:
         raise MultipleExecutables(paths)
     return paths[0] if paths else None
+
+
+def run_executable(*, path: str, argv: Sequence[str], prefix: Sequence[str] | None = None) -> int:
+    """Run a file with arguments, behind the words of a prefix, to its end, also through Ctrl-C; return its exit code.
+
+    What ended it is printed unless the code is 0; below 0 it is the number of a signal.
+    """
+    process = subprocess.Popen([*prefixed([*(prefix or ()), path]), *argv])
+    while process.returncode is None:
+        try:
+            process.communicate()
+        except KeyboardInterrupt:
+            pass  # the program has it, too, and ends
+    code = process.returncode
+    if code:
+        print(ROS2RUN_MSG_PREFIX, described(-code) if code < 0 else f"Process exited with failure {code}")
+    return code
 
 
 class ExecutableNameCompleter:

@@ -66,7 +66,7 @@ _FAMILIES: tuple[tuple[str, str, str], ...] = (
      "`colcon build`"),
     (r"\w+_(msgs|interfaces)", "holds interfaces", "its source builds here: put it into the src folder of your workspace, "
      "then `colcon build`"),
-    (r"cartographer\w*|\w*gmapping|hector_\w+|rtabmap\w*|\w*orb_?slam\d?|(lio|fast_lio|karto)_?\w*", _CPP, _SLAM),
+    (r"cartographer\w*|\w*gmapping|hector_\w+|rtabmap\w*|\w*orb_?slam\d?|lio_sam\w*|fast_lio\w*|(open_)?karto", _CPP, _SLAM),
     (r"(imu_)?bno055\w*|\w*mpu(6050|9250)\w*|wit\w*imu|witmotion_ros|xsens_\w+|phidgets_\w+", _DRIVER, _SENSORS),
     (r"imu_(?!sensor_broadcaster$|tools$|filter_madgwick$|complementary_filter$)\w+|robot_pose_ekf", _CPP,
      "robot_localization's ekf_node takes an IMU's messages as they are"),

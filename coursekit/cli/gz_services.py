@@ -9,21 +9,13 @@ from typing import TYPE_CHECKING
 import rclpy
 from rosidl_runtime_py.utilities import get_service
 
-from coursekit.nodes.gz.bridge_types import without_prefix
+from coursekit.nodes.gz.bridge_types import SERVICES, without_prefix
 from coursekit.nodes.gz.text_format import GzTextError, fill
-from coursekit.nodes.gz.transport import gz_context
+from coursekit.nodes.gz.transport import gz_node
 
 if TYPE_CHECKING:
     from rclpy.node import Node
 
-
-REQUESTS = {
-    "ros_gz_interfaces/srv/SpawnEntity": ("EntityFactory", ("entity_factory",)),
-    "ros_gz_interfaces/srv/DeleteEntity": ("Entity", ("entity",)),
-    "ros_gz_interfaces/srv/SetEntityPose": ("Pose", ("entity", "pose")),
-    "ros_gz_interfaces/srv/ControlWorld": ("WorldControl", ("world_control",)),
-}
-"""The type of a service's request in Gazebo, and the fields of the ROS request that stand for it."""
 TIMED_OUT = "Service call timed out"
 
 
@@ -42,10 +34,8 @@ def _arguments(words: list[str]) -> argparse.Namespace:
 def carry_out(words: list[str]) -> int:
     """List services, or call one. Returns the exit code."""
     told = _arguments(words)
-    context = gz_context()
-    try:
-        node = rclpy.create_node("gz_service", context=context, start_parameter_services=False, enable_rosout=False)
-        known = {name: types[0] for name, types in node.get_service_names_and_types() if types[0] in REQUESTS}
+    with gz_node("gz_service") as node:
+        known = {name: types[0] for name, types in node.get_service_names_and_types() if types[0] in SERVICES}
         if told.list:
             print("\n".join(sorted(known)))
             return 0
@@ -55,15 +45,13 @@ def carry_out(words: list[str]) -> int:
             return 255
         if told.info:
             print("Service providers [Address, Request Message Type, Response Message Type]:")
-            print(f"  1, gz.msgs.{REQUESTS[known[name]][0]}, gz.msgs.Boolean")
+            print(f"  1, gz.msgs.{SERVICES[known[name]][0]}, gz.msgs.Boolean")
             return 0
         return _call(node, name, known[name], told)
-    finally:
-        context.try_shutdown()
 
 
 def _call(node: Node, name: str, kind: str, told: argparse.Namespace) -> int:
-    wanted, fields = REQUESTS[kind]
+    wanted, fields = SERVICES[kind]
     if without_prefix(told.reqtype) != wanted or without_prefix(told.reptype) != "Boolean":
         print(f"{TIMED_OUT}: {name} takes --reqtype gz.msgs.{wanted} --reptype gz.msgs.Boolean", file=sys.stderr)
         return 255

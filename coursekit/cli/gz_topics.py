@@ -13,10 +13,9 @@ from rosidl_runtime_py.utilities import get_message
 
 from coursekit.nodes.gz.bridge_types import carrier_of, gz_name
 from coursekit.nodes.gz.text_format import GzTextError, fill
-from coursekit.nodes.gz.transport import gz_context
+from coursekit.nodes.gz.transport import gz_node
 
 if TYPE_CHECKING:
-    from rclpy.context import Context
     from rclpy.node import Node
 
 _HIDDEN = ("/rosout", "/parameter_events")
@@ -37,12 +36,8 @@ def _arguments(words: list[str]) -> argparse.Namespace:
 def carry_out(words: list[str]) -> int:
     """List topics, print messages, or publish one. Returns the exit code."""
     told = _arguments(words)
-    context = gz_context()
-    try:
-        node = rclpy.create_node("gz_topic", context=context, start_parameter_services=False, enable_rosout=False)
-        return _publish(node, told) if told.pub is not None else _look(node, context, told)
-    finally:
-        context.try_shutdown()
+    with gz_node("gz_topic") as node:
+        return _publish(node, told) if told.pub is not None else _look(node, told)
 
 
 def _publish(node: Node, told: argparse.Namespace) -> int:
@@ -58,7 +53,7 @@ def _publish(node: Node, told: argparse.Namespace) -> int:
     return 0
 
 
-def _look(node: Node, context: Context, told: argparse.Namespace) -> int:
+def _look(node: Node, told: argparse.Namespace) -> int:
     topics = {name: types for name, types in node.get_topic_names_and_types() if name not in _HIDDEN}
     if told.list:
         print("\n".join(sorted(topics)))
@@ -71,10 +66,10 @@ def _look(node: Node, context: Context, told: argparse.Namespace) -> int:
         count = node.count_publishers(name), node.count_subscribers(name)
         print(f"Publishers [Address, Message Type]:\n  {count[0]}, {gz_name(topics[name][0])}\nSubscribers: {count[1]}")
         return 0
-    return _echo(node, context, name, topics[name][0], told.num)
+    return _echo(node, name, topics[name][0], told.num)
 
 
-def _echo(node: Node, context: Context, name: str, kind: str, most: int) -> int:
+def _echo(node: Node, name: str, kind: str, most: int) -> int:
     seen: list[int] = []
 
     def show(msg: Any) -> None:
@@ -82,8 +77,8 @@ def _echo(node: Node, context: Context, name: str, kind: str, most: int) -> int:
         seen.append(1)
 
     node.create_subscription(get_message(kind), name, show, 10)
-    executor = rclpy.executors.SingleThreadedExecutor(context=context)
+    executor = rclpy.executors.SingleThreadedExecutor(context=node.context)
     executor.add_node(node)
-    while context.ok() and not 0 < most <= len(seen):
+    while node.context.ok() and not 0 < most <= len(seen):
         executor.spin_once()
     return 0

@@ -27,23 +27,24 @@ class SubtreeBoard(Board):
     """
 
     def __init__(self, outer: Board, mapped: Mapping[str, str]) -> None:
-        self._outer, self._mapped = outer, {**dict(zip(OF_ALL, OF_ALL, strict=True)), **mapped}
+        self._outer, self._mapped = outer, {key: key for key in OF_ALL} | dict(mapped)
         self._own: dict[str, Any] = {}
 
+    def _place(self, key: str) -> tuple[Board, str]:
+        """Return the blackboard that has a key, and its name there."""
+        return (self._outer, self._mapped[key]) if key in self._mapped else (self._own, key)
+
     def __getitem__(self, key: str) -> Any:
-        return self._outer[self._mapped[key]] if key in self._mapped else self._own[key]
+        board, name = self._place(key)
+        return board[name]
 
     def __setitem__(self, key: str, value: Any) -> None:
-        if key in self._mapped:
-            self._outer[self._mapped[key]] = value
-        else:
-            self._own[key] = value
+        board, name = self._place(key)
+        board[name] = value
 
     def __delitem__(self, key: str) -> None:
-        if key in self._mapped:
-            del self._outer[self._mapped[key]]
-        else:
-            del self._own[key]
+        board, name = self._place(key)
+        del board[name]
 
     def __iter__(self) -> Iterator[str]:
         yield from (key for key, outer in self._mapped.items() if outer in self._outer)

@@ -40,7 +40,7 @@ void Costmap2DROS::meet_layers()
       inflates ? std::make_shared<InflationLayer>() : std::shared_ptr<Layer>(std::make_shared<LayerElsewhere>());
     layered_costmap_->addPlugin(made);
     made->initialize(
-      layered_costmap_.get(), layer, tf_buffer_.get(), std::static_pointer_cast<LifecycleNode>(shared_from_this()),
+      layered_costmap_.get(), layer, tf_buffer_.get(), shared_from_this(),
       get_node_base_interface()->get_default_callback_group());
   }
 }
@@ -126,8 +126,8 @@ struct LayerHost : coursekit::Nav2Server
   }
   void initialize(Unpacker & from)
   {
-    meet(from);
-    all().getPlugins()->assign(1, layer);
+    meet_costmap(from);
+    all().addPlugin(layer);
     layer->initialize(&all(), name, buffer.get(), costmap, costmap->get_node_base_interface()->get_default_callback_group());
     layer->onFootprintChanged();  // the robot's has just been set
   }

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.lifecycle import LifecycleNodeMixin, LifecycleState, TransitionCallbackReturn
-from rclpy.lifecycle.state_machine import STATES, Transition
+from rclpy.lifecycle.state_machine import NOT_REGISTERED, STATES, Transition
 
 from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.node import CompiledNode
@@ -43,8 +43,7 @@ class CompiledLifecycleNode(LifecycleNodeMixin, CompiledNode):
             return self._rclpy_change_state(transition_id)
         except RCLError:
             state = self._state_machine.current_state[1]
-            why = "Transition is not registered., at ./src/rcl_lifecycle.c:355"
-            text = f"Unable to start transition {transition_id} from current state {state}: {why}"
+            text = f"Unable to start transition {transition_id} from current state {state}: {NOT_REGISTERED}"
             self.get_logger().error(text)
             return TransitionCallbackReturn.ERROR
 

@@ -144,9 +144,8 @@ class RosGzBridge(Node):
 
     def _add_service(self, bridged: Bridged) -> None:
         name = bridged.ros_type.rpartition("/")[2]
-        if name not in SERVICES:
-            known = ", ".join(f"ros_gz_interfaces/srv/{each}" for each in SERVICES)
-            raise LookupError(f"{bridged.ros_type} is no service of Gazebo's; there are {known}")
+        if not any(each.endswith(f"/{name}") for each in SERVICES):
+            raise LookupError(f"{bridged.ros_type} is no service of Gazebo's; there are {', '.join(SERVICES)}")
         kind = get_service(bridged.ros_type)
         client = self.gz.create_client(kind, bridged.gz_topic)
 

@@ -54,7 +54,13 @@ PAIRS: dict[str, tuple[str, ...]] = {
     "Wrench": ("geometry_msgs/msg/Wrench",),
 }  # fmt: skip
 PREFIXES = ("gz.msgs.", "ignition.msgs.", "gz::msgs::", "ignition::msgs::")
-SERVICES = ("ControlWorld", "SpawnEntity", "DeleteEntity", "SetEntityPose")
+SERVICES: dict[str, tuple[str, tuple[str, ...]]] = {
+    "ros_gz_interfaces/srv/ControlWorld": ("WorldControl", ("world_control",)),
+    "ros_gz_interfaces/srv/SpawnEntity": ("EntityFactory", ("entity_factory",)),
+    "ros_gz_interfaces/srv/DeleteEntity": ("Entity", ("entity",)),
+    "ros_gz_interfaces/srv/SetEntityPose": ("Pose", ("entity", "pose")),
+}
+"""The services of a world: the type of the request in Gazebo, and the fields of the ROS request that stand for it."""
 
 
 def full_name(ros_type: str) -> str:

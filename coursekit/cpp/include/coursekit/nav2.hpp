@@ -29,11 +29,16 @@ struct Nav2Server
     buffer = std::make_shared<tf2_ros::Buffer>(tf2::BufferCore::Shared{from.i()}, node->get_clock());
   }
   /// The costmap, too, and its costs.
-  void meet(Unpacker & from)
+  void meet_costmap(Unpacker & from)
   {
     meet_node(from);
     costmap = std::make_shared<nav2_costmap_2d::Costmap2DROS>(rclcpp::SharedNode{from.i()}, buffer);
     costmap->renew(from);
+  }
+  /// And the layers that it is made of.
+  void meet(Unpacker & from)
+  {
+    meet_costmap(from);
     costmap->meet_layers();
   }
   /// Instead of the costmap, hear what another node publishes of it, by the names that the server's parameters give.

@@ -10,21 +10,30 @@
 
 namespace nav2_util
 {
-/// Take one node through these transitions; a service that does not answer is asked so many times more.
-inline void change_states(
-  const std::string & node_name, std::initializer_list<uint8_t> transitions, std::chrono::seconds timeout, int retries)
+/// Make a transition; a service that does not answer is asked so many times more.
+inline void change_state(
+  LifecycleServiceClient & client, uint8_t transition, std::chrono::seconds timeout, int retries)
 {
-  LifecycleServiceClient client(node_name);
-  for (const uint8_t transition : transitions) {
-    for (int left = retries; ; --left) {
-      try {
-        client.change_state(transition, timeout);
-        break;
-      } catch (const std::runtime_error &) {
-        if (left <= 0) {
-          throw;
-        }
+  for (int left = retries; ; --left) {
+    try {
+      client.change_state(transition, timeout);
+      return;
+    } catch (const std::runtime_error &) {
+      if (left <= 0) {
+        throw;
       }
+    }
+  }
+}
+/// Take each node through these transitions, one node after the other.
+inline void change_states(
+  const std::vector<std::string> & node_names, std::initializer_list<uint8_t> transitions, std::chrono::seconds timeout,
+  int retries)
+{
+  for (const auto & name : node_names) {
+    LifecycleServiceClient client(name);
+    for (const uint8_t transition : transitions) {
+      change_state(client, transition, timeout, retries);
     }
   }
 }
@@ -34,9 +43,7 @@ inline void startup_lifecycle_nodes(
   const int retries = 3)
 {
   using Transition = lifecycle_msgs::msg::Transition;
-  for (const auto & name : node_names) {
-    change_states(name, {Transition::TRANSITION_CONFIGURE, Transition::TRANSITION_ACTIVATE}, service_call_timeout, retries);
-  }
+  change_states(node_names, {Transition::TRANSITION_CONFIGURE, Transition::TRANSITION_ACTIVATE}, service_call_timeout, retries);
 }
 /// The same for names with ':' between them.
 inline void startup_lifecycle_nodes(
@@ -51,9 +58,7 @@ inline void reset_lifecycle_nodes(
   const int retries = 3)
 {
   using Transition = lifecycle_msgs::msg::Transition;
-  for (const auto & name : node_names) {
-    change_states(name, {Transition::TRANSITION_DEACTIVATE, Transition::TRANSITION_CLEANUP}, service_call_timeout, retries);
-  }
+  change_states(node_names, {Transition::TRANSITION_DEACTIVATE, Transition::TRANSITION_CLEANUP}, service_call_timeout, retries);
 }
 inline void reset_lifecycle_nodes(
   const std::string & nodes, const std::chrono::seconds service_call_timeout = std::chrono::seconds::max(),

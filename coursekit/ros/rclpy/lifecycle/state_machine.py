@@ -9,8 +9,8 @@ from typing import Any, NamedTuple
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.logging import get_logger
 
-_NOT_REGISTERED = "Transition is not registered., at ./src/rcl_lifecycle.c:355"
-_TRIGGER = f"Failed to trigger lifecycle state machine transition: {_NOT_REGISTERED}"
+NOT_REGISTERED = "Transition is not registered., at ./src/rcl_lifecycle.c:355"
+_TRIGGER = f"Failed to trigger lifecycle state machine transition: {NOT_REGISTERED}"
 _LABEL = "Failed to get transition from label: error not set"
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, TreeNode
+from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeNode
 
 
 class _Control(TreeNode):
@@ -59,16 +59,17 @@ class SequenceStar(Sequence):
 
 
 class ReactiveSequence(_Control):
-    """Ticks all children from the first one at every tick."""
+    """Ticks all children from the first one at every tick; while one is running, the others begin anew each time."""
 
     ends_with = FAILURE
 
     def step(self) -> str:
-        for k, child in enumerate(self.children):
+        for child in self.children:
             status = child.tick()
             if status == RUNNING:
-                for other in self.children[k + 1 :]:
-                    other.halt()
+                for other in self.children:
+                    if other is not child:
+                        other.halt()
                 return status
             if status == self.ends_with:
                 return self._end(status)
@@ -234,7 +235,7 @@ class RetryUntilSuccessful(Repeat):
 
 
 class SingleTrigger(_Decorator):
-    """Runs the child once; fails from then on.
+    """Runs the child once; fails from then on, until it is halted.
 
     >>> once = SingleTrigger("once", {}, [AlwaysSuccess("a", {}, [], {})], {})
     >>> once.tick() == SUCCESS, once.tick() == FAILURE
@@ -244,6 +245,8 @@ class SingleTrigger(_Decorator):
     done = False
 
     def step(self) -> str:
+        if self.status == IDLE:
+            self.done = False
         if self.done:
             return FAILURE
         status = self.child.tick()

@@ -4,7 +4,7 @@ import math
 from itertools import pairwise
 
 import pytest
-from nav2_msgs.action import ComputePathThroughPoses, NavigateToPose
+from nav2_msgs.action import ComputePathThroughPoses, NavigateThroughPoses, NavigateToPose
 from nav2_msgs.msg import BehaviorTreeLog
 from nav_msgs.msg import Odometry, Path
 from rclpy.action import ActionClient
@@ -160,19 +160,49 @@ def test_trees_of_nav2_are_driven_under_their_names_on_a_robot(stage, when):
         assert stage.distance_to(pose) < 0.4
 
 
-def test_a_goal_that_cannot_begin_leaves_no_robot_driving(stage, tmp_path):
+def test_a_goal_with_another_tree_is_refused_and_the_first_one_goes_on(stage, tmp_path):
+    stage.tell_pose(START)
+    client, through = (ActionClient(stage.node, kind, name) for kind, name in (
+        (NavigateToPose, "navigate_to_pose"), (NavigateThroughPoses, "navigate_through_poses")))  # fmt: skip
+    assert client.wait_for_server(timeout_sec=5.0) and through.wait_for_server(timeout_sec=5.0)
+    there = Pose2D(3.0, 1.0, 0.0)
+    first = give(stage, client, there)
+    stage.spin(3.0)
+    assert stage.robot.velocity[0] > 0.2
+    pose = stage.stamped(Pose2D(8.0, 0.5, 0.0))
+    goal = NavigateToPose.Goal(pose=pose, behavior_tree=str(tmp_path / "other.xml"))
+    for refused in (client.send_goal_async(goal), through.send_goal_async(NavigateThroughPoses.Goal(poses=[pose]))):
+        assert stage.until(stage.until(refused).get_result_async()).status == 6
+    assert stage.until(first.get_result_async()).status == 4 and stage.distance_to(there) < 0.4
+    output = stage.launch.output
+    assert "Preemption request was rejected since the requested BT XML file is not the same" in output
+    assert "Requested navigation from navigate_through_poses while another navigator is processing" in output
+
+
+def test_a_tree_goes_on_with_a_new_goal_and_knows_it(stage, tmp_path):
+    file = tmp_path / "tree.xml"
+    planned = '<Sequence><Wait wait_duration="0"/><ComputePathToPose goal="{goal}" path="{path}"/></Sequence>'
+    file.write_text(
+        '<root main_tree_to_execute="M"><BehaviorTree ID="M"><PipelineSequence>'
+        f"<Fallback><Inverter><GlobalUpdatedGoal/></Inverter>{planned}</Fallback><FollowPath path='{{path}}'/>"
+        "</PipelineSequence></BehaviorTree></root>"
+    )
     stage.tell_pose(START)
     client = ActionClient(stage.node, NavigateToPose, "navigate_to_pose")
     assert client.wait_for_server(timeout_sec=5.0)
-    first = give(stage, client, Pose2D(8.0, 0.5, 0.0))
-    stage.spin(3.0)
-    assert stage.robot.velocity[0] > 0.2
-    goal = NavigateToPose.Goal(pose=stage.stamped(Pose2D(3.0, 1.0, 0.0)), behavior_tree=str(tmp_path / "missing.xml"))
-    refused = stage.until(client.send_goal_async(goal))
-    assert stage.until(refused.get_result_async()).status == 6
-    assert stage.until(first.get_result_async()).status == 6
-    stage.spin(0.5)
-    assert abs(stage.robot.velocity[0]) < 0.01
+    changes, handles = [], []
+    stage.node.create_subscription(BehaviorTreeLog, "behavior_tree_log", lambda msg: changes.extend(msg.event_log), 10)
+    for pose in (Pose2D(8.0, 0.5, 0.0), Pose2D(3.0, 1.0, 0.0)):
+        goal = NavigateToPose.Goal(pose=stage.stamped(pose), behavior_tree=str(file))
+        handles.append(stage.until(client.send_goal_async(goal)))
+        stage.spin(3.0)
+        assert stage.robot.velocity[0] > 0.2, "it drives on"
+    assert [stage.until(handle.get_result_async()).status for handle in handles] == [6, 4]
+    assert stage.distance_to(pose) < 0.4
+    told = [(change.node_name, change.current_status) for change in changes]
+    assert told.count(("PipelineSequence", "RUNNING")) == 1, "one tree, which begins once"
+    assert told.count(("ComputePathToPose", "SUCCESS")) == 2, "once for each goal"
+    assert "Received goal preemption request" in stage.launch.output
 
 
 def test_a_cart_that_does_not_stop_is_let_by(stage):

@@ -5,14 +5,15 @@ from types import SimpleNamespace
 
 import pytest
 from geometry_msgs.msg import PoseStamped, TransformStamped
-from nav_msgs.msg import Path
+from nav_msgs.msg import Odometry, Path
 from rclpy.time import Time
 from sensor_msgs.msg import BatteryState
 from tf2_ros import Buffer
 
 from coursekit.geometry.plane import Pose2D
-from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, read_tree
-from coursekit.nodes.nav2.trip import KINDS, load_tree
+from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, TreeError, read_tree
+from coursekit.nav.tree_blackboard import SECONDS
+from coursekit.nodes.nav2.trip import KINDS, board_of, load_tree, text_of
 
 
 @pytest.fixture
@@ -20,7 +21,7 @@ def crew():
     topics = {}
     tree_crew = SimpleNamespace(now=0.0, topics=topics, service=lambda *_: None, client=lambda *_: None)
     tree_crew.seconds = lambda: tree_crew.now
-    tree_crew.listen = lambda topic, *_: topics.setdefault(topic, deque(maxlen=1))
+    tree_crew.listen = lambda topic, *_, most=1: topics.setdefault(topic, deque(maxlen=most))
     return tree_crew
 
 
@@ -31,6 +32,18 @@ def tree(crew):
         return read_tree(f'<root><BehaviorTree ID="Main">{inner}</BehaviorTree></root>', KINDS, board), board
 
     return made
+
+
+def pose_at(x, seconds=0):
+    pose = PoseStamped()
+    pose.pose.position.x, pose.header.stamp.sec = x, seconds
+    return pose
+
+
+def moving(seconds, speed):
+    msg = Odometry()
+    msg.header.stamp, msg.twist.twist.linear.x = Time(seconds=seconds).to_msg(), speed
+    return msg
 
 
 def straight(metres):
@@ -74,8 +87,108 @@ def test_a_child_is_ticked_once_for_each_goal(tree):
     once, board = tree('<GoalUpdatedController><SetBlackboard value="yes" output_key="planned"/></GoalUpdatedController>')
     assert once.tick() == SUCCESS and board.pop("planned") == "yes"
     assert once.tick() == RUNNING and "planned" not in board
+    board["goal"] = pose_at(1.0)
+    assert once.tick() == SUCCESS and board.pop("planned") == "yes"
+    assert once.tick() == RUNNING and "planned" not in board
     once.halt()
     assert once.tick() == SUCCESS and "planned" in board
+
+
+def test_a_goal_is_updated_when_it_is_not_the_one_of_the_last_tick(tree):
+    updated, board = tree("<GoalUpdated/>", goal=pose_at(1.0))
+    assert [updated.tick() for _ in range(2)] == [FAILURE, FAILURE]
+    board["goal"] = pose_at(2.0)
+    assert [updated.tick() for _ in range(2)] == [SUCCESS, FAILURE]
+    board["goal"] = pose_at(3.0)
+    updated.halt()
+    assert updated.tick() == FAILURE, "it begins with the goal that there is"
+
+
+def test_a_new_goal_plans_again_only_then(tree):
+    """The upper half of nav2's navigate_w_replanning_only_if_goal_is_updated.xml."""
+    planned = '<SetBlackboard value="yes" output_key="planned"/>'
+    running = "<KeepRunningUntilFailure><AlwaysSuccess/></KeepRunningUntilFailure>"
+    drive, board = tree(
+        f"<PipelineSequence><Fallback><Inverter><GlobalUpdatedGoal/></Inverter>{planned}</Fallback>{running}</PipelineSequence>",
+        goal=pose_at(1.0),
+    )
+    plans = []
+    for goal in (1.0, 1.0, 2.0, 2.0):
+        board["goal"] = pose_at(goal)
+        assert drive.tick() == RUNNING
+        plans.append(board.pop("planned", "no"))
+    assert plans == ["yes", "no", "yes", "no"]
+
+
+def test_a_recovery_beside_goal_updated_is_told_of_no_goal(tree):
+    """BehaviorTree.CPP lets what stands before a running child begin anew with each tick (nav2's issue 6082)."""
+    running = "<KeepRunningUntilFailure><AlwaysSuccess/></KeepRunningUntilFailure>"
+    recovery, board = tree(f"<ReactiveFallback><GoalUpdated/>{running}</ReactiveFallback>", goal=pose_at(1.0))
+    assert recovery.tick() == RUNNING
+    board["goal"] = pose_at(2.0)
+    assert recovery.tick() == RUNNING
+
+
+def test_a_child_is_ticked_the_more_often_the_faster_the_robot_drives(crew, tree):
+    count = '<SetBlackboard value="1" output_key="n"/>'
+    rates = 'min_rate="0.5" max_rate="2" max_speed="1.0"'
+    speedy, board = tree(f"<SpeedController {rates}>{count}</SpeedController>", goal=pose_at(1.0))
+    board[SECONDS] = lambda: crew.now
+
+    def ticks(begin, speed):
+        crew.speed, at = lambda: speed, []
+        for tenth in range(begin * 10, begin * 10 + 60):
+            crew.now = tenth / 10
+            speedy.tick()
+            if board.pop("n", None):
+                at.append(crew.now)
+        return at
+
+    assert ticks(0, 0.0) == [0.0, 0.5, 2.5, 4.5]  # the first period is the shortest one
+    assert ticks(6, 1.0) == [6.5, 7.0, 7.5, 8.0, 8.5, 9.0, 9.5, 10.0, 10.5, 11.0, 11.5]
+    board["goal"] = pose_at(2.0)
+    assert ticks(12, 0.0)[:3] == [12.0, 12.5, 14.5], "a new goal is told at once"
+
+
+def test_a_rate_of_nothing_is_refused(tree):
+    with pytest.raises(TreeError, match="SpeedController node cannot have rate <= 0.0"):
+        tree('<SpeedController min_rate="0"><AlwaysSuccess/></SpeedController>')
+
+
+def test_a_robot_that_brakes_harder_than_it_can_is_stuck(crew, tree):
+    stuck, _ = tree("<IsStuck/>")
+    results = []
+    for k, speed in enumerate((0.5, 0.0, 0.5, 0.45, 0.0, 0.0)):
+        crew.topics["odom"].append(moving(k * 0.02, speed))
+        results.append(stuck.tick())
+    assert results == [FAILURE, FAILURE, FAILURE, FAILURE, SUCCESS, FAILURE]
+
+
+def test_a_goal_on_the_topic_replaces_an_older_one_only(crew, tree):
+    updater, board = tree('<GoalUpdater input_goal="{goal}" output_goal="{out}"><AlwaysSuccess/></GoalUpdater>')
+    board["goal"] = pose_at(1.0, seconds=10)
+    updater.tick()
+    assert board["out"] == board["goal"]
+    crew.topics["goal_update"].append(pose_at(2.0, seconds=11))
+    updater.tick()
+    assert board["out"] == pose_at(2.0, seconds=11)
+    board["goal"] = pose_at(3.0, seconds=12)
+    updater.tick()
+    assert board["out"] == board["goal"]
+
+
+def test_time_and_distance_are_counted_from_the_first_tick_after_a_halt(crew, tree):
+    crew.pose = lambda: Pose2D(crew.now, 0.0, 0.0)
+    for kind in ('TimeExpired seconds="2"', 'DistanceTraveled distance="2"'):
+        crew.now = 0.0
+        condition, _ = tree(f"<{kind}/>")
+        results = []
+        for crew.now in (0.0, 1.9, 2.0, 3.9, 4.0):
+            results.append(condition.tick() == SUCCESS)
+        condition.halt()
+        for crew.now in (9.0, 10.0, 11.0):
+            results.append(condition.tick() == SUCCESS)
+        assert results == [False, False, True, False, True, False, False, True], kind
 
 
 def test_a_goal_is_new_once_however_often_a_sequence_ends(tree):
@@ -117,4 +230,4 @@ def test_a_battery_is_low_by_its_charge_or_its_voltage(crew, tree, ports, expect
 )
 def test_nav2s_trees_are_there_under_their_names_on_a_robot(crew, name):
     file = f"/opt/ros/humble/share/nav2_bt_navigator/behavior_trees/{name}.xml"
-    assert load_tree(file, crew, [PoseStamped()]).children
+    assert load_tree(file, text_of(file), board_of(crew)).children

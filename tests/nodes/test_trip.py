@@ -9,7 +9,7 @@ from rclpy.node import Node
 
 from coursekit.nav.behavior_tree import RUNNING, TreeNode
 from coursekit.nodes.nav2.crew import Crew
-from coursekit.nodes.nav2.trip import Trip
+from coursekit.nodes.nav2.trip import PREEMPTED, Trip
 from coursekit.processes.session import Session
 
 
@@ -36,22 +36,22 @@ def tree() -> Iterator[Endless]:
         rclpy.try_shutdown()
 
 
-def going(tree: Endless, stop: bool) -> tuple[Crew, Any]:
-    """A trip's crew, and the trip on its way."""
+def going(tree: Endless, end: str) -> Any:
+    """A trip on its way."""
     crew = Crew(Node("navigator"), lambda: None, lambda pose: None, lambda target, source: False)  # type: ignore[arg-type, return-value]
-    return crew, Trip(tree, crew, lambda: stop, lambda: True, lambda trip: None, 0.1).run()
+    return Trip(tree, crew, lambda: end, lambda: None, 0.1).run()
 
 
 def test_an_abandoned_trip_touches_nothing_when_it_is_collected(tree: Endless) -> None:
-    crew, trip = going(tree, stop=False)
+    trip = going(tree, "")
     trip.send(None)
     rclpy.shutdown()
     trip.close()
-    assert not tree.halted and not crew.goes_on
+    assert not tree.halted
 
 
-def test_a_trip_that_ends_halts_its_tree(tree: Endless) -> None:
-    crew, trip = going(tree, stop=True)
-    with pytest.raises(StopIteration) as end:
-        trip.send(None)
-    assert end.value.value == "stopped" and tree.halted and crew.goes_on
+@pytest.mark.parametrize(("end", "halted"), [("canceled", True), (PREEMPTED, False)])
+def test_a_tree_is_halted_unless_it_goes_on_with_another_goal(tree: Endless, end: str, halted: bool) -> None:
+    with pytest.raises(StopIteration) as returned:
+        going(tree, end).send(None)
+    assert returned.value.value == end and tree.halted == halted

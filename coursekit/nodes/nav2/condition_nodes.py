@@ -6,66 +6,114 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeNode
-from coursekit.nav.tree_blackboard import SECONDS
+from rclpy.time import Time
+
+from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeError, TreeNode
+from coursekit.nav.tree_blackboard import SECONDS, Board
 from coursekit.nodes.nav2.crew import crew_of
 
 if TYPE_CHECKING:
     from geometry_msgs.msg import PoseStamped
 
 
-class Paced(TreeNode):
-    """RateController: ticks its child `hz` times a second, and whenever the child is running."""
+class RateController(TreeNode):
+    """Ticks its child at first, `hz` times a second from then on, and whenever the child is running."""
 
     arity = (1, 1)
-    begun = -math.inf
+    begun = 0.0
+    first = True
 
     def step(self) -> str:
         """Tick the child when it is due."""
-        now, child = self.board[SECONDS](), self.children[0]
         if self.status == IDLE:
-            self.begun = -math.inf
-        if child.status != RUNNING and not self.due(now):
+            self.first = True
+            self.begin()
+        if not (self.first or self.children[0].status == RUNNING or self.due()):
             return RUNNING
-        status = child.tick()
+        self.first = False
+        status = self.children[0].tick()
         if status == SUCCESS:
-            self.began(now)
+            self.begin()
         return status
 
-    def due(self, now: float) -> bool:
+    def due(self) -> bool:
         """Whether the child is due."""
-        return now - self.begun >= 1.0 / max(self.number("hz", 10.0), 1e-3)
+        return self.seconds() >= 1.0 / max(self.number("hz", 10.0), 1e-3)
 
-    def began(self, now: float) -> None:
+    def begin(self) -> None:
         """Start the interval now."""
-        self.begun = now
+        self.begun = self.board[SECONDS]()
+
+    def seconds(self) -> float:
+        """The time since the interval began [s]."""
+        return float(self.board[SECONDS]() - self.begun)
 
 
-class PacedBySpeed(Paced):
-    """SpeedController, always at its maximum rate."""
-
-    def due(self, now: float) -> bool:
-        """Whether the child is due."""
-        return now - self.begun >= 1.0 / max(self.number("max_rate", 1.0), 1e-3)
-
-
-class PacedByWay(Paced):
-    """DistanceController: ticks its child each time the robot has travelled `distance` [m]."""
+class DistanceController(RateController):
+    """Ticks its child at first, and each time the robot has travelled `distance` [m]."""
 
     place: Any = None
 
-    def due(self, now: float) -> bool:
+    def step(self) -> str:
+        """Tick the child when it is due; fail while the robot's pose is not known."""
+        return FAILURE if crew_of(self).pose() is None else super().step()
+
+    def due(self) -> bool:
         """Whether the robot has travelled that far."""
         here = crew_of(self).pose()
-        return self.begun == -math.inf or here is None or here.distance(self.place) >= self.number("distance", 1.0)
+        return here is not None and here.distance(self.place) >= self.number("distance", 1.0)
 
-    def began(self, now: float) -> None:
+    def begin(self) -> None:
         """Measure from here."""
-        self.begun, self.place = now, crew_of(self).pose()
+        self.place = crew_of(self).pose()
 
 
-class TakeGoal(TreeNode):
-    """GoalUpdater: replaces the goal with the latest pose on the topic `goal_update`, if there is one."""
+class SpeedController(RateController):
+    """Ticks its child between `min_rate` and `max_rate` times a second: the faster the robot drives, the more often.
+
+    A new goal is told to the child at once.
+    """
+
+    period = 1.0
+    goals: Any = None
+
+    def prepare(self) -> None:
+        """Check the rates; TreeError when one is not positive."""
+        if min(self.number("min_rate", 0.1), self.number("max_rate", 1.0)) <= 0.0:
+            raise TreeError("SpeedController node cannot have rate <= 0.0")
+
+    def step(self) -> str:
+        """Tick the child when it is due; the period is renewed when it has passed."""
+        goals = goals_on(self.board)
+        if self.status == IDLE or goals != self.goals:
+            self.goals, self.first, self.period = goals, True, 1.0 / self.number("max_rate", 1.0)
+            self.begin()
+        if not (self.first or self.children[0].status == RUNNING or self.due()):
+            return RUNNING
+        self.first = False
+        if self.due():
+            self.period = 1.0 / self._rate()
+            self.begin()
+        return self.children[0].tick()
+
+    def due(self) -> bool:
+        """Whether the period has passed."""
+        return self.seconds() >= self.period
+
+    def _rate(self) -> float:
+        slow, fast = self.number("min_rate", 0.1), self.number("max_rate", 1.0)
+        low, high = self.number("min_speed", 0.0), self.number("max_speed", 0.5)
+        part = (crew_of(self).speed() - low) / (high - low) if high != low else math.inf
+        return max(min(slow + part * (fast - slow), fast), slow)
+
+
+def goals_on(board: Board) -> tuple[Any, Any]:
+    """Return the goal and the goals on a blackboard, to see whether they are still the same."""
+    return board.get("goal"), board.get("goals")
+
+
+class GoalUpdater(TreeNode):
+    """Replaces the goal with the latest pose on the topic `goal_update`, if its time stamp is newer."""
 
     arity = (1, 1)
 
@@ -75,8 +123,48 @@ class TakeGoal(TreeNode):
 
     def step(self) -> str:
         """Pass the goal on."""
-        self.put("output_goal", self.heard[-1] if self.heard else self.get("input_goal"))
+        goal = self.get("input_goal")
+        if self.heard and _stamp(self.heard[-1]) > _stamp(goal):
+            goal = self.heard[-1]
+        self.put("output_goal", goal)
         return self.children[0].tick()
+
+
+def _stamp(pose: PoseStamped | None) -> int:
+    return 0 if pose is None else Time.from_msg(pose.header.stamp).nanoseconds
+
+
+class TimeExpired(TreeNode):
+    """Succeeds each time `seconds` have passed since it began, or since it succeeded."""
+
+    begun = 0.0
+
+    def step(self) -> str:
+        """Look at the clock."""
+        now = crew_of(self).seconds()
+        if self.status == IDLE:
+            self.begun = now
+        if self.status == IDLE or now - self.begun < self.number("seconds", 1.0):
+            return FAILURE
+        self.begun = now
+        return SUCCESS
+
+
+class DistanceTraveled(TreeNode):
+    """Succeeds each time the robot has travelled `distance` [m] since it began, or since it succeeded."""
+
+    begun: Any = None
+
+    def step(self) -> str:
+        """Look where the robot is."""
+        here = crew_of(self).pose()
+        if self.status == IDLE or self.begun is None:
+            self.begun = here
+            return FAILURE
+        if here is None or here.distance(self.begun) < self.number("distance", 1.0):
+            return FAILURE
+        self.begun = here
+        return SUCCESS
 
 
 class ConditionNode(TreeNode):
@@ -137,24 +225,6 @@ def _truncate_to_surroundings(node: TreeNode) -> bool:
     return True
 
 
-def _expired(node: TreeNode) -> bool:
-    now = crew_of(node).seconds()
-    begun = node.__dict__.setdefault("begun", now)
-    if now - begun >= node.number("seconds", 1.0):
-        node.__dict__["begun"] = now
-        return True
-    return False
-
-
-def _travelled(node: TreeNode) -> bool:
-    here = crew_of(node).pose()
-    begun = node.__dict__.setdefault("begun", here)
-    if here is not None and begun is not None and here.distance(begun) >= node.number("distance", 1.0):
-        node.__dict__["begun"] = here
-        return True
-    return False
-
-
 def _chooses(what: str) -> type[ConditionNode]:
     """Return a selector: it outputs the latest name on its topic, or the default one."""
 
@@ -167,10 +237,9 @@ def _chooses(what: str) -> type[ConditionNode]:
 
 
 CONDITIONS: dict[str, type[TreeNode]] = {
-    "RateController": Paced, "DistanceController": PacedByWay, "SpeedController": PacedBySpeed, "GoalUpdater": TakeGoal,
-    "GoalReached": _condition("GoalReached", _near), "TimeExpired": _condition("TimeExpired", _expired),
-    "DistanceTraveled": _condition("DistanceTraveled", _travelled),
-    "GoalUpdated": ConditionNode, "IsStuck": ConditionNode,
+    **{node.__name__: node for node in (
+        RateController, DistanceController, SpeedController, GoalUpdater, TimeExpired, DistanceTraveled)},
+    "GoalReached": _condition("GoalReached", _near),
     "InitialPoseReceived": _condition("InitialPoseReceived", lambda node: crew_of(node).pose() is not None),
     "RemovePassedGoals": _condition("RemovePassedGoals", _drop_passed),
     "TruncatePath": _condition("TruncatePath", _truncate),
@@ -180,4 +249,4 @@ CONDITIONS: dict[str, type[TreeNode]] = {
     **{f"{name}Selector": _chooses(what) for name, what in (
         ("Planner", "planner"), ("Controller", "controller"), ("Smoother", "smoother"), ("GoalChecker", "goal_checker"))},
 }  # fmt: skip
-"""Node types by XML name. A new goal restarts the tree, so GoalUpdated never succeeds."""
+"""Node types by XML name."""

@@ -26,17 +26,17 @@ class Crew:
 
     def __init__(
         self, node: Node, where: Callable[[], Pose2D | None], place_of: Callable[[PoseStamped], Pose2D],
-        knows: Callable[[str, str], bool],
+        knows: Callable[[str, str], bool], speed: Callable[[], float] = lambda: 0.0,
     ) -> None:  # fmt: skip
         self.node, self.pose, self._place_of = node, where, place_of
         self.knows = knows
         """Whether there is a transform to a frame from another one."""
-        self.goes_on = False
-        """Whether a newer goal replaces this one; the robot is then not stopped in between."""
+        self.speed = speed
+        """How fast the robot drives [m/s]."""
         self.driven: Any = None
         """The path on which the robot is being driven."""
         self._clients: dict[tuple[Any, str], Any] = {}
-        self._heard: dict[str, tuple[Any, deque[Any]]] = {}
+        self._heard: dict[tuple[str, int], tuple[Any, deque[Any]]] = {}
 
     def client(self, kind: type[Any], name: str) -> ActionClient:
         """The client of an action."""
@@ -51,12 +51,12 @@ class Crew:
             self._clients[kind, name] = self.node.create_client(kind, name)
         return self._clients[kind, name]
 
-    def listen(self, topic: str, kind: type[Any] = PoseStamped, qos: QoSProfile | int = 10) -> deque[Any]:
-        """A queue with the newest message of a topic, or empty."""
-        if topic not in self._heard:
-            kept: deque[Any] = deque(maxlen=1)
-            self._heard[topic] = self.node.create_subscription(kind, topic, kept.append, qos), kept
-        return self._heard[topic][1]
+    def listen(self, topic: str, kind: type[Any] = PoseStamped, qos: QoSProfile | int = 10, most: int = 1) -> deque[Any]:
+        """A queue with the newest messages of a topic, `most` at most, or empty."""
+        if (topic, most) not in self._heard:
+            kept: deque[Any] = deque(maxlen=most)
+            self._heard[topic, most] = self.node.create_subscription(kind, topic, kept.append, qos), kept
+        return self._heard[topic, most][1]
 
     def listen_to_text(self, topic: str) -> list[str]:
         """A list with the newest text of a topic, or empty."""

@@ -98,6 +98,8 @@ class PlanToPose(ActionNode):
         super().prepare()
         self._is_valid = crew_of(self).service(IsPathValid, "is_path_valid")
         self._asked: Any = None
+        self._aim: Any = None
+        self._taken_for: Any = None
 
     def step(self) -> str:
         """Plan; then, if necessary, check whether the rest of the driven path is still free."""
@@ -118,9 +120,10 @@ class PlanToPose(ActionNode):
         super().stop()
 
     def _other_way(self) -> Any:
-        """The rest of the driven path, if the new path is a different one that is hardly shorter; else None."""
+        """The rest of the driven path, if another way to the same goal is planned that is hardly shorter; else None."""
         old = self.get("path")
-        here = crew_of(self).pose() if old is not None and crew_of(self).driven is old else None
+        same = old is not None and crew_of(self).driven is old and self._taken_for == self._aim
+        here = crew_of(self).pose() if same else None
         if here is None or not self._is_valid.service_is_ready():
             return None
         ahead = remaining(points_of(old), here.x, here.y)
@@ -129,12 +132,14 @@ class PlanToPose(ActionNode):
         return type(old)(header=old.header, poses=old.poses[-len(ahead) :])
 
     def _take(self) -> str:
+        self._taken_for = self._aim
         self.put("path", self._new)
         return SUCCESS
 
     def goal(self) -> Any:
         """Plan to the pose `goal`, from `start` if it is given."""
-        asked = ComputePathToPose.Goal(goal=self.get("goal"), planner_id=self.get("planner_id", ""))
+        self._aim = self.get("goal")
+        asked = ComputePathToPose.Goal(goal=self._aim, planner_id=self.get("planner_id", ""))
         if self.get("start") is not None:
             asked.start, asked.use_start = self.get("start"), True
         return asked
@@ -151,7 +156,8 @@ class PlanThroughPoses(PlanToPose):
 
     def goal(self) -> Any:
         """Plan through the poses in `goals`."""
-        return ComputePathThroughPoses.Goal(goals=self.get("goals"), planner_id=self.get("planner_id", ""))
+        self._aim = self.get("goals")
+        return ComputePathThroughPoses.Goal(goals=self._aim, planner_id=self.get("planner_id", ""))
 
 
 class Follow(ActionNode):
@@ -171,11 +177,9 @@ class Follow(ActionNode):
         crew_of(self).driven = None
 
     def stop(self) -> None:
-        """Cancel the goal, unless a newer goal keeps the robot moving."""
-        crew = crew_of(self)
-        crew.driven = None
-        if not crew.goes_on:
-            super().stop()
+        """Cancel the goal."""
+        crew_of(self).driven = None
+        super().stop()
 
 
 class Smooth(ActionNode):

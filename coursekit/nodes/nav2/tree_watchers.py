@@ -6,10 +6,13 @@ import math
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
+from nav_msgs.msg import Odometry
 from rclpy.qos import qos_profile_system_default
+from rclpy.time import Time
 from sensor_msgs.msg import BatteryState
 
 from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeNode
+from coursekit.nodes.nav2.condition_nodes import goals_on
 from coursekit.nodes.nav2.crew import crew_of
 
 if TYPE_CHECKING:
@@ -29,8 +32,8 @@ def length(path: Path) -> float:
     return sum(math.dist(first, second) for first, second in pairwise(points))
 
 
-class PathAge(TreeNode):
-    """PathExpiringTimer: succeeds each time the path has been the same for `seconds`."""
+class PathExpiringTimer(TreeNode):
+    """Succeeds each time the path has been the same for `seconds`."""
 
     begun: float | None = None
     path: Any = None
@@ -47,31 +50,63 @@ class PathAge(TreeNode):
         return SUCCESS
 
 
-class NewGoal(TreeNode):
-    """GlobalUpdatedGoal: succeeds once for each goal, which starts the tree anew."""
+class GoalUpdated(TreeNode):
+    """Succeeds when the goal is not the one of the last tick; never at its first one."""
 
-    told = False
+    goals: Any = None
 
     def step(self) -> str:
-        """Tell it at the first tick."""
-        status, self.told = FAILURE if self.told else SUCCESS, True
-        return status
+        """Compare the goals."""
+        before, self.goals = self.goals, goals_on(self.board)
+        return FAILURE if self.status == IDLE or before == self.goals else SUCCESS
 
 
-class OncePerGoal(TreeNode):
-    """GoalUpdatedController: ticks its child for each new goal, which starts the tree anew, and while it is running."""
+class GlobalUpdatedGoal(TreeNode):
+    """Succeeds at its first tick, and when the goal is not the one of the last tick, of an earlier goal's as well."""
+
+    goals: Any = None
+
+    def step(self) -> str:
+        """Compare the goals."""
+        before, self.goals = self.goals, goals_on(self.board)
+        return FAILURE if before == self.goals else SUCCESS
+
+
+class GoalUpdatedController(TreeNode):
+    """Ticks its child at first, for each new goal, and while it is running."""
 
     arity = (1, 1)
+    goals: Any = None
 
     def step(self) -> str:
-        """Tick the child at first, and until it ends."""
-        if self.status == IDLE or self.children[0].status == RUNNING:
+        """Tick the child if there is a reason to."""
+        before, self.goals = self.goals, goals_on(self.board)
+        if self.status == IDLE or before != self.goals or self.children[0].status == RUNNING:
             return self.children[0].tick()
         return RUNNING
 
 
-class Detour(TreeNode):
-    """PathLongerOnApproach: near the goal its child is ticked if the new path is much longer than the one before.
+class IsStuck(TreeNode):
+    """Succeeds while the last two messages of odometry say that the robot brakes harder than a robot can [m/s^2]."""
+
+    hardest = -10.0
+
+    def prepare(self) -> None:
+        """Listen."""
+        self._heard = crew_of(self).listen("odom", Odometry, most=3)
+
+    def step(self) -> str:
+        """Compare them; the first two messages say nothing yet, as in nav2."""
+        if len(self._heard) < 3:
+            return FAILURE
+        before, now = self._heard[-2], self._heard[-1]
+        seconds = (Time.from_msg(now.header.stamp) - Time.from_msg(before.header.stamp)).nanoseconds * 1e-9
+        change = now.twist.twist.linear.x - before.twist.twist.linear.x
+        return SUCCESS if seconds > 0 and change / seconds < self.hardest else FAILURE
+
+
+class PathLongerOnApproach(TreeNode):
+    """Near the goal its child is ticked if the new path is much longer than the one before.
 
     Near is within `prox_len` [m], and longer is `length_factor` times as long.
     """
@@ -98,8 +133,8 @@ class Detour(TreeNode):
         return before < self.number("prox_len", 3.0) and length(new) > before * self.number("length_factor", 2.0)
 
 
-class LowBattery(TreeNode):
-    """IsBatteryLow: whether its percentage (0 to 1), or with `is_voltage` its voltage, is at most `min_battery`."""
+class IsBatteryLow(TreeNode):
+    """Whether its percentage (0 to 1), or with `is_voltage` its voltage, is at most `min_battery`."""
 
     def prepare(self) -> None:
         """Listen."""
@@ -115,8 +150,8 @@ class LowBattery(TreeNode):
         return SUCCESS if state <= self.number("min_battery", 0.0) else FAILURE
 
 
-WATCHERS: dict[str, type[TreeNode]] = {
-    "PathExpiringTimer": PathAge, "GlobalUpdatedGoal": NewGoal, "GoalUpdatedController": OncePerGoal,
-    "PathLongerOnApproach": Detour, "IsBatteryLow": LowBattery,
-}  # fmt: skip
+_NODES = (
+    PathExpiringTimer, PathLongerOnApproach, IsBatteryLow, GoalUpdated, GlobalUpdatedGoal, GoalUpdatedController, IsStuck,
+)  # fmt: skip
+WATCHERS: dict[str, type[TreeNode]] = {node.__name__: node for node in _NODES}
 """The nodes by their XML names."""

@@ -25,13 +25,13 @@ COMMANDS = {
 }
 """Programs that a session runs itself: the function takes the command's arguments and returns its exit code."""
 
-JOIN = "coursekit.cli.attach:attach_script"
+JOIN = "coursekit.cli.session_client:attach_script"
 """The function that runs a Python program in the running session; None when no session runs."""
 
 SERVE = "coursekit.cli.session_server:serve"
 """The function that serves a domain's terminal commands for a session; None if another session has the domain."""
 
-HOLDER = "coursekit.cli.attach:holder"
+HOLDER = "coursekit.cli.session_client:holder"
 """The function that returns the notebook or test that has a domain's terminals: '' for neither, None if unused."""
 
 MEET = "coursekit.cli.neighbours:meet"

@@ -13,7 +13,7 @@ from coursekit.interfaces import InterfaceError, UnknownInterface, find_definiti
 from coursekit.nav.map_error import MapError
 from coursekit.nav.map_file import load_map
 from coursekit.nodes.gazebo.model_paths import find_mesh, find_model
-from coursekit.nodes.gazebo.world_of import open_world
+from coursekit.nodes.gazebo.world_lookup import open_world
 from coursekit.nodes.rviz.config_file import read as read_view
 from coursekit.rcl.parameter_file import ParameterFileError
 from coursekit.rcl.parameter_file import read as read_parameters

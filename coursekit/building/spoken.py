@@ -15,8 +15,10 @@ from coursekit.lab.script import said_in
 from coursekit.words.gettext import FIELD, catalogue_of
 
 PACKAGE = Path(__file__).parents[1]
-_JUDGES = ("checking", "deaths", "outputs", "plain", "reader", "reading", "trial", "verdict", "work")
-_MARKING = ("examiner", "handing_in", "repair", "choosing", "collector", "mark", "recognising", "archives", "pieces")
+_JUDGES = ("checking", "exception_advice", "outputs", "plain", "reader", "reading", "trial", "verdict", "work")
+_MARKING = (
+    "examiner", "handing_in", "repair", "chapter_files", "collector", "mark", "recognising", "archives", "submission_parts",
+)  # fmt: skip
 _CODE = re.compile(
     r"(run|launch|ros2|from|import|colcon|action|padding|var\(|<|#|--|-r|%|\^)|.*(\\|\(\^|\.\*|\(\[|\(\?|surrogatepass)"
 )

@@ -88,7 +88,7 @@ def say_missing(name: str, known: list[str], what: str) -> None:
 
 def graph() -> Graph:
     """Return the graph of this terminal's domain."""
-    from .attach import domain_id
+    from .session_client import domain_id
 
     return current().graph(domain_id())
 
@@ -129,7 +129,7 @@ def complete_by(*command: str) -> Any:
     """Complete by the names that `ros2 COMMAND` prints in the running session."""
 
     def complete(**_: Any) -> list[str]:
-        from .attach import answer
+        from .session_client import answer
 
         return answer(command)
 

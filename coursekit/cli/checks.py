@@ -96,7 +96,7 @@ def socket_folder() -> Check:
 
 def session_of_domain() -> Check:
     """Check whether a session answers."""
-    from .attach import domain_id, who_answers
+    from .session_client import domain_id, who_answers
 
     try:
         name, count = who_answers()

@@ -27,8 +27,8 @@ def main() -> int:
     """Run all compiled code once."""
     if hasattr(os, "nice"):
         os.nice(19)
-    from coursekit.nodes.gazebo.warm_up import warm_up
-    from coursekit.slam.warm import warm
+    from coursekit.nodes.gazebo.precompile import warm_up
+    from coursekit.slam.precompile import warm
 
     warm()
     warm_up()

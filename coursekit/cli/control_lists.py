@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from controller_manager_msgs.srv import ListControllerTypes, ListHardwareComponents, ListHardwareInterfaces
 
-from coursekit.nodes.control.asking import Asker
+from coursekit.nodes.control.manager_client import Asker
 
 if TYPE_CHECKING:
     from argparse import Namespace

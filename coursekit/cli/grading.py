@@ -82,7 +82,7 @@ def run_grade(args: argparse.Namespace) -> int:
     """Grade, and print where the results are. Returns 1 when a question is open, 2 when the grader itself is broken."""
     from coursekit.grade import container
     from coursekit.grade.archives import BadArchive
-    from coursekit.grade.bar import Bar
+    from coursekit.grade.marking_progress import Bar
     from coursekit.grade.reference import GraderBroken
     from coursekit.grade.sandbox import refusal
 
@@ -182,7 +182,7 @@ def _policy(args: argparse.Namespace, roster: Roster | None) -> Policy:
 
 def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
     from coursekit.grade.handing_back import hand_back, left_out, unlike_the_platform_s
-    from coursekit.grade.harmless import shown
+    from coursekit.grade.sanitizing import shown
     from coursekit.grade.statistics import average
     from coursekit.words.counting import counted
 
@@ -214,7 +214,7 @@ def _tell(group: Class, outcome: Outcome, args: argparse.Namespace) -> None:
 def run_verify(args: argparse.Namespace) -> int:
     """Report the faults of submitted files. Returns 1 if there are any."""
     from coursekit.grade.handing_in import same_in, verify
-    from coursekit.grade.harmless import shown
+    from coursekit.grade.sanitizing import shown
     from coursekit.words.counting import counted
 
     folder, variants, count = notebooks_of(args), variants_of(args.variants), 0

@@ -33,8 +33,8 @@ def serve_network(args: argparse.Namespace) -> int:
     """Run the router until Ctrl-C."""
     from coursekit.net.address import read_address
     from coursekit.net.errors import NoNetwork
-    from coursekit.net.opening import open_router
-    from coursekit.net.users import check_users
+    from coursekit.net.router_users import check_users
+    from coursekit.net.zenoh_session import open_router
 
     try:
         users = check_users(args.users) if args.users is not None else 0

@@ -16,7 +16,7 @@ from coursekit.rcl.arguments import RosArgumentsError
 
 from . import extensions
 from .ask import Unhappy
-from .settling import let_settle
+from .start_wait import let_settle
 
 COMMANDS = (
     "action",

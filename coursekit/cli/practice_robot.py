@@ -31,8 +31,8 @@ def run_robot(args: argparse.Namespace) -> int:
     """Run the router and the robot's programs until Ctrl-C. Returns their exit code."""
     from coursekit.net.address import read_address
     from coursekit.net.errors import NoNetwork
-    from coursekit.net.opening import open_router
-    from coursekit.net.users import check_users
+    from coursekit.net.router_users import check_users
+    from coursekit.net.zenoh_session import open_router
 
     try:
         users = check_users(args.users) if args.users is not None else 0
@@ -52,7 +52,7 @@ def run_robot(args: argparse.Namespace) -> int:
 
 def _join_by_environment(address: str, users: Path | None) -> None:
     """Join the robot's programs to the router as any permitted user; they connect to no other programs on this computer."""
-    from coursekit.net.users import first_user
+    from coursekit.net.router_users import first_user
     from coursekit.processes.session import NETWORK_VARIABLE
 
     os.environ |= {NETWORK_VARIABLE: address, "COURSEKIT_ALONE": "1"}
@@ -67,7 +67,7 @@ def _run_programs(world: str) -> int:
     from coursekit.packages.environment import source_underlay
     from coursekit.processes.session import current
 
-    from .local import run_in
+    from .own_session import run_in
 
     source_underlay(os.environ)
     return run_in(current(), ["launch", "coursekit_robots", "practice_robot.launch.py", f"world:={world}"])

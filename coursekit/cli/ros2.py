@@ -34,7 +34,7 @@ def run_alone(argv: Sequence[str]) -> int:
     """Run the command in a session of this process."""
     from coursekit.processes.session import current
 
-    from .local import run_in
+    from .own_session import run_in
 
     return run_in(current(), argv)
 
@@ -58,7 +58,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         return run(argv)
     if stands_alone():
         return run_alone(argv)
-    from .attach import attach
+    from .session_client import attach
 
     return attach(argv)
 

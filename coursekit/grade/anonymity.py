@@ -14,13 +14,13 @@ from typing import Any
 
 from coursekit.files import write_whole
 
-from .harmless import cell
-from .keys import own_key
 from .mark import Marked
-from .pieces import Entry, Piece
 from .record import Record
 from .roster import Person
+from .sanitizing import cell
+from .submission_parts import Entry, Piece
 from .tables import COMMA, Form
+from .teacher_secrets import own_key
 from .verdict import Verdict
 
 _ASKED = re.compile(r"whose '(.+?)' is")

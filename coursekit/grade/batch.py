@@ -18,12 +18,12 @@ from .bundle import note_copies
 from .collector import Collection, Collector
 from .exercise import Exercise, exercises_in
 from .gradebook import write_gradebook
-from .handed import Handed, wanted_chapters
 from .lateness import Policy
 from .mark import Marked, mark
 from .marks_table import MarksTable
 from .outcome import Outcome
 from .overview import write_overview
+from .person_submission import Handed, wanted_chapters
 from .questions import NAME as QUESTIONS
 from .questions import read_answers, write_questions
 from .record import Record, lateness_of

@@ -19,9 +19,9 @@ from typing import Any
 
 from . import events
 from .archives import Archive, Bounds
-from .harmless import shown
 from .recognising import text_of
 from .roster import plain, student_word
+from .sanitizing import shown
 
 MANIFEST, EVENTS = "manifest.json", "events.jsonl"
 LARGEST = 100 << 20

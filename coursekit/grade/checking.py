@@ -9,16 +9,16 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from coursekit.view.progress_bar import Working
 from coursekit.view.shell import running_shell
-from coursekit.view.working import Working
 from coursekit.words.gettext import gettext
 
 from . import events
-from .deaths import cause_of
+from .exception_advice import cause_of
 from .exercise import Exercise, find
 from .illustration import Illustration
 from .interruptions import Gone, NeedsWorkspace
-from .noted import NotedWork
+from .observed_work import NotedWork
 from .own_checks import OWN, fault_of, read_checks
 from .plain import error_of, of_student
 from .progress import Progress

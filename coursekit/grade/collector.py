@@ -14,18 +14,18 @@ from typing import Any
 
 from coursekit.words.counting import counted
 
-from .choosing import choose
+from .chapter_files import choose
 from .entries import entries_of_folder, entries_of_zip
-from .handed import Handed
-from .harmless import identity_of, shown, unique
 from .identifying import SURE, Identified, Identifier, without_ending
 from .lateness import Policy, platform_time
-from .parting import Part, parts_of, whole
-from .pieces import LISTED, SEALED, Entry, Gatherer, Piece, Raw
+from .person_submission import Handed
 from .platform_names import platform_name
 from .questions import NOBODY, Question, numbered
 from .recognising import Recogniser
 from .roster import Person, Roster, plain, student_word
+from .sanitizing import identity_of, shown, unique
+from .submission_parts import LISTED, SEALED, Entry, Gatherer, Piece, Raw
+from .submission_split import Part, parts_of, whole
 
 
 @dataclass

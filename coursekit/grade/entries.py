@@ -9,9 +9,9 @@ from typing import BinaryIO
 
 from .archives import OF_A_CLASS, Archive, Member
 from .exchange import false_owner
-from .harmless import shown
-from .pieces import FILE, SYSTEM, WORKSPACE, ZIPPED, Raw
-from .walking import Walked, walk
+from .safe_walk import Walked, walk
+from .sanitizing import shown
+from .submission_parts import FILE, SYSTEM, WORKSPACE, ZIPPED, Raw
 
 
 def entries_of_folder(folder: Path, leave: Iterable[Path] = ()) -> Iterator[tuple[str, bool, Iterator[Raw]]]:

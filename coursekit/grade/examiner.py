@@ -19,12 +19,12 @@ from coursekit.systems.children import apart
 from . import sandbox
 from .checking import judge_work
 from .exercise import Exercise, find
-from .facts import as_json, checked
 from .interruptions import Gone, NeedsWorkspace
 from .limited import end_with_parent
 from .own_checks import read_checks
 from .remote import RemoteWork
 from .repair import Repaired, repair
+from .sandbox_facts import as_json, checked
 from .submissions import read_notebook
 from .verdict import Verdict
 from .work import NOTHING
@@ -138,7 +138,7 @@ def _examined(task: Task) -> Examined:
     workspace = Path(task.folder) / "course" / "ros2_ws"
     (workspace / "src").mkdir(parents=True)
     env = environment(workspace)
-    running = sandbox.start([sys.executable, "-m", "coursekit.grade.inside"], workspace.parent, env, limits)
+    running = sandbox.start([sys.executable, "-m", "coursekit.grade.sandbox_program"], workspace.parent, env, limits)
     work = RemoteWork(running, workspace, env, limits, task.variants, bytes.fromhex(task.secret))
     try:
         exercises = {name: find(name) for name in task.exercises}

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from pathlib import Path, PurePosixPath
 from typing import Any
 
-from .harmless import cell
 from .record import Record
 from .results import Results
+from .sanitizing import cell
 from .tables import COMMA, Form, write_table
 
 

@@ -8,7 +8,6 @@ from pathlib import Path, PurePosixPath
 
 from coursekit.words.gettext import gettext, speaking
 
-from .harmless import cell, number, shown
 from .identifying import Identifier
 from .lateness import late_by
 from .moodle_sheet import comment_column, mark_column, maximum_column
@@ -16,6 +15,7 @@ from .platform_names import moodle_folder, platform_name
 from .record import Record
 from .report import page
 from .roster import Person, Roster
+from .sanitizing import cell, number, shown
 from .tables import COMMA, Form, Table, write_table
 
 

@@ -30,12 +30,12 @@ from .bundle import (
 )
 from .editions import notebooks_folder
 from .exercise import exercises_in
-from .harmless import shown
 from .identifying import named_in
 from .mark import Marked, mark
 from .recognising import Recogniser, parse_notebook
 from .roster import student_word
 from .sandbox import Limits
+from .sanitizing import shown
 from .submissions import Submission, read_notebook
 from .variants import Variants, checks_in
 

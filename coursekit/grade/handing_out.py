@@ -6,9 +6,9 @@ import zipfile
 from collections.abc import Mapping
 from pathlib import Path
 
-from .harmless import cell, shown
 from .platform_names import moodle_folder
 from .roster import Person, Roster
+from .sanitizing import cell, shown
 from .tables import COMMA, Form, write_table
 
 LIST, FOR_MOODLE = "copies.csv", "moodle.zip"

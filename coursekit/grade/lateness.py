@@ -27,8 +27,8 @@ from typing import Any
 
 from coursekit.words.gettext import gettext
 
-from .harmless import identity_of
 from .roster import Person, Roster
+from .sanitizing import identity_of
 from .tables import decoded, read_table
 
 DAY_S = 86400.0

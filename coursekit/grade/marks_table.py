@@ -10,8 +10,8 @@ from typing import Any
 
 from coursekit.files import write_whole
 
-from .harmless import cell, number, shown
 from .record import COMMENT, Record
+from .sanitizing import cell, number, shown
 from .tables import COMMA, Form, read_table, write_table
 
 _BEFORE = ("key", "student", "id", "email")

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from .deaths import cause_of
+from .exception_advice import cause_of
 from .plain import fields, is_number
 from .verdict import NO_HINT, Wrong
 

@@ -13,11 +13,11 @@ from urllib.parse import quote
 from coursekit.files import write_whole
 
 from .collector import Collection
-from .harmless import number, shown
 from .lateness import late_by
 from .outcome import Outcome
 from .page_style import STYLE
 from .record import Record
+from .sanitizing import number, shown
 from .similar import similar
 from .statistics import average, shares
 from .statuses import LOOK

@@ -10,7 +10,7 @@ from pathlib import Path, PurePosixPath
 from coursekit.words.gettext import gettext
 
 from .bundle import read_bundle
-from .harmless import shown
+from .sanitizing import shown
 
 LARGEST, MOST = 2 << 20, 12
 """The maximum size of a picture [bytes], and the maximum number of pictures of a person."""

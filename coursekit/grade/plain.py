@@ -16,8 +16,8 @@ from typing import Any, TypeVar
 
 from .interruptions import Gone, TimeOver
 from .own_checks import is_own
+from .sandbox_json import Described
 from .verdict import NO_HINT, Wrong
-from .wire import Described
 
 T = TypeVar("T")
 _OURS = str(Path(__file__).resolve().parents[1])

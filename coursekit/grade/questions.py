@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from .harmless import cell
+from .sanitizing import cell
 from .tables import COMMA, Form, read_table, write_table
 
 NAME = "questions.csv"

@@ -11,8 +11,8 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from .facts import as_json
 from .reading import READINGS
+from .sandbox_facts import as_json
 from .verdict import Wrong
 
 

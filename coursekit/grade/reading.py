@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from coursekit.interfaces.model import Message
 from coursekit.suggestions import similar
 
-from .facts import BuildFacts, RobotFacts, facts_of
+from .sandbox_facts import BuildFacts, RobotFacts, facts_of
 from .verdict import NO_HINT, Wrong
 
 if TYPE_CHECKING:

@@ -9,12 +9,12 @@ from time import time as now
 
 from coursekit.words.gettext import ENGLISH
 
-from .handed import Handed
-from .harmless import number, unique
 from .lateness import DAY_S, Policy
 from .mark import Marked
-from .pieces import SEALED, told_time
+from .person_submission import Handed
+from .sanitizing import number, unique
 from .statuses import status_of
+from .submission_parts import SEALED, told_time
 from .verdict import Verdict
 
 COMMENT = "comment"

@@ -14,10 +14,10 @@ from .copy import HANDED_OUT, edition_of, student_notebook
 from .editions import ENGLISH, IMAGES, pictures_of, read
 from .exercise import checked_in, exercises_in
 from .handing_out import write_for_moodle, write_list
-from .harmless import name_of_files
 from .own_checks import OWN, own_files
 from .release_page import page
 from .roster import Person, student_word
+from .sanitizing import name_of_files
 from .variants import Variants, checks_in
 
 KERNEL = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}

@@ -6,7 +6,7 @@ import html
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
-from coursekit.systems.words import join_words
+from coursekit.systems.command_lines import join_words
 from coursekit.words.gettext import ENGLISH, words_of
 
 

@@ -19,14 +19,14 @@ from coursekit.systems.inherited import name_for_child
 from coursekit.systems.pipes import readable
 
 from . import folders, sandbox
-from .facts import checked
-from .inside import SLOWNESS
 from .interruptions import Gone, NeedsWorkspace, TimeOver
 from .reading import KINDS
+from .sandbox_facts import checked
+from .sandbox_json import pack, refresh, unpack
+from .sandbox_program import SLOWNESS
 from .trial import GIVES_WAY, PROGRAMS, WATCHER, Plan, Seen, TrialFailed, answered, question
 from .variants import Values
 from .verdict import NO_HINT, Wrong
-from .wire import pack, refresh, unpack
 from .work import NOTHING, Work
 
 READ_SECONDS = 20.0

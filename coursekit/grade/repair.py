@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from .copy import without_solution
-from .harmless import shown, unique
 from .recognising import text_of
+from .sanitizing import shown, unique
 from .variants import CHECK
 
 LIVE = "live"

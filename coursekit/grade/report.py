@@ -12,12 +12,12 @@ from typing import Any
 from coursekit.files import write_whole
 from coursekit.words.gettext import gettext, language, speaking
 
-from .harmless import lines, number, shown
 from .lateness import late_by
 from .mark import Marked
 from .page_style import STYLE
 from .pictures import as_html
 from .record import COMMENT, ON_EXERCISE, Record
+from .sanitizing import lines, number, shown
 from .verdict import Verdict
 
 _PAGE = """<!doctype html>

@@ -17,9 +17,9 @@ from coursekit.files import write_whole
 from coursekit.words.counting import counted
 
 from .exercise import Exercise
-from .keys import config_folder, mac, own_key
 from .mark import Marked
 from .own_checks import digest_of_checks
+from .teacher_secrets import config_folder, mac, own_key
 from .variants import values_of
 
 FILE = "result.json"

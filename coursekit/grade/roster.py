@@ -11,9 +11,9 @@ from pathlib import Path
 
 from coursekit.words.counting import counted
 
-from .harmless import shown
 from .moodle_sheet import participants
 from .roster_formats import HEADINGS, Layout, is_nobody, is_test, layout_of, parted
+from .sanitizing import shown
 from .tables import COMMA, Form, Table, decoded, read_table
 
 

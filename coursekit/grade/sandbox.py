@@ -22,7 +22,7 @@ from pathlib import Path
 from coursekit.systems import children, inherited, which
 
 from . import folders
-from .confined import SERVICE_VARIABLES, confined
+from .cgroup_limits import SERVICE_VARIABLES, confined
 from .unsandboxed import cure
 
 PACKAGE = Path(__file__).resolve().parents[1]

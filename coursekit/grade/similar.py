@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .harmless import cell
+from .sanitizing import cell
 from .tables import COMMA, Form, write_table
 
 if TYPE_CHECKING:

@@ -15,8 +15,8 @@ from typing import Any
 from coursekit.files import write_whole
 from coursekit.words.counting import counted
 
-from .harmless import number
 from .record import Record
+from .sanitizing import number
 
 
 def averaged(records: Sequence[Record]) -> list[float]:

@@ -11,7 +11,7 @@ from .archives import Archive, BadArchive
 from .bundle import LARGEST as LARGEST_BUNDLE
 from .bundle import MANIFEST
 from .recognising import LARGEST, parse_notebook
-from .walking import Walked, open_plain, walk
+from .safe_walk import Walked, open_plain, walk
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from coursekit.files import write_whole
 
-from .harmless import number
+from .sanitizing import number
 
 LARGEST = 32 << 20
 """The maximum size of a table [bytes]."""

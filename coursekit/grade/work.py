@@ -10,7 +10,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from coursekit.systems.words import split_words
+from coursekit.systems.command_lines import split_words
 
 from . import reading
 from .trial import Plan, Seen, TrialFailed, try_out
@@ -132,7 +132,7 @@ class Work:
 
     def robot(self, path: str) -> Robot:
         """Return the robot in a URDF or xacro file; Wrong with the fault and its position."""
-        from .facts import robot_of
+        from .sandbox_facts import robot_of
 
         return robot_of(self._read("robot", path=path), Path(self._scratch.name))
 

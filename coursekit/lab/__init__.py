@@ -4,6 +4,7 @@ from coursekit.grade.checking import check, hint
 from coursekit.grade.progress import progress
 from coursekit.urdf.resources import take_environment_from
 
+from .backup_folders import set_aside
 from .compiled import compiled
 from .desk import desk
 from .frames_panel import frames
@@ -12,14 +13,12 @@ from .handing_in import evidence, hand_in
 from .image_view import image_view
 from .joint_panel import joint_sliders
 from .joint_windows import show_joint_windows
-from .keeping import set_aside
 from .kernel import reset, start
 from .log_console import log_console
 from .magics import edit, terminal, terminals, workspace, workspace_environment
 from .map_view import map_view
 from .messages import echo
 from .network_panel import network_panel
-from .pad import pad
 from .parameter_panel import parameter_panel
 from .path_view import path_view
 from .plot_panel import plot
@@ -27,6 +26,7 @@ from .practice_robot import practice_robot, weak_link
 from .publisher_panel import message_publisher
 from .rqt_windows import show_rqt_windows
 from .service_panel import service_caller
+from .teleop_pad import pad
 from .timeline import timeline
 from .topic_panel import topic_panel
 from .tour import drive_along

@@ -8,8 +8,8 @@ from coursekit.tf import TransformException
 from coursekit.view.frame_listening import listen_to_frames
 from coursekit.view.frame_tree import FrameTree
 
-from .hidden import HiddenNode
 from .panel import Panel, static
+from .panel_node import HiddenNode
 
 LISTEN_SECONDS = 1.0
 """How long `frames()` listens before it shows the result."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from coursekit.cli.attach import domain_id
+from coursekit.cli.session_client import domain_id
 from coursekit.processes.session import current
 from coursekit.view.graph import VIEWS, GraphPicture
 from coursekit.view.graph_text import details

@@ -10,8 +10,8 @@ from coursekit.nodes.robots.boards import Board, boards
 from coursekit.processes.session import current
 
 from .errors import BadArgument, NotThere
-from .hidden import appears
 from .panel import Panel, static
+from .panel_node import appears
 
 START = "Start one: %ros2 run joint_state_publisher_gui joint_state_publisher_gui &"
 shown: list[Callable[[Board], None]] = []

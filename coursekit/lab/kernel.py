@@ -12,7 +12,7 @@ from typing import Any
 
 import ipywidgets
 
-from coursekit.cli.attach import domain_id
+from coursekit.cli.session_client import domain_id
 from coursekit.cli.session_server import serve
 from coursekit.jupyter.kernel import hear_all, keep_output_in_cells
 from coursekit.packages.environment import source_underlay

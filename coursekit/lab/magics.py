@@ -14,17 +14,17 @@ from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_
 
 from coursekit.processes.child import ChildProcess
 from coursekit.processes.session import current
+from coursekit.systems.command_lines import split_words
 from coursekit.systems.letter_case import other_spelling
-from coursekit.systems.words import split_words
 from coursekit.words.gettext import gettext
 
 from .cells import adopt
 from .errors import NotThere
-from .expanding import Values
 from .known_terminals import KNOWN
+from .magic_values import Values
 from .terminal import Terminal, Terminals
 from .waiting import until_said
-from .written import Written
+from .written_parts import Written
 
 _DURATION = re.compile(r"\[[0-9.]+(min )?[0-9.]*s(?=[],])")
 

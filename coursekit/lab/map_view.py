@@ -11,8 +11,8 @@ import numpy as np
 from coursekit.nav.map_file import GridMap, load_map
 from coursekit.words.gettext import gettext
 
-from .hidden import HiddenNode
 from .messages import listen
+from .panel_node import HiddenNode
 from .simulated import robot_name, simulator
 from .tour import Tour
 

@@ -9,7 +9,7 @@ from coursekit.cli.ask import full_name
 from coursekit.suggestions import did_you_mean
 
 from .errors import NotThere
-from .hidden import HiddenNode, appears
+from .panel_node import HiddenNode, appears
 
 TRUNCATE = 128
 

@@ -9,9 +9,9 @@ from typing import NoReturn
 
 from IPython.core.magic import Magics, line_magic, magics_class
 
-from coursekit.cli.attach import domain_id
+from coursekit.cli.session_client import domain_id
 from coursekit.processes.session import current
-from coursekit.systems.words import split_words
+from coursekit.systems.command_lines import split_words
 from coursekit.words.gettext import gettext
 
 from .errors import BadArgument
@@ -54,7 +54,7 @@ class NetworkMagics(Magics):
 
 def _join(words: argparse.Namespace) -> None:
     from coursekit.net.joining import credentials_from_the_environment, join
-    from coursekit.net.opening import Credentials
+    from coursekit.net.zenoh_session import Credentials
 
     asked = credentials_from_the_environment()
     user = words.user or asked.user

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from coursekit.cli.attach import domain_id
+from coursekit.cli.session_client import domain_id
 
 from .panel import Panel, static
 

@@ -11,8 +11,8 @@ from coursekit.words.gettext import gettext
 
 from .bundle import forms_of, with_text
 from .docking import View
-from .hidden import HiddenNode
-from .past import Past, cursor_of
+from .panel_history import Past, cursor_of
+from .panel_node import HiddenNode
 from .script import script, style
 
 UPDATE_SECONDS = 0.2

@@ -13,8 +13,8 @@ from coursekit.suggestions import did_you_mean
 from coursekit.words.gettext import gettext
 
 from .errors import NotThere
-from .hidden import appears
 from .panel import Panel, static
+from .panel_node import appears
 
 _CONTROLS = {1: "check", 2: "whole", 3: "number", 4: "text"}
 

@@ -83,7 +83,7 @@ def weak_link(address: str) -> WeakLink:
 def _check() -> None:
     """Raise an error for missing requirements before anything is started."""
     from coursekit.net.errors import NoNetwork
-    from coursekit.net.opening import engine
+    from coursekit.net.zenoh_session import engine
 
     if current().clock.virtual:
         raise NotNow("A session on the virtual clock joins no network, and a robot needs one: use the wall clock.")

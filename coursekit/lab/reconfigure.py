@@ -7,7 +7,7 @@ from typing import Any
 
 import ipywidgets
 
-from coursekit.cli.attach import domain_id
+from coursekit.cli.session_client import domain_id
 from coursekit.processes.session import current
 from coursekit.rcl.names import is_hidden
 from coursekit.view.graph_facts import DEBUG_NODES

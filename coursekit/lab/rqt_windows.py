@@ -14,10 +14,10 @@ from .frames_panel import FramesPanel
 from .graph_panel import GraphPanel
 from .log_console import LogConsole
 from .node_windows import NodeWindows
-from .pad import Pad
 from .publisher_panel import MessagePublisher
 from .reconfigure import Reconfigure
 from .service_panel import ServiceCaller
+from .teleop_pad import Pad
 from .topic_panel import TopicPanel
 from .windows import WindowPicture
 

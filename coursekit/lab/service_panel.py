@@ -11,9 +11,9 @@ from coursekit.words.gettext import gettext
 
 from .errors import NotThere
 from .form import filled, schema
-from .hidden import WAIT_SECONDS, appears
 from .messages import as_yaml
 from .panel import Panel, static
+from .panel_node import WAIT_SECONDS, appears
 
 
 class ServiceCaller(Panel):

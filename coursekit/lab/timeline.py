@@ -6,7 +6,7 @@ import math
 from typing import Any
 
 from .panel import Panel, open_panels, static
-from .past import SECONDS
+from .panel_history import SECONDS
 
 STEP_SECONDS = 0.1
 """The update period of the panels during playback [s]."""

@@ -10,11 +10,11 @@ import numpy as np
 
 from coursekit.geometry.plane import Pose2D, wrap
 from coursekit.processes.session import current
-from coursekit.view.working import Working
+from coursekit.view.progress_bar import Working
 
 from .drive import Driver
 from .errors import NotNow
-from .hidden import HiddenNode
+from .panel_node import HiddenNode
 from .simulated import robot_name, simulator
 
 BEAT_SECONDS = 0.1

@@ -11,13 +11,13 @@ from coursekit.nodes.rviz.config_file import read, save
 from coursekit.nodes.rviz.kinds import KINDS
 from coursekit.nodes.rviz.windows import windows
 from coursekit.processes.session import current
-from coursekit.view.looking import FOLLOWER, ORBIT
 from coursekit.view.scene_stage import Stage
 from coursekit.view.scene_text import described
+from coursekit.view.view_control import FOLLOWER, ORBIT
 
 from .errors import BadArgument
-from .hidden import HiddenNode
 from .panel import static
+from .panel_node import HiddenNode
 from .viewer_page import ViewerPage
 from .viewer_tools import Tools
 

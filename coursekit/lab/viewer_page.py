@@ -10,9 +10,9 @@ from coursekit.nodes.rviz.config import VIEW_TYPES, make_config
 from coursekit.nodes.rviz.kinds import KINDS
 from coursekit.nodes.rviz.properties import ABOUT, properties
 from coursekit.view.displays import Display
-from coursekit.view.looking import ORBIT
-from coursekit.view.picking import Picked, pick, told
 from coursekit.view.scene_stage import Stage
+from coursekit.view.selection import Picked, pick, told
+from coursekit.view.view_control import ORBIT
 from coursekit.words.gettext import gettext
 
 from .scene_panel import ScenePanel

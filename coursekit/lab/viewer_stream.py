@@ -11,7 +11,7 @@ from coursekit.view.scene import Changes, Scene
 from coursekit.view.scene_past import Moment, between, moment_of, size_of
 from coursekit.view.scene_wire import packed
 
-from .past import EVERY_SECONDS
+from .panel_history import EVERY_SECONDS
 
 if TYPE_CHECKING:
     from .scene_panel import ScenePanel

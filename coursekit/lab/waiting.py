@@ -7,13 +7,13 @@ from typing import Any
 
 from coursekit.cli.ask import full_name
 from coursekit.processes.session import Session, current
-from coursekit.view.working import Working
+from coursekit.view.progress_bar import Working
 from coursekit.words.gettext import gettext
 
 from .errors import NotNow, TooLate
-from .hidden import HiddenNode
 from .known_terminals import failed
 from .messages import listen
+from .panel_node import HiddenNode
 
 LOOK_SECONDS = 0.05
 PATIENCE_SECONDS = 180.0

@@ -8,7 +8,7 @@ import math
 from typing import Any
 
 from coursekit.geometry.plane import Pose2D
-from coursekit.nodes.gazebo.assembly import Assembly
+from coursekit.nodes.gazebo.model_conversion import Assembly
 from coursekit.nodes.gazebo.simulators import Simulator, simulators
 from coursekit.sim import Prism, Thing, WorldError
 from coursekit.view.world_scene import WorldScene

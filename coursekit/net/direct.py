@@ -19,8 +19,8 @@ from pathlib import Path
 from coursekit.systems.runtime_folder import folder
 from coursekit.systems.user_socket import NobodyListens, accept, call, connect_at, listen_at
 
-from .opening import BUSY_SECONDS
 from .wire.attachment import SIZE, Attachment, read_attachment
+from .zenoh_session import BUSY_SECONDS
 
 LONGEST = 3072
 """Maximum size of a direct message in bytes; Zenoh passes longer ones in shared memory."""

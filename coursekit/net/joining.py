@@ -15,9 +15,9 @@ from coursekit.processes.session import NETWORK_VARIABLE, Session
 from .address import read_address
 from .errors import NoNetwork
 from .link import Link
-from .motion import would_move
-from .opening import Credentials, open_client
-from .place import Place
+from .link_context import Place
+from .motion_check import would_move
+from .zenoh_session import Credentials, open_client
 
 _links: WeakKeyDictionary[Session, dict[int, Link]] = WeakKeyDictionary()
 _tried: WeakKeyDictionary[Session, set[int]] = WeakKeyDictionary()

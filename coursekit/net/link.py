@@ -13,10 +13,10 @@ from typing import Any
 
 from coursekit.systems.user_socket import HAS_UNIX
 
-from .announcing import Announcer
+from .announcements import Announcer
 from .direct import DirectLines
-from .place import Place
-from .visiting import Visitors
+from .link_context import Place
+from .remote_graph import Visitors
 from .wire.token import ADMIN, Token, read_token
 
 SETTLE_SECONDS = 5.0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from coursekit.packages.recipe import Recipe
+from coursekit.packages.package_settings import Recipe
 
 _TESTING = """\
 if(BUILD_TESTING)

@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 from coursekit.packages import cmake_templates, python_templates
-from coursekit.packages.recipe import Recipe, manifest
+from coursekit.packages.package_settings import Recipe, manifest
 from coursekit.systems.letter_case import other_spelling
 from coursekit.words import licenses
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from coursekit.packages.recipe import Recipe
+from coursekit.packages.package_settings import Recipe
 
 _SETUP = """\
 from setuptools import find_packages, setup

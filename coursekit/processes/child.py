@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from coursekit.core.clock import start_outside
 from coursekit.systems import children
 from coursekit.systems.child_terminal import open_terminal
-from coursekit.systems.words import join_words
+from coursekit.systems.command_lines import join_words
 
 from .base_process import BaseProcess
 from .process import current_process

@@ -15,9 +15,9 @@ if TYPE_CHECKING:
     from .errors import WorldError
     from .lidar import Lidar
     from .odometry import Drift
-    from .parts import Ball, Cut, Disc, Prism, Skin
     from .robot import Drive, Robot, RobotModel
     from .simulation import Simulation
+    from .solids import Ball, Cut, Disc, Prism, Skin
     from .world import Hinge, Thing, World
     from .world_file import load_world, read_world
 
@@ -25,9 +25,9 @@ _PARTS = {
     "errors": ["WorldError"],
     "lidar": ["Lidar"],
     "odometry": ["Drift"],
-    "parts": ["Ball", "Cut", "Disc", "Prism", "Skin"],
     "robot": ["Drive", "Robot", "RobotModel"],
     "simulation": ["Simulation"],
+    "solids": ["Ball", "Cut", "Disc", "Prism", "Skin"],
     "world": ["Hinge", "Thing", "World"],
     "world_file": ["load_world", "read_world"],
 }

@@ -13,7 +13,7 @@ from pymunk.autogeometry import convex_decomposition
 from coursekit.geometry.plane import wrap
 
 from .outlines import hull, signed_area
-from .parts import Ball, Disc, Part, Skin
+from .solids import Ball, Disc, Part, Skin
 from .world import Thing
 
 FIXED, LOOSE, ROBOT = 1, 2, 3

@@ -12,7 +12,7 @@ from coursekit.geometry.plane import Pose2D
 
 from .errors import WorldError, known
 from .outlines import crossing, signed_area
-from .parts import Disc, Part, Prism
+from .solids import Disc, Part, Prism
 from .world import TEXTURES, Hinge, Thing
 
 FARTHEST = 1e5

@@ -10,8 +10,8 @@ import numpy as np
 from coursekit.geometry.plane import ORIGIN, Array, Pose2D
 
 from .errors import WorldError
-from .parts import Cut
 from .rays import cast, directions
+from .solids import Cut
 
 MOST_BEAMS = 100_000
 
@@ -72,7 +72,7 @@ class Lidar:
         An edge that comes nearer than `range_max` is cast in full length: `measure` drops what is too far.
         `ranges` of another cut are shortened, so static and moving objects can be cast in turn.
 
-        >>> from coursekit.sim.parts import Disc
+        >>> from coursekit.sim.solids import Disc
         >>> lidar = Lidar(beams=4, angle_min=0.0, angle_max=3 * math.pi / 2)
         >>> lidar.look(Disc(3.0, 0.0, 0.5).cut(0.2), Pose2D(1.0, 0.0, 0.0)).tolist()
         [1.5, inf, inf, inf]

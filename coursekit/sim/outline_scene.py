@@ -10,8 +10,8 @@ import numpy as np
 from coursekit.geometry.plane import Array, Pose2D
 
 from .lidar import Lidar
-from .parts import Cut, Part, join
 from .rays import carry
+from .solids import Cut, Part, join
 
 
 class OutlineScene:

@@ -10,7 +10,7 @@ from coursekit.geometry.plane import Pose2D
 
 from .motors import Motors, Reach
 from .odometry import EXACT, Drift, Odometer
-from .parts import Part, Prism
+from .solids import Part, Prism
 
 GRAVITY = 9.81
 

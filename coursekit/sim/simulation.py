@@ -12,15 +12,15 @@ import pymunk
 
 from coursekit.geometry.plane import Array, Pose2D
 
-from .alone import alone
 from .bodies import FIXED, LOOSE, ROBOT, body_of, follow, moment, put, shapes_of
 from .contacts import drag, hits, overlap, part, pass_by, touch
 from .errors import WorldError, known
+from .exclusive import alone
+from .external_forces import Push
 from .lidar import Lidar
 from .outline_scene import OutlineScene
-from .parts import Part
-from .push import Push
 from .robot import Robot, RobotModel
+from .solids import Part
 from .world import Thing, World
 
 STEP_NS = 5_000_000

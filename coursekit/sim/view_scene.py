@@ -9,7 +9,7 @@ import numpy as np
 
 from coursekit.geometry.plane import ORIGIN, Array, Pose2D
 
-from .parts import Ball, Disc, Part, Skin, ring
+from .solids import Ball, Disc, Part, Skin, ring
 from .textures import ROBOT_COLOUR, USUAL, all_textures, floor_of
 from .world import TEXTURES, Thing
 

@@ -10,8 +10,8 @@ import numpy as np
 from coursekit.geometry.plane import ORIGIN, Pose2D
 
 from .errors import WorldError, known
-from .globe import Globe
-from .parts import Cut, Part, join
+from .solids import Cut, Part, join
+from .spherical_coordinates import Globe
 from .walk import Walk
 
 TEXTURES = ("plain", "brick", "concrete", "wood", "crates", "metal", "stripes", "tiles", "door", "hedge")

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from coursekit.geometry.plane import Pose2D
 
 from .errors import WorldError
-from .parts import Part, Prism
+from .solids import Part, Prism
 from .world import Thing, World
 
 OCCUPIED = 65

@@ -16,8 +16,8 @@ from coursekit.slam.loop_field import LoopField
 from coursekit.slam.matcher import sample
 from coursekit.slam.parameters import SlamParameters
 from coursekit.slam.refine import refine
+from coursekit.slam.shortest_paths import shortest_ways
 from coursekit.slam.submap import Submap
-from coursekit.slam.ways import shortest_ways
 
 WITNESSES = 4
 """Number of a submap's keyframes with which a loop is compared."""

@@ -18,8 +18,8 @@ from urllib.parse import unquote, urlsplit
 
 from coursekit.files import is_file, is_folder
 from coursekit.systems import copies, which
+from coursekit.systems.command_lines import split_folders
 from coursekit.systems.uris import path_of
-from coursekit.systems.words import split_folders
 
 from .errors import MeshError, close, expanded
 

@@ -104,8 +104,8 @@ def _picture(seconds: float, width: int, height: int) -> Any:
     """Render the simulated world, or the scene at a time."""
     if "coursekit.nodes.gazebo.simulators" not in sys.modules:  # no simulator ever ran: spare its import
         return _scene.render(seconds, width, height)
-    from coursekit.nodes.gazebo.eyes import picture_of
     from coursekit.nodes.gazebo.simulators import simulators
+    from coursekit.nodes.gazebo.virtual_camera import picture_of
 
     for simulator in simulators.running(current()):
         picture = picture_of(simulator, width, height)

@@ -16,11 +16,11 @@ from .displays import Display, NoTransform, NotYet, make_display
 from .displays.image import Image
 from .displays.robot_model import RobotModel
 from .frame_listening import listen_to_frames
-from .looking import Looking
 from .scene import HERE, Scene
 from .scene_camera import Camera, camera_of
 from .scene_still import Still
 from .simulated_time import SimulatedTime
+from .view_control import Looking
 
 if TYPE_CHECKING:
     from rclpy.node import Node

@@ -5,7 +5,7 @@ from __future__ import annotations
 import mapbox_earcut
 import numpy as np
 
-from coursekit.sim.parts import Ball, Disc, Part, Skin, ring
+from coursekit.sim.solids import Ball, Disc, Part, Skin, ring
 from coursekit.sim.textures import ROBOT_COLOUR, USUAL
 from coursekit.sim.world import Thing
 
@@ -18,7 +18,7 @@ ROUND = 32
 def body_of(part: Part) -> Body:
     """Return vertices (n, 3) [m] and faces (m, 3) of a part.
 
-    >>> from coursekit.sim.parts import Prism
+    >>> from coursekit.sim.solids import Prism
     >>> vertices, faces = body_of(Prism(((0, 0), (1, 0), (1, 1), (0, 1)), 0.0, 2.0))
     >>> vertices.max(axis=0).tolist(), len(faces)
     ([1.0, 1.0, 2.0], 12)

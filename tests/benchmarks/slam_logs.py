@@ -14,10 +14,10 @@ import numpy as np
 
 from coursekit.geometry.plane import Pose2D
 from coursekit.slam.carmen import CarmenLog, read_log
+from coursekit.slam.precompile import warm
 from coursekit.slam.relations import errors, read_relations
 from coursekit.slam.scan import Scan
 from coursekit.slam.slam import Slam
-from coursekit.slam.warm import warm
 
 RUNS = 5
 LOGS = {"fr079": "fr079", "Intel": "intel_first5505"}

@@ -30,7 +30,7 @@ def main() -> None:
     if sys.argv[2:] != ["ours"]:
         print(json.dumps({kind: measured(python, kind, env) for kind in COUNTS}))
         return
-    from coursekit.net.opening import open_router
+    from coursekit.net.zenoh_session import open_router
     from coursekit.systems.ports import free_port
 
     address = f"tcp/127.0.0.1:{free_port()}"

@@ -43,7 +43,7 @@ def ours() -> float:
     from std_msgs.msg import String
     from tf2_msgs.msg import TFMessage
 
-    from coursekit.lab.hidden import HiddenNode
+    from coursekit.lab.panel_node import HiddenNode
     from coursekit.lab.viewer import viewer
     from coursekit.processes.session import Session
 

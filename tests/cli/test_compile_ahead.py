@@ -24,11 +24,11 @@ def test_where_no_process_can_be_started_the_lab_opens_all_the_same(monkeypatch)
 
 
 def test_it_compiles_what_slam_and_the_simulator_compile(monkeypatch):
-    from coursekit.nodes.gazebo import warm_up
-    from coursekit.slam import warm
+    from coursekit.nodes.gazebo import precompile as simulator
+    from coursekit.slam import precompile as slam
 
     used = []
     monkeypatch.setattr(compile_ahead.os, "nice", used.append, raising=False)
-    monkeypatch.setattr(warm, "warm", lambda: used.append("slam"))
-    monkeypatch.setattr(warm_up, "warm_up", lambda: used.append("simulator"))
+    monkeypatch.setattr(slam, "warm", lambda: used.append("slam"))
+    monkeypatch.setattr(simulator, "warm_up", lambda: used.append("simulator"))
     assert compile_ahead.main() == 0 and used == [19, "slam", "simulator"]

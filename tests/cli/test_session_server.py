@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from coursekit.cli import attach, endpoint
+from coursekit.cli import endpoint, session_client
 from coursekit.systems.waiting import lines
 from tests.kernels import surround
 
@@ -19,7 +19,7 @@ def session(monkeypatch, tmp_path):
     """A session of its own, as the first command of a terminal starts it."""
     surround(monkeypatch, tmp_path, DOMAIN)
     monkeypatch.setenv("PYTHONUNBUFFERED", "1")
-    with attach.connect_or_start():
+    with session_client.connect_or_start():
         yield
 
 
@@ -38,14 +38,14 @@ def talk():
 def nodes_without_the_talker():
     """The nodes, as soon as the talker is not among them."""
     give_up = time.monotonic() + 30
-    while "/talker" in (nodes := attach.answer(["node", "list"])) and time.monotonic() < give_up:
+    while "/talker" in (nodes := session_client.answer(["node", "list"])) and time.monotonic() < give_up:
         pass
     return nodes
 
 
 def test_a_terminal_that_dies_with_words_unread_takes_its_command_with_it(session):
     terminal = talk()
-    assert "/talker" in attach.answer(["node", "list"])
+    assert "/talker" in session_client.answer(["node", "list"])
     terminal.close()  # the other side is told by an error, not by an end of the lines
     assert nodes_without_the_talker() == []
 

@@ -78,7 +78,7 @@ TREE = SHARE / "nav2_bt_navigator/behavior_trees/navigate_w_replanning_time.xml"
 
 
 def _tree(path: Path) -> Any:
-    from coursekit.nodes.nav2.trip import load_tree, text_of
+    from coursekit.nodes.nav2.tree_run import load_tree, text_of
 
     return load_tree(str(path), text_of(str(path)), {"node": mock.MagicMock()})
 

@@ -9,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from coursekit.grade.copy import student_notebook
-from coursekit.grade.harmless import cell, shown
+from coursekit.grade.sanitizing import cell, shown
 
 from .attacks import ALWAYS_EQUAL, ESCAPE, NETWORK, PATCH, PIPES, READ_TESTS
 from .forged_bundles import (

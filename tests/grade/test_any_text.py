@@ -5,8 +5,8 @@ import json
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as some
 
-from coursekit.grade.harmless import cell, lines, name_of_files, shown
 from coursekit.grade.recognising import Recogniser, parse_notebook
+from coursekit.grade.sanitizing import cell, lines, name_of_files, shown
 from tests.needs import posix
 
 from .handed import SOURCES, TOPICS, collected, notebook, text, write

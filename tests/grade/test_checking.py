@@ -6,7 +6,7 @@ import pytest
 
 from coursekit.grade import checking
 from coursekit.grade.checking import judge_work
-from coursekit.grade.deaths import DIED, NOT_LOADED
+from coursekit.grade.exception_advice import DIED, NOT_LOADED
 from coursekit.grade.exercise import Exercise
 from coursekit.grade.outputs import last_words, said, wrote
 from coursekit.grade.verdict import CheckFailed, Wrong

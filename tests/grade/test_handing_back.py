@@ -200,7 +200,7 @@ def test_three_equal_works_of_five_are_listed(tmp_path):
 def test_rows_are_whole_while_it_runs(folder, monkeypatch):
     write(folder / "Ito Ben_102_assignsubmission_file_" / TOPICS, text("q1"))
     table, seen = folder.parent / "grades.csv", []
-    monkeypatch.setattr("coursekit.grade.bar.Bar.__call__", lambda *_: seen.append(rows(table)))
+    monkeypatch.setattr("coursekit.grade.marking_progress.Bar.__call__", lambda *_: seen.append(rows(table)))
     grade(folder, "--roster", folder.parent / "moodle.csv", "--jobs", "1")
     assert [set(rows_by_name) for rows_by_name in seen] == [{"Ana García López", "Ben Ito"}] * 2
     assert sorted(row["status"] for row in seen[0].values()) == ["graded", "not marked"]

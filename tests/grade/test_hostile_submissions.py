@@ -7,7 +7,7 @@ import tracemalloc
 import pytest
 
 from coursekit.grade import folders
-from coursekit.grade.walking import walk
+from coursekit.grade.safe_walk import walk
 from tests.needs import posix
 
 from .bad_zips import ZIPS, says_small
@@ -101,7 +101,7 @@ def test_a_download_that_is_broken_is_said(tmp_path):
 
 
 def test_more_files_than_may_be_are_told(folder, monkeypatch):
-    monkeypatch.setattr("coursekit.grade.walking.MOST", 20)
+    monkeypatch.setattr("coursekit.grade.safe_walk.MOST", 20)
     for number in range(40):
         write(folder / "Ben" / f"{number}.txt", "")
     rows_by_name = grade(folder)[1]
@@ -109,7 +109,7 @@ def test_more_files_than_may_be_are_told(folder, monkeypatch):
 
 
 def test_a_fault_of_ours_in_one_submission_leaves_the_others_alone(folder, monkeypatch):
-    from coursekit.grade.pieces import Gatherer
+    from coursekit.grade.submission_parts import Gatherer
 
     usual = Gatherer.entry
     monkeypatch.setattr(Gatherer, "entry", lambda self, name, files: 1 / 0 if name == "Ben" else usual(self, name, files))

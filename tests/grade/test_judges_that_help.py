@@ -12,7 +12,7 @@ import pytest
 
 from coursekit.grade import chapters
 from coursekit.grade.checking import check, judge, judge_work
-from coursekit.grade.deaths import DIED as OTHERWISE
+from coursekit.grade.exception_advice import DIED as OTHERWISE
 from coursekit.grade.exercise import Exercise, UnknownExercise, find
 from coursekit.grade.outputs import exception_in
 from coursekit.grade.plain import called, error_of, number

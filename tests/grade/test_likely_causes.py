@@ -5,9 +5,9 @@ import pytest
 
 from coursekit.grade.checking import judge_work
 from coursekit.grade.exercise import Exercise
-from coursekit.grade.facts import BuildFacts
 from coursekit.grade.outputs import last_words
 from coursekit.grade.plan import Seen
+from coursekit.grade.sandbox_facts import BuildFacts
 from coursekit.grade.verdict import Wrong
 from coursekit.grade.work import Work
 

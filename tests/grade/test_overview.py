@@ -3,15 +3,15 @@
 import json
 
 from coursekit.grade.collector import Collection
-from coursekit.grade.handed import Handed
 from coursekit.grade.mark import Marked
 from coursekit.grade.outcome import Outcome
 from coursekit.grade.overview import overview
-from coursekit.grade.pieces import Entry, Piece
+from coursekit.grade.person_submission import Handed
 from coursekit.grade.questions import Question
 from coursekit.grade.record import Late, Record
 from coursekit.grade.roster import Person
 from coursekit.grade.statistics import average, write_statistics
+from coursekit.grade.submission_parts import Entry, Piece
 from coursekit.grade.verdict import Verdict
 
 CHAPTER = "02_topics.ipynb"

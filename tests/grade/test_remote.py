@@ -35,7 +35,7 @@ def work(tmp_path):
     workspace = tmp_path / "course" / "ros2_ws"
     (workspace / "src").mkdir(parents=True)
     env, limits = environment(workspace), sandbox.Limits(seconds=30)
-    running = sandbox.start([sys.executable, "-m", "coursekit.grade.inside"], workspace.parent, env, limits)
+    running = sandbox.start([sys.executable, "-m", "coursekit.grade.sandbox_program"], workspace.parent, env, limits)
     remote_work = RemoteWork(running, workspace, env, limits)
     remote_work.judge_from_here("any")
     yield remote_work

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from coursekit.cli.coursekit import main
-from coursekit.grade import bar, batch, keys, results
+from coursekit.grade import batch, marking_progress, results, teacher_secrets
 from coursekit.grade.sandbox import Limits
 from coursekit.grade.verdict import Verdict
 from tests.needs import is_private
@@ -138,7 +138,7 @@ def test_another_s_result_under_one_s_own_name_is_none(folder):
 
 def test_the_secret_is_the_account_s_alone(folder):
     again(folder)
-    file = keys.config_folder() / "marks.key"
+    file = teacher_secrets.config_folder() / "marks.key"
     assert is_private(file)
     file.chmod(0o644)
     assert again(folder) == [] and is_private(file)
@@ -151,7 +151,7 @@ def test_a_result_is_an_honest_seal_over_its_payload(folder):
     again(folder)
     (file,) = (place.parent / "grades" / "results").glob("ann-*/result.json")
     result = json.loads(file.read_text())
-    assert result["hmac"] == keys.mac(keys.own_key(), result["payload"]) and is_private(file)
+    assert result["hmac"] == teacher_secrets.mac(teacher_secrets.own_key(), result["payload"]) and is_private(file)
 
 
 def test_a_grader_that_is_broken_marks_nobody(folder, monkeypatch, capsys):
@@ -203,7 +203,7 @@ def test_ctrl_c_keeps_what_was_marked_and_writes_the_table(folder, monkeypatch):
     def stop(number, of, student):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(bar.Bar, "__call__", lambda self, *facts: stop(*facts))
+    monkeypatch.setattr(marking_progress.Bar, "__call__", lambda self, *facts: stop(*facts))
     out = place.parent / "grades.csv"
     assert main(["grade", "--allow-root", str(place), "--jobs", "1", "--out", str(out)]) == 130
     rows_by_name = rows(out)

@@ -7,7 +7,7 @@ import sys
 import pytest
 
 from coursekit.grade import folders, sandbox
-from coursekit.grade.confined import confined
+from coursekit.grade.cgroup_limits import confined
 from coursekit.grade.unsandboxed import cure
 from coursekit.systems import which
 from tests.needs import posix
@@ -204,11 +204,11 @@ def test_a_bubblewrap_that_fails_is_not_to_be_installed_once_more(monkeypatch, t
 
 
 def test_control_groups_are_used_where_the_system_lends_them(monkeypatch):
-    monkeypatch.setattr("coursekit.grade.confined._works", lambda: True)
+    monkeypatch.setattr("coursekit.grade.cgroup_limits._works", lambda: True)
     words = confined(1 << 30, 100)
     assert words[0] == "/usr/bin/systemd-run" and words[-1] == "--"
     assert {"MemoryMax=1073741824", "MemorySwapMax=0", "TasksMax=100"} <= set(words)
-    monkeypatch.setattr("coursekit.grade.confined._works", lambda: False)
+    monkeypatch.setattr("coursekit.grade.cgroup_limits._works", lambda: False)
     assert confined(1 << 30, 100) == []
 
 

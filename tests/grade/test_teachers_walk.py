@@ -7,7 +7,7 @@ import sys
 import pytest
 
 from coursekit.cli.coursekit import main
-from coursekit.grade import bar
+from coursekit.grade import marking_progress
 from coursekit.grade.checking import judge_work
 from coursekit.grade.exercise import find
 from coursekit.grade.handing_back import beside_the_platform_s
@@ -75,10 +75,10 @@ def test_who_reads_only_the_first_lines_sees_no_traceback():
 
 def test_marking_says_at_once_what_it_begins_with(tmp_path, monkeypatch):
     told = io.StringIO()
-    monkeypatch.setattr(bar.sys, "stderr", told)
+    monkeypatch.setattr(marking_progress.sys, "stderr", told)
     now = iter((0.0, 5.0, 6.0, 40.0, 41.0))
-    monkeypatch.setattr(bar.time, "monotonic", lambda: next(now))
-    shown = bar.Bar()
+    monkeypatch.setattr(marking_progress.time, "monotonic", lambda: next(now))
+    shown = marking_progress.Bar()
     shown.say("Marking the course's own solutions first: 02_topics.")
     for done in (1, 2, 3, 4):
         shown(done, 9, "Ann")
@@ -117,7 +117,7 @@ def _style(text):
 
 
 def _record():
-    from coursekit.grade.handed import Handed
+    from coursekit.grade.person_submission import Handed
     from coursekit.grade.record import Record
     from coursekit.grade.roster import Person
 

@@ -79,7 +79,7 @@ def test_a_class_gets_its_marks_though_a_worker_dies_and_a_second_run_marks_noth
         if len(told) == 1:
             os.kill(pids[0], signal.SIGKILL)
 
-    monkeypatch.setattr("coursekit.grade.bar.Bar.__call__", kill_one)
+    monkeypatch.setattr("coursekit.grade.marking_progress.Bar.__call__", kill_one)
     assert grade(course, cluster) == STUDENTS
     assert len(told) == len(STUDENTS)
     assert "run in the sandbox bubblewrap" in capsys.readouterr().out

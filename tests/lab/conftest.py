@@ -2,8 +2,8 @@
 
 import pytest
 
-from coursekit.lab.hidden import HiddenNode
 from coursekit.lab.panel import end_panels
+from coursekit.lab.panel_node import HiddenNode
 from coursekit.processes.session import Session
 
 

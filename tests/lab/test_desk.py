@@ -6,8 +6,8 @@ import pytest
 
 from coursekit.lab.desk import desk
 from coursekit.lab.errors import BadArgument
-from coursekit.lab.pad import pad
 from coursekit.lab.panel import end_panels
+from coursekit.lab.teleop_pad import pad
 from coursekit.lab.viewer import viewer
 from coursekit.processes.session import Session
 

@@ -8,7 +8,7 @@ from sensor_msgs.msg import Image
 from coursekit.core.qos import Qos
 from coursekit.lab.drive import SILENCE_SECONDS, Driver, meaning
 from coursekit.lab.image_view import image_view
-from coursekit.lab.pad import pad
+from coursekit.lab.teleop_pad import pad
 from coursekit.lab.turtle import NONE_RUNS, turtlesim_window
 from coursekit.lab.windows import NO_WINDOWS, WindowPicture, windows
 from coursekit.processes.executables import find

@@ -8,7 +8,7 @@ from coursekit.core.qos import Qos
 from coursekit.lab.errors import BadArgument
 from coursekit.lab.network import NetworkMagics
 from coursekit.lab.network_panel import network_panel
-from coursekit.lab.pad import pad
+from coursekit.lab.teleop_pad import pad
 from coursekit.net.report import NOT_JOINED
 from coursekit.processes import current_session
 from coursekit.processes.session import Session

@@ -16,7 +16,7 @@ from coursekit.lab.magics import terminal
 from coursekit.lab.practice_robot import practice_robot, weak_link
 from coursekit.net.errors import NoNetwork
 from coursekit.net.joining import credentials_from_the_environment, join, link_of
-from coursekit.net.opening import open_client
+from coursekit.net.zenoh_session import open_client
 from coursekit.processes import current_session
 from coursekit.processes.session import Session
 from coursekit.systems.children import apart, send_signal

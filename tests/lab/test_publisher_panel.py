@@ -6,7 +6,7 @@ from geometry_msgs.msg import Twist
 from rclpy.node import Node
 from std_msgs.msg import Float64
 
-from coursekit.lab.hidden import HiddenNode
+from coursekit.lab.panel_node import HiddenNode
 from coursekit.lab.publisher_panel import MessagePublisher
 
 

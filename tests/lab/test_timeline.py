@@ -6,7 +6,7 @@ from tf2_ros import TransformBroadcaster
 
 from coursekit.lab.frames_panel import frames
 from coursekit.lab.graph_panel import graph
-from coursekit.lab.past import Past
+from coursekit.lab.panel_history import Past
 from coursekit.lab.plot_panel import plot
 from coursekit.lab.timeline import timeline
 from coursekit.lab.viewer import viewer

@@ -10,8 +10,8 @@ from nav_msgs.msg import OccupancyGrid
 from tf2_ros import StaticTransformBroadcaster
 
 from coursekit.cli.parser import run as run_cli
-from coursekit.lab.hidden import HiddenNode
 from coursekit.lab.map_view import map_view
+from coursekit.lab.panel_node import HiddenNode
 from coursekit.lab.tour import drive_along
 from coursekit.nav.map_file import GridMap, save_map
 from coursekit.processes.executables import find

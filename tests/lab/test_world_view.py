@@ -8,7 +8,7 @@ import pytest
 
 from coursekit.lab.errors import BadArgument
 from coursekit.lab.world_windows import world_view
-from coursekit.nodes.gazebo.assembly import Assembly
+from coursekit.nodes.gazebo.model_conversion import Assembly
 from coursekit.processes.executables import find
 from coursekit.sim import Disc, Thing
 from coursekit.view.scene_shapes import Label

@@ -6,7 +6,7 @@ import pytest
 
 from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, TreeError, TreeNode, read_tree
 from coursekit.nav.tree_blackboard import SECONDS
-from coursekit.nodes.nav2.trip import KINDS
+from coursekit.nodes.nav2.tree_run import KINDS
 
 
 class Told(TreeNode):

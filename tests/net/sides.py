@@ -9,8 +9,8 @@ import time
 from coursekit.core.clock import WallClock
 from coursekit.core.graph import Graph
 from coursekit.net.link import Link
-from coursekit.net.opening import open_client, open_router
-from coursekit.net.place import Place
+from coursekit.net.link_context import Place
+from coursekit.net.zenoh_session import open_client, open_router
 from coursekit.systems.ports import free_port
 
 LIMIT = 20.0

@@ -55,7 +55,7 @@ def hear() -> None:
 
 def watch(minutes: float) -> int:
     """Start both, and look at what they and the router hold; the exit code."""
-    from coursekit.net.opening import open_router
+    from coursekit.net.zenoh_session import open_router
     from coursekit.systems.ports import free_port
 
     address = f"tcp/127.0.0.1:{free_port()}"

@@ -12,11 +12,11 @@ from std_msgs.msg import String
 
 from coursekit.core.qos import Qos
 from coursekit.joined.ghosts import Named
-from coursekit.net import joining, opening
+from coursekit.net import joining, zenoh_session
 from coursekit.net.errors import NoNetwork
 from coursekit.net.joining import join, leave, link_of
-from coursekit.net.opening import Credentials, open_client, open_router
 from coursekit.net.report import report
+from coursekit.net.zenoh_session import Credentials, open_client, open_router
 from coursekit.processes.session import Session
 from tests.needs import posix
 
@@ -215,9 +215,9 @@ def test_an_engine_that_is_not_installed_is_told(monkeypatch, session):
     monkeypatch.setitem(sys.modules, "zenoh", None)
     with pytest.raises(NoNetwork, match=r'pip install "coursekit\[network\]"'):
         join(session, 0, "127.0.0.1")
-    assert joining.link_of(session, 0) is None and opening.OPEN_SECONDS < LIMIT
+    assert joining.link_of(session, 0) is None and zenoh_session.OPEN_SECONDS < LIMIT
 
 
 def test_a_call_that_never_returns_is_given_up():
     with pytest.raises(NoNetwork, match="no"):
-        opening._within(threading.Event().wait, 0.01, "no")
+        zenoh_session._within(threading.Event().wait, 0.01, "no")

@@ -110,7 +110,7 @@ def test_an_address_that_is_taken_is_told():
 
 def test_a_router_with_a_certificate_is_joined_by_who_trusts_it(tmp_path):
     from coursekit.net.errors import NoNetwork
-    from coursekit.net.opening import Credentials, open_client
+    from coursekit.net.zenoh_session import Credentials, open_client
 
     certificate, key = certificate_for_this_computer(tmp_path)
     port = free_port()

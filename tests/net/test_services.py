@@ -17,7 +17,7 @@ from tf2_ros import Buffer, StaticTransformBroadcaster, TransformListener
 from coursekit.core.qos import Qos
 from coursekit.core.service import RequestId
 from coursekit.net.joining import join
-from coursekit.net.opening import open_router
+from coursekit.net.zenoh_session import open_router
 from coursekit.processes.session import Session
 
 from .sides import LIMIT, Inbox, free_port

@@ -16,7 +16,7 @@ from coursekit.cli.parser import run as run_cli
 from coursekit.geometry.plane import Pose2D
 from coursekit.nav.map_file import GridMap, save_map
 from coursekit.nodes.gazebo.simulators import simulators
-from coursekit.nodes.gazebo.world_of import open_world
+from coursekit.nodes.gazebo.world_lookup import open_world
 from coursekit.nodes.scanning.planar import to_pose
 from coursekit.processes.executables import find
 from coursekit.sim import Simulation

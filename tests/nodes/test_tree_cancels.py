@@ -5,8 +5,8 @@ from action_msgs.srv import CancelGoal
 from rclpy.node import Node
 
 from coursekit.nav.behavior_tree import RUNNING, SUCCESS, read_tree
-from coursekit.nodes.nav2.crew import Crew
-from coursekit.nodes.nav2.trip import KINDS
+from coursekit.nodes.nav2.tree_context import TreeContext
+from coursekit.nodes.nav2.tree_run import KINDS
 from coursekit.processes.session import Session
 
 
@@ -18,9 +18,9 @@ def test_all_goals_up_to_now_are_canceled():
             node.create_service(
                 CancelGoal, f"{server}/_action/cancel_goal", lambda q, a, server=server: asked.append((server, q)) or a
             )
-        crew = Crew(node, lambda: None, lambda pose: None, lambda target, source: False)
+        tree_context = TreeContext(node, lambda: None, lambda pose: None, lambda target, source: False)
         text = '<Sequence><CancelControl/><CancelWait server_name="my_wait"/></Sequence>'
-        tree = read_tree(f'<root><BehaviorTree ID="Main">{text}</BehaviorTree></root>', KINDS, {"node": crew})
+        tree = read_tree(f'<root><BehaviorTree ID="Main">{text}</BehaviorTree></root>', KINDS, {"node": tree_context})
         status = RUNNING
         for _ in range(20):
             if status == RUNNING:

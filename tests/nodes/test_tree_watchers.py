@@ -13,22 +13,22 @@ from tf2_ros import Buffer
 from coursekit.geometry.plane import Pose2D
 from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, TreeError, read_tree
 from coursekit.nav.tree_blackboard import SECONDS
-from coursekit.nodes.nav2.trip import KINDS, board_of, load_tree, text_of
+from coursekit.nodes.nav2.tree_run import KINDS, board_of, load_tree, text_of
 
 
 @pytest.fixture
-def crew():
+def tree_context():
     topics = {}
-    tree_crew = SimpleNamespace(now=0.0, topics=topics, service=lambda *_: None, client=lambda *_: None)
-    tree_crew.seconds = lambda: tree_crew.now
-    tree_crew.listen = lambda topic, *_, most=1: topics.setdefault(topic, deque(maxlen=most))
-    return tree_crew
+    tree_context = SimpleNamespace(now=0.0, topics=topics, service=lambda *_: None, client=lambda *_: None)
+    tree_context.seconds = lambda: tree_context.now
+    tree_context.listen = lambda topic, *_, most=1: topics.setdefault(topic, deque(maxlen=most))
+    return tree_context
 
 
 @pytest.fixture
-def tree(crew):
+def tree(tree_context):
     def made(inner, **board):
-        board |= {"node": crew}
+        board |= {"node": tree_context}
         return read_tree(f'<root><BehaviorTree ID="Main">{inner}</BehaviorTree></root>', KINDS, board), board
 
     return made
@@ -52,29 +52,29 @@ def straight(metres):
     return path
 
 
-def test_a_path_expires_when_it_has_been_the_same_for_long(crew, tree):
+def test_a_path_expires_when_it_has_been_the_same_for_long(tree_context, tree):
     timer, board = tree('<PathExpiringTimer seconds="2" path="{path}"/>', path=straight(1))
     results = []
     for now, path in ((0, 1), (1.9, 1), (2.0, 1), (2.1, 1), (3.9, 4), (5.8, 4), (5.9, 4)):
-        crew.now, board["path"] = now, straight(path)
+        tree_context.now, board["path"] = now, straight(path)
         results.append(timer.tick() == SUCCESS)
     assert results == [False, False, True, False, False, False, True]
 
 
-def test_the_surroundings_of_a_path_are_what_is_near_the_robot(crew, tree):
+def test_the_surroundings_of_a_path_are_what_is_near_the_robot(tree_context, tree):
     path = Path(poses=[straight(x).poses[1] for x in range(20)])
-    crew.pose = lambda: Pose2D(7.2, 1.0, 0.0)
+    tree_context.pose = lambda: Pose2D(7.2, 1.0, 0.0)
     local = '<TruncatePathLocal distance_backward="2" distance_forward="3.5" input_path="{path}" output_path="{local}"/>'
     node, board = tree(local, path=path)
     assert node.tick() == SUCCESS
     assert [pose.pose.position.x for pose in board["local"].poses] == [5.0, 6.0, 7.0, 8.0, 9.0, 10.0]
-    crew.pose = lambda: None
+    tree_context.pose = lambda: None
     assert node.tick() == FAILURE
 
 
-def test_a_transform_is_available_when_both_frames_are_known(crew, tree):
+def test_a_transform_is_available_when_both_frames_are_known(tree_context, tree):
     buffer = Buffer()
-    crew.knows = lambda target, source: buffer.can_transform(target, source, Time())
+    tree_context.knows = lambda target, source: buffer.can_transform(target, source, Time())
     node, _ = tree('<TransformAvailable parent="odom" child="base_link"/>')
     assert node.tick() == FAILURE
     transform = TransformStamped(child_frame_id="base_link")
@@ -129,19 +129,19 @@ def test_a_recovery_beside_goal_updated_is_told_of_no_goal(tree):
     assert recovery.tick() == RUNNING
 
 
-def test_a_child_is_ticked_the_more_often_the_faster_the_robot_drives(crew, tree):
+def test_a_child_is_ticked_the_more_often_the_faster_the_robot_drives(tree_context, tree):
     count = '<SetBlackboard value="1" output_key="n"/>'
     rates = 'min_rate="0.5" max_rate="2" max_speed="1.0"'
     speedy, board = tree(f"<SpeedController {rates}>{count}</SpeedController>", goal=pose_at(1.0))
-    board[SECONDS] = lambda: crew.now
+    board[SECONDS] = lambda: tree_context.now
 
     def ticks(begin, speed):
-        crew.speed, at = lambda: speed, []
+        tree_context.speed, at = lambda: speed, []
         for tenth in range(begin * 10, begin * 10 + 60):
-            crew.now = tenth / 10
+            tree_context.now = tenth / 10
             speedy.tick()
             if board.pop("n", None):
-                at.append(crew.now)
+                at.append(tree_context.now)
         return at
 
     assert ticks(0, 0.0) == [0.0, 0.5, 2.5, 4.5]  # the first period is the shortest one
@@ -155,21 +155,21 @@ def test_a_rate_of_nothing_is_refused(tree):
         tree('<SpeedController min_rate="0"><AlwaysSuccess/></SpeedController>')
 
 
-def test_a_robot_that_brakes_harder_than_it_can_is_stuck(crew, tree):
+def test_a_robot_that_brakes_harder_than_it_can_is_stuck(tree_context, tree):
     stuck, _ = tree("<IsStuck/>")
     results = []
     for k, speed in enumerate((0.5, 0.0, 0.5, 0.45, 0.0, 0.0)):
-        crew.topics["odom"].append(moving(k * 0.02, speed))
+        tree_context.topics["odom"].append(moving(k * 0.02, speed))
         results.append(stuck.tick())
     assert results == [FAILURE, FAILURE, FAILURE, FAILURE, SUCCESS, FAILURE]
 
 
-def test_a_goal_on_the_topic_replaces_an_older_one_only(crew, tree):
+def test_a_goal_on_the_topic_replaces_an_older_one_only(tree_context, tree):
     updater, board = tree('<GoalUpdater input_goal="{goal}" output_goal="{out}"><AlwaysSuccess/></GoalUpdater>')
     board["goal"] = pose_at(1.0, seconds=10)
     updater.tick()
     assert board["out"] == board["goal"]
-    crew.topics["goal_update"].append(pose_at(2.0, seconds=11))
+    tree_context.topics["goal_update"].append(pose_at(2.0, seconds=11))
     updater.tick()
     assert board["out"] == pose_at(2.0, seconds=11)
     board["goal"] = pose_at(3.0, seconds=12)
@@ -177,16 +177,16 @@ def test_a_goal_on_the_topic_replaces_an_older_one_only(crew, tree):
     assert board["out"] == board["goal"]
 
 
-def test_time_and_distance_are_counted_from_the_first_tick_after_a_halt(crew, tree):
-    crew.pose = lambda: Pose2D(crew.now, 0.0, 0.0)
+def test_time_and_distance_are_counted_from_the_first_tick_after_a_halt(tree_context, tree):
+    tree_context.pose = lambda: Pose2D(tree_context.now, 0.0, 0.0)
     for kind in ('TimeExpired seconds="2"', 'DistanceTraveled distance="2"'):
-        crew.now = 0.0
+        tree_context.now = 0.0
         condition, _ = tree(f"<{kind}/>")
         results = []
-        for crew.now in (0.0, 1.9, 2.0, 3.9, 4.0):
+        for tree_context.now in (0.0, 1.9, 2.0, 3.9, 4.0):
             results.append(condition.tick() == SUCCESS)
         condition.halt()
-        for crew.now in (9.0, 10.0, 11.0):
+        for tree_context.now in (9.0, 10.0, 11.0):
             results.append(condition.tick() == SUCCESS)
         assert results == [False, False, True, False, True, False, False, True], kind
 
@@ -211,10 +211,10 @@ def test_a_much_longer_path_near_the_goal_is_told(tree, before, after, expected)
     ("ports", "expected"),
     [('min_battery="0.2"', FAILURE), ('min_battery="0.4"', SUCCESS), ('min_battery="11.5" is_voltage="true"', SUCCESS)],
 )
-def test_a_battery_is_low_by_its_charge_or_its_voltage(crew, tree, ports, expected):
+def test_a_battery_is_low_by_its_charge_or_its_voltage(tree_context, tree, ports, expected):
     condition, _ = tree(f'<IsBatteryLow battery_topic="/battery" {ports}/>')
     assert condition.tick() == FAILURE
-    crew.topics["/battery"].append(BatteryState(percentage=0.3, voltage=11.4))
+    tree_context.topics["/battery"].append(BatteryState(percentage=0.3, voltage=11.4))
     assert condition.tick() == expected
 
 
@@ -228,6 +228,6 @@ def test_a_battery_is_low_by_its_charge_or_its_voltage(crew, tree, ports, expect
         "navigate_to_pose_w_replanning_and_recovery",
     ],
 )
-def test_nav2s_trees_are_there_under_their_names_on_a_robot(crew, name):
+def test_nav2s_trees_are_there_under_their_names_on_a_robot(tree_context, name):
     file = f"/opt/ros/humble/share/nav2_bt_navigator/behavior_trees/{name}.xml"
-    assert load_tree(file, text_of(file), board_of(crew)).children
+    assert load_tree(file, text_of(file), board_of(tree_context)).children

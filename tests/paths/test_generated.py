@@ -20,8 +20,8 @@ from coursekit.interfaces.registry import make_message
 from coursekit.packages.create import _refusal
 from coursekit.packages.folder_name import refusal
 from coursekit.packages.interface_rules import python_files
+from coursekit.packages.package_settings import Recipe, manifest
 from coursekit.packages.python_templates import setup_py
-from coursekit.packages.recipe import Recipe, manifest
 from coursekit.packages.shell_quotes import expand_quoted, quoted
 from tests.needs import ON_WINDOWS, posix
 from tests.paths.workspace import HOSTILE

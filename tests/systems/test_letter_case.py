@@ -7,7 +7,7 @@ import pytest
 
 from coursekit.lab import magics
 from coursekit.packages.create import _refusal
-from coursekit.packages.recipe import Recipe
+from coursekit.packages.package_settings import Recipe
 from coursekit.systems.letter_case import other_spelling
 
 

@@ -15,7 +15,7 @@ import pytest
 from coursekit.interfaces import find
 from coursekit.packages.overlay import overlay_environment
 from coursekit.processes.session import Session
-from coursekit.systems.words import split_words
+from coursekit.systems.command_lines import split_words
 
 SOURCE = Path(__file__).parents[1] / "fixtures" / "tutorial_ws" / "src"
 BIN = Path(sys.executable).parent

@@ -19,8 +19,8 @@ CELL_SECONDS = "600"
 EVERY_CHAPTER = (*map(str, range(11)), *"ABCD")
 LINUX_SAYS = (
     "coursekit/systems/child_terminal.py", "coursekit/systems/children.py", "coursekit/systems/inherited.py",
-    "coursekit/systems/layout.py", "coursekit/systems/links.py", "coursekit/systems/typed.py", "coursekit/systems/words.py",
-    "coursekit/packages/folder_name.py", "coursekit/grade/folders.py",
+    "coursekit/systems/command_lines.py", "coursekit/systems/layout.py", "coursekit/systems/links.py",
+    "coursekit/systems/typed.py", "coursekit/packages/folder_name.py", "coursekit/grade/folders.py",
     "coursekit/share/launch_testing/examples/good_proc_launch_test.py",
 )  # fmt: skip
 """Docstrings with an example of what differs by system, as Linux has it (tests/systems has Windows' answers), and a launch

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from controller_manager_msgs.srv import ReloadControllerLibraries, SetHardwareComponentState
 
 from coursekit.cli import ask, control_lists
-from coursekit.nodes.control.asking import Asker, NoManager
+from coursekit.nodes.control.manager_client import Asker, NoManager
 
 if TYPE_CHECKING:
     import argparse

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from coursekit.cli import ask, daemon
-from coursekit.cli.attach import domain_id
+from coursekit.cli.session_client import domain_id
 
 if TYPE_CHECKING:
     import argparse

@@ -22,8 +22,8 @@ from coursekit.processes.executables import (
 from coursekit.processes.prefixed import prefixed
 from coursekit.processes.process import current_process
 from coursekit.processes.session import current
+from coursekit.systems.command_lines import split_words
 from coursekit.systems.signal_names import described
-from coursekit.systems.words import split_words
 from coursekit.wiring import COMPILED_HOST
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-// Robots' descriptions: the session reads them, `nodes/compiled/robots.py` tells what is in them.
+// Robots' descriptions: the session reads them, `nodes/compiled/robot_descriptions.py` tells what is in them.
 #include <cstdio>
 #include <fstream>
 #include <iterator>

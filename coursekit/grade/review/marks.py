@@ -6,11 +6,11 @@ import math
 from collections.abc import Sequence
 
 from coursekit.grade.batch import Class
-from coursekit.grade.harmless import number
 from coursekit.grade.outcome import Outcome
 from coursekit.grade.overview import overview
 from coursekit.grade.record import COMMENT, ON_EXERCISE, Record
 from coursekit.grade.report import said_of, write_reports
+from coursekit.grade.sanitizing import number
 
 LONGEST = 5000
 """The maximum length of a comment [characters]."""

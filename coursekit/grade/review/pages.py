@@ -7,9 +7,9 @@ from collections.abc import Mapping
 from pathlib import Path
 from urllib.parse import quote
 
-from coursekit.grade.harmless import number
 from coursekit.grade.record import COMMENT, ON_EXERCISE, Record
 from coursekit.grade.report import page
+from coursekit.grade.sanitizing import number
 
 from .marks import Marks
 

@@ -7,9 +7,9 @@ from typing import NoReturn
 
 from coursekit.cpp.age import is_of_another_age
 from coursekit.nodes.compiled.channel import Gone
+from coursekit.nodes.compiled.embedded_program import Part
 from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.host import ANOTHER_AGE
-from coursekit.nodes.compiled.part import Part
 from coursekit.nodes.compiled.plugins import InvalidManifest, Plugin, declared
 from coursekit.processes.executables import prefix_of
 from coursekit.processes.process import ProcessKilled

@@ -18,12 +18,12 @@ from tf2_ros.buffer_server import BufferServer
 from coursekit.interfaces.cdr import deserialize, serialize
 from coursekit.interfaces.registry import load
 from coursekit.nodes.compiled import qos
-from coursekit.nodes.compiled.executing import Work
+from coursekit.nodes.compiled.executors import Work
 from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.lifecycle import CompiledLifecycleNode
-from coursekit.nodes.compiled.living import check_context_of_timer, living_node
 from coursekit.nodes.compiled.node import CompiledNode
-from coursekit.nodes.compiled.sharing import facts
+from coursekit.nodes.compiled.shared_objects import facts
+from coursekit.nodes.compiled.valid_objects import check_context_of_timer, living_node
 from coursekit.nodes.components.loading import LoadedComponent
 
 if TYPE_CHECKING:

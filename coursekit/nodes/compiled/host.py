@@ -26,31 +26,31 @@ from coursekit.core.ready_queue import ReadyQueue
 from coursekit.cpp.age import is_of_another_age
 from coursekit.nodes.compiled import (
     actions,
+    arrival_callbacks,
     bags,
     calibrations,
     components,
     entities,
-    executing,
+    executors,
     graph,
     hardware,
     lifecycle,
-    listening,
     parameters,
     plugins,
     program,
-    robots,
-    sharing,
+    robot_descriptions,
+    shared_objects,
     topics,
     transforms,
-    trees,
+    tree_nodes,
     vision,
     waitables,
     waiting,
 )
 from coursekit.nodes.compiled.channel import Channel, Gone
 from coursekit.nodes.compiled.child import Child
-from coursekit.nodes.compiled.door import open_door
 from coursekit.nodes.compiled.frames import Unpacker
+from coursekit.nodes.compiled.program_address import open_door
 from coursekit.nodes.compiled.workers import Workers
 from coursekit.processes.executables import is_compiled_here
 from coursekit.processes.process import ProcessKilled, current_process
@@ -58,7 +58,7 @@ from coursekit.processes.session import current
 
 if TYPE_CHECKING:
     from coursekit.core.clock import Event
-    from coursekit.nodes.compiled.part import Part
+    from coursekit.nodes.compiled.embedded_program import Part
 
 VIRTUAL, STOPPING, SIMULATED = 1, 2, 4
 _LAST_WORDS_S = 1.0
@@ -88,8 +88,8 @@ _NOT_VALID = (
 )
 """rclcpp's messages for nodes and executors made before init() or after shutdown()."""
 _ROOMS = (
-    program, entities, topics, graph, parameters, executing, waiting, waitables, lifecycle, listening, actions, transforms,
-    vision, bags, plugins, robots, calibrations, components, hardware, sharing, trees,
+    program, entities, topics, graph, parameters, executors, waiting, waitables, lifecycle, arrival_callbacks, actions,
+    transforms, vision, bags, plugins, robot_descriptions, calibrations, components, hardware, shared_objects, tree_nodes,
 )  # fmt: skip
 OPERATIONS = {name[3:]: do for room in _ROOMS for name, do in vars(room).items() if name.startswith("do_")}
 
@@ -129,7 +129,7 @@ class Host:
         """This program's publishers, for subscriptions that ignore them."""
         self.staying_gids: set[bytes] = set()
         """Those publishers whose messages may stay in the program."""
-        self.news = listening.News(self)
+        self.news = arrival_callbacks.News(self)
         self.context = contextvars.copy_context()
         self.served: Part | None = None
         """What the program carries out requests for, if it is a part of a process of Python."""

@@ -13,7 +13,7 @@ from rclpy.qos_event import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.qos_overriding_options import QoSOverridingOptions
 
 from coursekit.nodes.compiled.frames import Unpacker, packed
-from coursekit.nodes.compiled.living import RCLError
+from coursekit.nodes.compiled.valid_objects import RCLError
 
 if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host

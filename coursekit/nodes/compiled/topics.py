@@ -13,8 +13,8 @@ from coursekit.interfaces.registry import load
 from coursekit.nodes.compiled import qos
 from coursekit.nodes.compiled.content_filter import Test, compile_filter
 from coursekit.nodes.compiled.frames import Unpacker, packed
-from coursekit.nodes.compiled.living import living_node
 from coursekit.nodes.compiled.statistics import TopicStatistics
+from coursekit.nodes.compiled.valid_objects import living_node
 
 if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel

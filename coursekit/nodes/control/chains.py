@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from .loaded import Loaded
+from .loaded_controller import Loaded
 
 if TYPE_CHECKING:
     from rclpy.impl.rcutils_logger import RcutilsLogger

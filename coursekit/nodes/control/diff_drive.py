@@ -12,7 +12,7 @@ from tf2_msgs.msg import TFMessage
 from .controller import ControlError, Controller, stamp
 from .frames import odometry_frames
 from .limiter import SpeedLimiter
-from .reckoning import Reckoning
+from .wheel_odometry import Reckoning
 
 DEFAULTS: dict[str, Any] = {
     "left_wheel_names": [],

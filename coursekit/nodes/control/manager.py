@@ -14,10 +14,10 @@ from coursekit.files import read_text
 
 from .chains import Chains
 from .controller import ControlError, Interfaces, Maker
+from .controller_factory import ControllerMaker
 from .hardware import ACTIVE, INACTIVE, UNCONFIGURED, Hardware
 from .lifecycle import bring
-from .loaded import Loaded
-from .making import ControllerMaker
+from .loaded_controller import Loaded
 from .switching import Switching
 from .types import TYPES
 

@@ -19,10 +19,10 @@ from controller_manager_msgs.srv import (
 )
 
 from .chains import Chains
-from .foreign import foreign_types
+from .cpp_controller import foreign_types
 from .hardware import Hardware
 from .lifecycle import bring
-from .loaded import Loaded
+from .loaded_controller import Loaded
 from .manager import Manager
 
 BASE = "controller_interface::ControllerInterface"

@@ -18,7 +18,7 @@ from coursekit.urdf import UrdfError
 from .description import read_hardware
 from .manager import Manager
 from .manager_services import ManagerServices
-from .resources import WrongInterfaces, load
+from .resource_manager import WrongInterfaces, load
 
 _NOT_GENUINE = "The published robot description file (urdf) seems not to be genuine. The following error was caught:"
 

@@ -15,7 +15,7 @@ from rclpy.node import Node
 from rclpy.signals import SignalHandlerOptions
 from rclpy.utilities import remove_ros_args
 
-from .asking import Asker, NoManager
+from .manager_client import Asker, NoManager
 
 
 def arguments(argv: list[str]) -> argparse.Namespace:

@@ -10,7 +10,7 @@ from nav_msgs.msg import Odometry
 from tf2_msgs.msg import TFMessage
 
 from .controller import ControlError, Controller
-from .reckoning import Reckoning
+from .wheel_odometry import Reckoning
 
 
 class SteeringController(Controller):

@@ -10,7 +10,7 @@ from coursekit.urdf.errors import close
 
 from .chains import Chains, ChainSwitch
 from .controller import Interfaces
-from .loaded import Loaded
+from .loaded_controller import Loaded
 
 if TYPE_CHECKING:
     from rclpy.impl.rcutils_logger import RcutilsLogger

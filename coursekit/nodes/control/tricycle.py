@@ -11,7 +11,7 @@ from std_srvs.srv import Empty
 from tf2_msgs.msg import TFMessage
 
 from .controller import ControlError, Controller
-from .reckoning import Reckoning
+from .wheel_odometry import Reckoning
 
 NEARLY, FAR = math.pi / 6, math.pi / 2
 """The maximum angle error of the wheel for full speed, and the error from which it creeps [rad]."""

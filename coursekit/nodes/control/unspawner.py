@@ -9,7 +9,7 @@ from typing import Any
 import rclpy
 from rclpy.utilities import remove_ros_args
 
-from .asking import Asker, NoManager
+from .manager_client import Asker, NoManager
 
 
 def main(args: list[str] | None = None) -> Any:

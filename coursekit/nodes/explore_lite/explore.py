@@ -19,7 +19,7 @@ from coursekit.nav.frontiers import Frontier, frontiers
 from coursekit.nodes.explore_lite.costmap import CostmapClient
 from coursekit.nodes.explore_lite.markers import markers
 from coursekit.nodes.nav2.parameters import declare
-from coursekit.nodes.nav2.whereabouts import Whereabouts, stamped
+from coursekit.nodes.nav2.transform_lookup import TransformLookup, stamped
 from coursekit.nodes.running import run
 
 _DEFAULTS: dict[str, Any] = {
@@ -43,7 +43,7 @@ class Explore(Node):
         self._given = given = declare(self, _DEFAULTS)
         if not given["planner_frequency"] > 0:
             raise ValueError(f"planner_frequency is {given['planner_frequency']}: give Hz, for example 0.25")
-        self._where = Whereabouts(self, given["robot_base_frame"])
+        self._where = TransformLookup(self, given["robot_base_frame"])
         self._costmap = CostmapClient(self, given["costmap_topic"], given["costmap_updates_topic"])
         self._navigator = ActionClient(self, NavigateToPose, "navigate_to_pose")
         self._goal: tuple[float, float] | None = None

@@ -6,12 +6,12 @@ import math
 from itertools import pairwise
 
 from coursekit.geometry.plane import Pose2D
-from coursekit.sim.parts import Disc
+from coursekit.sim.solids import Disc
 from coursekit.sim.walk import Walk
 from coursekit.sim.world import Thing
 from coursekit.urdf.xml_tree import Element
 
-from .values import flag, number, pose, yaw_of
+from .value_parsing import flag, number, pose, yaw_of
 
 BODY = Disc(0.0, 0.0, 0.25, 0.0, 1.75)
 """The shape of a person for lasers; the skin itself is not drawn [m]."""

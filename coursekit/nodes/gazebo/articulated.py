@@ -7,14 +7,14 @@ from collections.abc import Mapping
 import numpy as np
 
 from coursekit.geometry.plane import Array
-from coursekit.sim.parts import Part
+from coursekit.sim.solids import Part
 from coursekit.urdf import Robot
 from coursekit.urdf.kinematics import Kinematics
 
-from .blueprint import Blueprint
-from .moved import moved
+from .model_file import Blueprint
 from .solids import raised
-from .values import matrix
+from .transformed_parts import moved
+from .value_parsing import matrix
 
 STEP = 0.02
 """The joint motion below which links are not updated [rad or m]."""

@@ -18,8 +18,8 @@ from coursekit.urdf import Limit, MeshError
 from coursekit.urdf.resources import find_file
 from coursekit.urdf.xml_tree import Element
 
-from .blueprint import Blueprint
 from .devices import ControlDevice, Device, OdometryDevice
+from .model_file import Blueprint
 from .ros_names import names_of
 
 if TYPE_CHECKING:

@@ -8,8 +8,8 @@ from sensor_msgs.msg import CameraInfo, Image, PointCloud2, PointField
 
 from coursekit.sim.view import Picture
 
+from .cameras import CameraPublisher
 from .devices import DepthDevice
-from .pictures import CameraPublisher
 from .sensor_publishers import SENSOR, pose_at, stamp_of
 
 FIELDS = (("x", 0), ("y", 4), ("z", 8), ("rgb", 16))

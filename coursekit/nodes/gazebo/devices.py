@@ -6,8 +6,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from coursekit.geometry.plane import ORIGIN, Array, Pose2D
-from coursekit.sim.globe import Globe
 from coursekit.sim.lidar import Lidar
+from coursekit.sim.spherical_coordinates import Globe
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from ros_gz_interfaces.msg import Altimeter
 from sensor_msgs.msg import FluidPressure, MagneticField, NavSatFix, NavSatStatus
 
 from coursekit.geometry.plane import Pose2D
-from coursekit.sim.globe import pressure
+from coursekit.sim.spherical_coordinates import pressure
 
 from .devices import EarthDevice
 from .sensor_publishers import SENSOR, SensorPublisher, pose_at, stamp_of

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 from gazebo_msgs.srv import ApplyJointEffort, ApplyLinkWrench, JointRequest, LinkRequest
 
 from coursekit.geometry.plane import Pose2D
-from coursekit.sim.push import Push
+from coursekit.sim.external_forces import Push
 
-from .whereabouts import WORLD
+from .entity_poses import WORLD
 
 if TYPE_CHECKING:
     from coursekit.nodes.gazebo.server import Gazebo

@@ -8,7 +8,7 @@ from pathlib import Path
 from urllib.parse import unquote
 
 from coursekit.files import is_file, is_folder, read_text
-from coursekit.systems.words import split_folders
+from coursekit.systems.command_lines import split_folders
 from coursekit.urdf import MeshError, UrdfError
 from coursekit.urdf.errors import close
 from coursekit.urdf.resources import find_file, package_paths

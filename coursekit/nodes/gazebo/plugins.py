@@ -11,12 +11,12 @@ from coursekit.sim.odometry import EXACT, Drift
 from coursekit.sim.robot import Drive
 from coursekit.urdf.xml_tree import Element
 
-from .blueprint import Blueprint
 from .controllers import read_controllers
 from .devices import Device, JointDevice, OdometryDevice, TruthDevice
-from .newer import read_system, system_of
+from .gz_plugins import read_system, system_of
+from .model_file import Blueprint
 from .ros_names import names_of
-from .values import flag, number, numbers
+from .value_parsing import flag, number, numbers
 from .wheel_frames import wheels_of
 
 Found = tuple[Drive | None, list[Device]]

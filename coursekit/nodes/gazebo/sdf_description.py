@@ -14,7 +14,7 @@ from coursekit.urdf import Robot, parse
 from coursekit.urdf.xml_tree import Element, read
 
 from .sdf_frames import frames_of
-from .values import pose_of
+from .value_parsing import pose_of
 
 TYPES = {"continuous": "continuous", "revolute": "revolute", "fixed": "fixed", "prismatic": "prismatic"} | dict.fromkeys(
     ("ball", "universal", "gearbox", "revolute2", "screw"), "floating"

@@ -13,7 +13,7 @@ from coursekit.urdf import MeshError
 from coursekit.urdf.xml_tree import Element, read
 
 from .model_paths import MissingModel, find_model
-from .values import pose
+from .value_parsing import pose
 
 DEEPEST = 20
 """The maximum nesting of models; deeper nesting means that a model includes itself."""

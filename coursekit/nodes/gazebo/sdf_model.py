@@ -12,13 +12,13 @@ from coursekit.urdf import MeshError
 from coursekit.urdf.model import Box, Cylinder, Mesh, Sphere
 from coursekit.urdf.xml_tree import Element
 
-from .blueprint import BlueLink, Blueprint
-from .looks import PLAIN, look_of
+from .model_colors import PLAIN, look_of
+from .model_file import BlueLink, Blueprint
 from .model_paths import MissingModel, find_mesh
-from .moved import moved
 from .sdf_frames import DEEPEST, frames_of, included, is_merged
 from .solids import Outline, Shape, part_of
-from .values import flag, number, numbers, pose, pose_of
+from .transformed_parts import moved
+from .value_parsing import flag, number, numbers, pose, pose_of
 
 QUIET = {
     "pose", "link", "joint", "plugin", "static", "model", "include", "frame", "self_collide", "allow_auto_disable",

@@ -12,24 +12,24 @@ import numpy as np
 from coursekit.files import read_text
 from coursekit.geometry.plane import Pose2D
 from coursekit.sim.errors import WorldError
-from coursekit.sim.globe import Globe
-from coursekit.sim.parts import Part
+from coursekit.sim.solids import Part
+from coursekit.sim.spherical_coordinates import Globe
 from coursekit.sim.world import Thing, World
 from coursekit.urdf import parse
 from coursekit.urdf.xml_tree import Element, read
 
 from .actors import actor
-from .assembly import Assembly, assemble
-from .blueprint import Blueprint
+from .gz_plugins import QUIET as SYSTEMS
+from .gz_plugins import system_of
+from .model_conversion import Assembly, assemble
+from .model_file import Blueprint
 from .model_paths import MissingModel, is_scenery
-from .moved import moved
-from .newer import QUIET as SYSTEMS
-from .newer import system_of
 from .sdf_frames import frames_of
 from .sdf_model import entity, include, read_model
-from .settle import settled
+from .settling import settled
+from .transformed_parts import moved
 from .urdf_model import blueprint_of
-from .values import number, numbers, pose, yaw_of
+from .value_parsing import number, numbers, pose, yaw_of
 from .world_plugins import StatePlugin, state_plugin
 
 VERSIONS = ("1.4", "1.5", "1.6", "1.7", "1.8", "1.9", "1.10", "1.11", "1.12")

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from coursekit.geometry.plane import Array
-from coursekit.sim.globe import Globe
+from coursekit.sim.spherical_coordinates import Globe
 from coursekit.urdf.xml_tree import Element
 
-from .blueprint import BlueLink, Blueprint
 from .devices import BumpDevice, CameraDevice, DepthDevice, Device, ImuDevice, RayDevice
-from .measured import earth_of, lidar_of, picture_of, shakes_of
+from .model_file import BlueLink, Blueprint
 from .ray_messages import CLOUD, LASER, RAY_TYPES
 from .ros_names import RosNames, names_of
-from .values import number, pose
+from .sensor_elements import earth_of, lidar_of, picture_of, shakes_of
+from .value_parsing import number, pose
 
 RAYS = ("ray", "gpu_ray", "lidar", "gpu_lidar")
 CAMERAS = ("camera", "wideanglecamera", "depth", "depth_camera", "rgbd_camera")

@@ -18,7 +18,7 @@ from coursekit.processes.session import current
 from coursekit.sim import Simulation, WorldError
 
 from .articulated import Articulated
-from .assembly import Assembly
+from .cameras import CameraPublisher
 from .controlled import ControlPublisher
 from .depth import DepthPublisher
 from .devices import (
@@ -35,21 +35,21 @@ from .devices import (
     WheelDevice,
 )  # fmt: skip
 from .earth_publishers import EarthPublisher
+from .entity_poses import EntityPoses
 from .forces import Forces
-from .newer_publishers import PosePublisher, TouchPublisher
+from .gz_publishers import PosePublisher, TouchPublisher
+from .model_conversion import Assembly
 from .odometry_publishers import OdometryPublisher, TruthPublisher
-from .pictures import CameraPublisher
+from .precompile import warm_up
 from .sensor_publishers import PUBLISHERS, SensorPublisher, stamp_of
 from .services import Services
-from .settle import settled
+from .settling import settled
 from .sim_time import SimTime
 from .simulators import simulators
 from .states import States
 from .trajectory_publisher import TrajectoryPublisher
-from .warm_up import warm_up
 from .wheel_frames import WheelPublisher
-from .whereabouts import Whereabouts
-from .world_of import open_world
+from .world_lookup import open_world
 
 if TYPE_CHECKING:
     from coursekit.sim.robot import Robot
@@ -86,7 +86,7 @@ class Gazebo(Node):
         self._rate = float(self.declare_parameter("publish_rate", 100.0).value) or 100.0
         self._clock_out = self.create_publisher(Clock, "/clock", QoSProfile(depth=10))
         self._clock_count = self._planned = 0
-        self.around = Whereabouts(self)
+        self.around = EntityPoses(self)
         self._api = (Services(self), States(self, opened.state), Forces(self))
         warm_up()
         self.tell(list(loaded.notes))

@@ -10,10 +10,10 @@ from std_srvs.srv import Empty
 from coursekit.sim import WorldError
 from coursekit.urdf import UrdfError
 
-from .assembly import renamed
+from .entity_poses import planar_pose
+from .model_conversion import renamed
 from .sdf_world import read_entity
 from .sensor_publishers import stamp_of
-from .whereabouts import planar_pose
 
 if TYPE_CHECKING:
     from coursekit.nodes.gazebo.server import Gazebo

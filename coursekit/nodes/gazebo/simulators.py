@@ -11,7 +11,7 @@ from coursekit.sim.simulation import Simulation
 from .sim_time import SimTime
 
 if TYPE_CHECKING:
-    from coursekit.nodes.gazebo.assembly import Assembly
+    from coursekit.nodes.gazebo.model_conversion import Assembly
 
 
 class Simulator(Protocol):

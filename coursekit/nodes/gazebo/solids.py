@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from coursekit.geometry.plane import Array
-from coursekit.sim.parts import Ball, Disc, Part, Prism, Skin
+from coursekit.sim.solids import Ball, Disc, Part, Prism, Skin
 from coursekit.urdf.model import Box, Cylinder, Mesh, Sphere
 from coursekit.urdf.shapes import mesh_of
 

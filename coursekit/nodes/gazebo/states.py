@@ -12,8 +12,8 @@ from geometry_msgs.msg import Pose, Twist
 
 from coursekit.geometry.plane import Pose2D
 
+from .entity_poses import WORLD, Speed, planar_pose
 from .sensor_publishers import heading, stamp_of
-from .whereabouts import WORLD, Speed, planar_pose
 from .world_plugins import StatePlugin
 
 if TYPE_CHECKING:

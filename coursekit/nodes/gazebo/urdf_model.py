@@ -10,11 +10,11 @@ from coursekit.urdf.kinematics import Kinematics
 from coursekit.urdf.shapes import matrix_of
 from coursekit.urdf.xml_tree import Element
 
-from .blueprint import BlueLink, Blueprint
-from .looks import PLAIN, look_named
-from .newer_sensors import lumped
+from .gz_sensors import lumped
+from .model_colors import PLAIN, look_named
+from .model_file import BlueLink, Blueprint
 from .solids import part_of
-from .values import flag, matrix
+from .value_parsing import flag, matrix
 
 QUIET = {
     "material", "mu1", "mu2", "kp", "kd", "minDepth", "maxVel", "fdir1", "selfCollide", "turnGravityOff", "gravity",

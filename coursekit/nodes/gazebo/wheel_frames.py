@@ -9,9 +9,9 @@ from tf2_msgs.msg import TFMessage
 
 from coursekit.geometry.plane import Array
 
-from .blueprint import Blueprint
 from .devices import WheelDevice
-from .newer_publishers import transform_of
+from .gz_publishers import transform_of
+from .model_file import Blueprint
 from .sensor_publishers import SensorPublisher, stamp_of
 
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from coursekit.urdf.xml_tree import Element
 
 from .ros_names import RosNames, names_of
-from .values import number
+from .value_parsing import number
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,9 @@ from rclpy.qos import QoSProfile
 from rosgraph_msgs.msg import Clock
 from tf2_msgs.msg import TFMessage
 
-from coursekit.nodes.gazebo.assembly import Assembly
 from coursekit.nodes.gazebo.devices import CameraDevice, Device, EarthDevice, ImuDevice, RayDevice
 from coursekit.nodes.gazebo.gzserver import simulate
+from coursekit.nodes.gazebo.model_conversion import Assembly
 from coursekit.nodes.gazebo.server import Gazebo
 from coursekit.processes.session import current
 

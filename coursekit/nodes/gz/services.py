@@ -9,11 +9,11 @@ from ros_gz_interfaces.srv import ControlWorld, DeleteEntity, SetEntityPose, Spa
 from tf2_msgs.msg import TFMessage
 
 from coursekit.files import read_text
-from coursekit.nodes.gazebo.assembly import renamed
+from coursekit.nodes.gazebo.entity_poses import planar_pose
+from coursekit.nodes.gazebo.model_conversion import renamed
 from coursekit.nodes.gazebo.model_paths import find_model
 from coursekit.nodes.gazebo.sdf_world import read_entity
 from coursekit.nodes.gazebo.sensor_publishers import heading, stamp_of
-from coursekit.nodes.gazebo.whereabouts import planar_pose
 from coursekit.sim import WorldError
 from coursekit.urdf import UrdfError
 

@@ -18,12 +18,12 @@ from coursekit.nav.costmap import Costmap
 from coursekit.nav.footprint import Footprint
 from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.nav2.behaviors import KINDS, USUAL
-from coursekit.nodes.nav2.foreign import ForeignPlugins, where_is
-from coursekit.nodes.nav2.foreign_behavior import ForeignBehavior
+from coursekit.nodes.nav2.cpp_behavior import ForeignBehavior
+from coursekit.nodes.nav2.cpp_plugins import ForeignPlugins, where_is
 from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.parameters import Obedience, declare
-from coursekit.nodes.nav2.running import Beat, Server, SingleGoal, run
-from coursekit.nodes.nav2.whereabouts import Whereabouts
+from coursekit.nodes.nav2.running import AsyncRate, Server, SingleGoal, run
+from coursekit.nodes.nav2.transform_lookup import TransformLookup
 
 if TYPE_CHECKING:
     from rclpy.action.goal_handle import ServerGoalHandle
@@ -69,7 +69,7 @@ class BehaviorServer(Server):
         self._costs: Costmap | None = None
         self._robot: Footprint | None = None
         self._raw: PolygonStamped | None = None
-        self.where = Whereabouts(self, given["robot_base_frame"])
+        self.where = TransformLookup(self, given["robot_base_frame"])
         self._cmd_out = self.create_lifecycle_publisher(Twist, "cmd_vel", 1)
         self._heard = [
             self.create_subscription(CostmapMessage, given["costmap_topic"], self._take_costmap, MAP_QOS),
@@ -156,16 +156,16 @@ class BehaviorServer(Server):
         result, begin = kind.Result(), self.get_clock().now()
         allowed = getattr(handle.request, "time_allowance", None)
         most = (allowed.sec + allowed.nanosec * 1e-9) if allowed else 0.0
-        beat = Beat(self, 1.0 / self.given["cycle_frequency"])
+        rate = AsyncRate(self, 1.0 / self.given["cycle_frequency"])
         try:
             while True:
                 gone = (self.get_clock().now() - begin).nanoseconds * 1e-9
                 end = self._step(action, handle, name, step, gone, most, blind)
                 if end is not None:
                     break
-                await beat.next()
+                await rate.sleep()
         finally:
-            beat.stop()
+            rate.destroy()
         self.drive((0.0, 0.0))
         result.total_elapsed_time = (self.get_clock().now() - begin).to_msg()
         end()

@@ -13,16 +13,16 @@ from tf2_ros import TransformException
 
 from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.compiled.classes import CppFault
-from coursekit.nodes.nav2.crew import Crew
-from coursekit.nodes.nav2.foreign_tree import ForeignNodes, load
+from coursekit.nodes.nav2.cpp_tree_nodes import ForeignNodes, load
 from coursekit.nodes.nav2.navigators import NavigateThroughPosesNavigator, NavigateToPoseNavigator, Navigator
 from coursekit.nodes.nav2.odom_smoother import OdomSmoother
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import Server, run
+from coursekit.nodes.nav2.transform_lookup import TransformLookup
+from coursekit.nodes.nav2.tree_context import TreeContext
 from coursekit.nodes.nav2.tree_libraries import LIBRARIES
 from coursekit.nodes.nav2.tree_log import TreeLog
-from coursekit.nodes.nav2.trip import KINDS
-from coursekit.nodes.nav2.whereabouts import Whereabouts
+from coursekit.nodes.nav2.tree_run import KINDS
 
 if TYPE_CHECKING:
     from coursekit.nav.behavior_tree import Kinds
@@ -59,17 +59,17 @@ class BtNavigator(Server):
             self.get_logger().error(str(fault))
             return TransitionCallbackReturn.FAILURE
         self._frame = given["global_frame"]
-        self.where = Whereabouts(self, given["robot_base_frame"])
+        self.where = TransformLookup(self, given["robot_base_frame"])
         self._odometry = OdomSmoother(self, given["odom_topic"])
-        self._crew = Crew(
+        self._tree_context = TreeContext(
             self, self._pose, lambda goal: self.where.pose_in(self._frame, goal),
             lambda target, source: self.where.buffer.can_transform(target, source, Time()), self._odometry.speed,
         )  # fmt: skip
         self._foreign = self._load(given["plugin_lib_names"])
         self._log = TreeLog(self)
         self._navigators: list[Navigator] = []
-        for navigator in (NavigateToPoseNavigator, NavigateThroughPosesNavigator):
-            navigator(self, self._crew, self._kinds, self._frame, self._log, self._navigators)
+        shared = (self, self._tree_context, self._kinds, self._frame, self._log, self._navigators)
+        self._navigators += [NavigateToPoseNavigator(*shared), NavigateThroughPosesNavigator(*shared)]
         self._self_client = ActionClient(self, NavigateToPose, "navigate_to_pose")
         self._heard = self.create_subscription(PoseStamped, "goal_pose", self._clicked, 10)
         return super().on_configure(state)
@@ -91,7 +91,7 @@ class BtNavigator(Server):
         self.destroy_subscription(self._heard)
         self._odometry.destroy()
         self._self_client.destroy()
-        self._crew.destroy()
+        self._tree_context.destroy()
         self._log.destroy()
         if self._foreign is not None:
             self._foreign.close()

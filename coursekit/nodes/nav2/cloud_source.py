@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from rclpy.node import Node
 
     from coursekit.nav.obstacles import ObstacleLayer
-    from coursekit.nodes.nav2.whereabouts import Whereabouts
+    from coursekit.nodes.nav2.transform_lookup import TransformLookup
 
 
 class CloudSource(Source):
@@ -25,7 +25,7 @@ class CloudSource(Source):
 
     kind, what = PointCloud2, "cloud"
 
-    def __init__(self, node: Node, where: Whereabouts, frame: str, layer: ObstacleLayer, given: dict[str, Any]) -> None:
+    def __init__(self, node: Node, where: TransformLookup, frame: str, layer: ObstacleLayer, given: dict[str, Any]) -> None:
         super().__init__(node, where, frame, layer, given)
         if given["max_obstacle_height"] <= given["min_obstacle_height"]:
             node.get_logger().warning(

@@ -16,7 +16,7 @@ from coursekit.nodes.nav2.collision_sources import SensorSource
 from coursekit.nodes.nav2.collision_zones import RobotZone
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import Server, run
-from coursekit.nodes.nav2.whereabouts import Whereabouts
+from coursekit.nodes.nav2.transform_lookup import TransformLookup
 from coursekit.nodes.scanning.planar import of_transform
 from coursekit.nodes.scanning.scan_filter import lookup
 
@@ -80,7 +80,7 @@ class CollisionMonitor(Server):
                 raise ValueError(
                     f"{self.get_name()}: {name} is empty: nothing would be watched. Name some, as ['{example}']"
                 )
-        self._where = Whereabouts(self, given["base_frame_id"])
+        self._where = TransformLookup(self, given["base_frame_id"])
         for name in given["polygons"]:
             self.zones.append(RobotZone(self, name))
         for name in given["observation_sources"]:

@@ -16,7 +16,7 @@ from tf2_sensor_msgs.tf2_sensor_msgs import transform_points
 from coursekit.geometry.plane import Array
 from coursekit.nodes.nav2.cloud_source import points_of
 from coursekit.nodes.nav2.parameters import declare
-from coursekit.nodes.nav2.whereabouts import Whereabouts
+from coursekit.nodes.nav2.transform_lookup import TransformLookup
 from coursekit.nodes.scanning.planar import ends_of, of_transform
 from coursekit.nodes.scanning.scan_filter import lookup
 
@@ -33,7 +33,7 @@ _RANGE = {"obstacles_angle": math.pi / 180}
 class SensorSource:
     """Keeps a sensor's latest message; `points` are what it saw, relative to where the robot is now."""
 
-    def __init__(self, node: Node, where: Whereabouts, name: str, settings: dict[str, Any]) -> None:
+    def __init__(self, node: Node, where: TransformLookup, name: str, settings: dict[str, Any]) -> None:
         self.node, self.where, self.name, self.settings = node, where, name, settings
         given = declare(node, _SOURCE, name)
         if given["type"] not in _KINDS:

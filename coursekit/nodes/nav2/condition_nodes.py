@@ -10,7 +10,7 @@ from rclpy.time import Time
 
 from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeError, TreeNode
 from coursekit.nav.tree_blackboard import SECONDS, Board
-from coursekit.nodes.nav2.crew import crew_of
+from coursekit.nodes.nav2.tree_context import context_of
 
 if TYPE_CHECKING:
     from geometry_msgs.msg import PoseStamped
@@ -56,16 +56,16 @@ class DistanceController(RateController):
 
     def step(self) -> str:
         """Tick the child when it is due; fail while the robot's pose is not known."""
-        return FAILURE if crew_of(self).pose() is None else super().step()
+        return FAILURE if context_of(self).pose() is None else super().step()
 
     def due(self) -> bool:
         """Whether the robot has travelled that far."""
-        here = crew_of(self).pose()
+        here = context_of(self).pose()
         return here is not None and here.distance(self.place) >= self.number("distance", 1.0)
 
     def begin(self) -> None:
         """Measure from here."""
-        self.place = crew_of(self).pose()
+        self.place = context_of(self).pose()
 
 
 class SpeedController(RateController):
@@ -103,7 +103,7 @@ class SpeedController(RateController):
     def _rate(self) -> float:
         slow, fast = self.number("min_rate", 0.1), self.number("max_rate", 1.0)
         low, high = self.number("min_speed", 0.0), self.number("max_speed", 0.5)
-        part = (crew_of(self).speed() - low) / (high - low) if high != low else math.inf
+        part = (context_of(self).speed() - low) / (high - low) if high != low else math.inf
         return max(min(slow + part * (fast - slow), fast), slow)
 
 
@@ -119,7 +119,7 @@ class GoalUpdater(TreeNode):
 
     def prepare(self) -> None:
         """Subscribe."""
-        self.heard = crew_of(self).listen("goal_update")
+        self.heard = context_of(self).listen("goal_update")
 
     def step(self) -> str:
         """Pass the goal on."""
@@ -141,7 +141,7 @@ class TimeExpired(TreeNode):
 
     def step(self) -> str:
         """Look at the clock."""
-        now = crew_of(self).seconds()
+        now = context_of(self).seconds()
         if self.status == IDLE:
             self.begun = now
         if self.status == IDLE or now - self.begun < self.number("seconds", 1.0):
@@ -157,7 +157,7 @@ class DistanceTraveled(TreeNode):
 
     def step(self) -> str:
         """Look where the robot is."""
-        here = crew_of(self).pose()
+        here = context_of(self).pose()
         if self.status == IDLE or self.begun is None:
             self.begun = here
             return FAILURE
@@ -182,13 +182,13 @@ def _condition(name: str, answer: Callable[[TreeNode], bool]) -> type[ConditionN
 
 
 def _near(node: TreeNode) -> bool:
-    return bool(crew_of(node).gap(node.get("goal")) <= 0.25)
+    return bool(context_of(node).gap(node.get("goal")) <= 0.25)
 
 
 def _drop_passed(node: TreeNode) -> bool:
     """RemovePassedGoals: removes goals, except the last, that are within `radius` [m]."""
     goals = list(node.get("input_goals"))
-    while len(goals) > 1 and crew_of(node).gap(goals[0]) < node.number("radius", 0.5):
+    while len(goals) > 1 and context_of(node).gap(goals[0]) < node.number("radius", 0.5):
         goals.pop(0)
     node.put("output_goals", goals)
     return True
@@ -211,7 +211,7 @@ def _truncate(node: TreeNode) -> bool:
 
 def _truncate_to_surroundings(node: TreeNode) -> bool:
     """TruncatePathLocal: keeps `distance_backward` and `distance_forward` metres of the path around the robot."""
-    path, here = node.get("input_path"), crew_of(node).pose()
+    path, here = node.get("input_path"), context_of(node).pose()
     if here is None:
         return False
     places = [_place(pose) for pose in path.poses]
@@ -229,7 +229,7 @@ def _chooses(what: str) -> type[ConditionNode]:
     """Return a selector: it outputs the latest name on its topic, or the default one."""
 
     def answer(node: TreeNode) -> bool:
-        heard = crew_of(node).listen_to_text(node.get("topic_name", f"{what}_selector"))
+        heard = context_of(node).listen_to_text(node.get("topic_name", f"{what}_selector"))
         node.put(f"selected_{what}", heard[-1] if heard else node.get(f"default_{what}", ""))
         return True
 
@@ -240,11 +240,11 @@ CONDITIONS: dict[str, type[TreeNode]] = {
     **{node.__name__: node for node in (
         RateController, DistanceController, SpeedController, GoalUpdater, TimeExpired, DistanceTraveled)},
     "GoalReached": _condition("GoalReached", _near),
-    "InitialPoseReceived": _condition("InitialPoseReceived", lambda node: crew_of(node).pose() is not None),
+    "InitialPoseReceived": _condition("InitialPoseReceived", lambda node: context_of(node).pose() is not None),
     "RemovePassedGoals": _condition("RemovePassedGoals", _drop_passed),
     "TruncatePath": _condition("TruncatePath", _truncate),
     "TruncatePathLocal": _condition("TruncatePathLocal", _truncate_to_surroundings),
-    "TransformAvailable": _condition("TransformAvailable", lambda node: crew_of(node).knows(
+    "TransformAvailable": _condition("TransformAvailable", lambda node: context_of(node).knows(
         node.get("child", ""), node.get("parent", ""))),
     **{f"{name}Selector": _chooses(what) for name, what in (
         ("Planner", "planner"), ("Controller", "controller"), ("Smoother", "smoother"), ("GoalChecker", "goal_checker"))},

@@ -11,8 +11,8 @@ from rclpy.node import Node
 from coursekit.nav.checkers import GoalChecker, ProgressChecker
 from coursekit.nav.controller import Controller, Limits
 from coursekit.nodes.nav2.costmap_node import CostmapNode
-from coursekit.nodes.nav2.foreign import ForeignPlugins
-from coursekit.nodes.nav2.foreign_controller import ForeignController, ForeignGoalChecker, ForeignProgressChecker
+from coursekit.nodes.nav2.cpp_controller import ForeignController, ForeignGoalChecker, ForeignProgressChecker
+from coursekit.nodes.nav2.cpp_plugins import ForeignPlugins
 from coursekit.nodes.nav2.parameters import declare
 
 SERVER: dict[str, Any] = {

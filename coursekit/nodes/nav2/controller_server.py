@@ -15,12 +15,12 @@ from coursekit.nav.controller import Controller
 from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.nav2.controller_parameters import SERVER, controller, goal_checkers, progress_checker
 from coursekit.nodes.nav2.costmap_node import CostmapNode
+from coursekit.nodes.nav2.cpp_controller import ForeignController, ForeignGoalChecker
+from coursekit.nodes.nav2.cpp_plugins import ForeignPlugins
 from coursekit.nodes.nav2.drive import Drive, ForeignDrive
-from coursekit.nodes.nav2.foreign import ForeignPlugins
-from coursekit.nodes.nav2.foreign_controller import ForeignController, ForeignGoalChecker
 from coursekit.nodes.nav2.local_plan import LocalPlan
 from coursekit.nodes.nav2.parameters import Obedience, declare
-from coursekit.nodes.nav2.running import Beat, Server, run
+from coursekit.nodes.nav2.running import AsyncRate, Server, run
 
 if TYPE_CHECKING:
     from rclpy.action.goal_handle import ServerGoalHandle
@@ -142,12 +142,12 @@ class ControllerServer(Server):
         self._plan_out.publish(request.path)
         chosen = self._controllers[request.controller_id or next(iter(self._controllers))]
         drive = ForeignDrive(self, handle, chosen) if isinstance(chosen, ForeignController) else Drive(self, handle, chosen)
-        beat = Beat(self, self._period)
+        rate = AsyncRate(self, self._period)
         try:
             while not drive.step():
-                await beat.next()
+                await rate.sleep()
         finally:
-            beat.stop()
+            rate.destroy()
         return result
 
     def _unknown(self, request: FollowPath.Goal) -> str:

@@ -15,7 +15,7 @@ from coursekit.nav.map_file import GridMap
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
 from coursekit.nodes.nav2.parameters import declare, no_such_plugin
 from coursekit.nodes.nav2.scan_source import in_server_space
-from coursekit.nodes.nav2.whereabouts import Whereabouts
+from coursekit.nodes.nav2.transform_lookup import TransformLookup
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -28,7 +28,7 @@ class Filter:
 
     types: tuple[int, ...] = ()
 
-    def __init__(self, node: Node, name: str, where: Whereabouts) -> None:
+    def __init__(self, node: Node, name: str, where: TransformLookup) -> None:
         self.node, self.name, self._where = node, name, where
         self.given = declare(node, _GIVEN, name)
         self.info: CostmapFilterInfo | None = None
@@ -102,7 +102,7 @@ class Speed(Filter):
 
     types = (1, 2)
 
-    def __init__(self, node: Node, name: str, where: Whereabouts) -> None:
+    def __init__(self, node: Node, name: str, where: TransformLookup) -> None:
         super().__init__(node, name, where)
         topic = declare(node, {"speed_limit_topic": "speed_limit"}, name)["speed_limit_topic"]
         self._out = node.create_publisher(SpeedLimit, in_server_space(node, topic), 10)
@@ -128,7 +128,7 @@ class Speed(Filter):
 _KINDS = {"nav2_costmap_2d::KeepoutFilter": Keepout, "nav2_costmap_2d::SpeedFilter": Speed}
 
 
-def filters(node: Node, names: list[str], where: Whereabouts) -> list[Filter]:
+def filters(node: Node, names: list[str], where: TransformLookup) -> list[Filter]:
     """Return a costmap's filters. ValueError for unknown types."""
     costmap_filters = []
     for name in names:

@@ -16,11 +16,11 @@ from coursekit.nav.obstacles import ObstacleLayer
 from coursekit.nodes.nav2.cloud_source import CloudSource
 from coursekit.nodes.nav2.costmap_filters import filters
 from coursekit.nodes.nav2.costmap_parameters import KINDS, layers, sources
-from coursekit.nodes.nav2.foreign_layer import ForeignLayer, foreign_layer
+from coursekit.nodes.nav2.cpp_layer import ForeignLayer, foreign_layer
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
 from coursekit.nodes.nav2.range_source import RangeSource
 from coursekit.nodes.nav2.scan_source import ScanSource, Source, in_server_space, layer_of
-from coursekit.nodes.nav2.whereabouts import Whereabouts
+from coursekit.nodes.nav2.transform_lookup import TransformLookup
 
 if TYPE_CHECKING:
     from coursekit.nodes.nav2.costmap_node import CostmapNode
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 class Layers:
     """Map, obstacles and inflation of a costmap node; `costmap` is the latest result."""
 
-    def __init__(self, node: CostmapNode, where: Whereabouts, given: dict[str, Any], robot: Footprint) -> None:
+    def __init__(self, node: CostmapNode, where: TransformLookup, given: dict[str, Any], robot: Footprint) -> None:
         self.node, self.given, self.robot = node, given, robot
         size = given["width"], given["height"], given["resolution"], given["origin_x"], given["origin_y"]
         self.empty = UNKNOWN if given["track_unknown_space"] else FREE
@@ -53,13 +53,13 @@ class Layers:
         self._filters = filters(node, given["filters"], where)
         where.buffer.call_after_each(self._wake)
 
-    def _add_static(self, _name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
+    def _add_static(self, _name: str, layer: dict[str, Any], _where: TransformLookup) -> None:
         self.has_static, self._static_given = True, layer
         topic = layer["map_topic"] or self.given["map_topic"]
         topic = in_server_space(self.node, topic)
         self._heard.append(self.node.create_subscription(OccupancyGrid, topic, self._take_map, MAP_QOS))
 
-    def _add_obstacles(self, name: str, layer: dict[str, Any], where: Whereabouts) -> None:
+    def _add_obstacles(self, name: str, layer: dict[str, Any], where: TransformLookup) -> None:
         given = sources(self.node, name, layer["observation_sources"])
         obstacle_layer = layer_of(self.costmap, given)
         self.obstacles.append((obstacle_layer, layer))
@@ -67,7 +67,7 @@ class Layers:
         kinds = {"LaserScan": ScanSource, "PointCloud2": CloudSource}
         self._sources += [kinds[source["data_type"]](self.node, where, frame, obstacle_layer, source) for source in given]
 
-    def _add_ranges(self, name: str, layer: dict[str, Any], where: Whereabouts) -> None:
+    def _add_ranges(self, name: str, layer: dict[str, Any], where: TransformLookup) -> None:
         if not layer["topics"]:
             raise ValueError(f"{name}.topics is empty: name those of the sensors, as topics: [/sonar]")
         obstacle_layer = ObstacleLayer(self.costmap)
@@ -77,11 +77,11 @@ class Layers:
             RangeSource(self.node, where, frame, obstacle_layer, {**layer, "topic": topic}) for topic in layer["topics"]
         ]
 
-    def _add_foreign(self, name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
+    def _add_foreign(self, name: str, layer: dict[str, Any], _where: TransformLookup) -> None:
         self.foreign.append(foreign_layer(self.node, name, layer["plugin"], KINDS))
         self._first_above += self._inflation is None
 
-    def _add_inflation(self, name: str, layer: dict[str, Any], _where: Whereabouts) -> None:
+    def _add_inflation(self, name: str, layer: dict[str, Any], _where: TransformLookup) -> None:
         self._inflation = layer
         self._make_spread(self.given["resolution"])
         if layer["inflation_radius"] < self.robot.inscribed:

@@ -17,10 +17,10 @@ from coursekit.nav.costmap import Costmap, occupancy
 from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.nav2.costmap_layers import Layers
 from coursekit.nodes.nav2.costmap_parameters import COSTMAP, footprint
-from coursekit.nodes.nav2.foreign import PluginsOwner
+from coursekit.nodes.nav2.cpp_plugins import PluginsOwner
 from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.parameters import Obedience, declare
-from coursekit.nodes.nav2.whereabouts import Whereabouts
+from coursekit.nodes.nav2.transform_lookup import TransformLookup
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -49,7 +49,7 @@ class CostmapNode(PluginsOwner):
         try:
             self._read()
             self.frame = self.given["global_frame"]
-            self.where = Whereabouts(self, self.given["robot_base_frame"], self._parent)
+            self.where = TransformLookup(self, self.given["robot_base_frame"], self._parent)
             self.layers = Layers(self, self.where, self.given, self.robot)
             self._configure_layers()
         except ValueError as fault:

@@ -14,7 +14,7 @@ from coursekit.nav.controller import ControlError
 from coursekit.nav.planner import length
 from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.nav2.controller_parameters import fit
-from coursekit.nodes.nav2.whereabouts import stamped
+from coursekit.nodes.nav2.transform_lookup import stamped
 from coursekit.nodes.scanning.planar import plane
 
 if TYPE_CHECKING:

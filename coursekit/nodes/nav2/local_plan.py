@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from nav_msgs.msg import Path
 
-from coursekit.nodes.nav2.whereabouts import path_message
+from coursekit.nodes.nav2.transform_lookup import path_message
 
 if TYPE_CHECKING:
     from coursekit.geometry.plane import Array, Pose2D

@@ -11,12 +11,12 @@ from nav2_msgs.action import NavigateThroughPoses, NavigateToPose
 from rclpy.duration import Duration
 
 from coursekit.nav.behavior_tree import Kinds, TreeNode
+from coursekit.nav.path_change import remaining
 from coursekit.nav.planner import length
-from coursekit.nav.second_thoughts import remaining
-from coursekit.nodes.nav2.crew import Crew
 from coursekit.nodes.nav2.running import Server
-from coursekit.nodes.nav2.trip import PREEMPTED, Trip, board_of, load_tree, text_of
-from coursekit.nodes.nav2.whereabouts import stamped
+from coursekit.nodes.nav2.transform_lookup import stamped
+from coursekit.nodes.nav2.tree_context import TreeContext
+from coursekit.nodes.nav2.tree_run import PREEMPTED, TreeRun, board_of, load_tree, text_of
 from coursekit.nodes.scanning.planar import points_of
 
 if TYPE_CHECKING:
@@ -47,14 +47,16 @@ class Navigator:
     key = ""
     """The parameter with the key of the blackboard for it."""
 
-    def __init__(self, node: Server, crew: Crew, kinds: Kinds, frame: str, log: TreeLog, all_: list[Navigator]) -> None:
-        self._node, self._crew, self._kinds, self._frame, self._log, self._all = node, crew, kinds, frame, log, all_
-        self.board = board_of(crew)
+    def __init__(
+        self, node: Server, context: TreeContext, kinds: Kinds, frame: str, log: TreeLog, others: list[Navigator]
+    ) -> None:  # fmt: skip
+        self._node, self._context, self._kinds, self._frame = node, context, kinds, frame
+        self._log, self._others = log, others
+        self.board = board_of(context)
         self._tree: TreeNode | None = None
         self._file, self._text = "", ""
         self._handle: ServerGoalHandle | None = None
         self._action = node.serve(self.kind, self.name, self._navigate)
-        all_.append(self)
 
     def poses(self, request: Any) -> list[PoseStamped]:
         """The poses of a goal."""
@@ -102,15 +104,15 @@ class Navigator:
             handle.publish_feedback(self._feedback(begin))
 
         period = max(self._node.number("bt_loop_duration"), 1) * 1e-3
-        self._finish(handle, await Trip(self._tree, self._crew, ended, tell, period, self._log).run())
+        self._finish(handle, await TreeRun(self._tree, self._context, ended, tell, period, self._log).run())
         return self.kind.Result()
 
     def _accepts(self, request: Any) -> bool:
         """Whether a goal may begin; its tree is loaded then."""
         log, poses, file = self._node.get_logger(), self.poses(request), request.behavior_tree or self.default_file()
-        if any(other._handle is not None for other in self._all if other is not self):
+        if any(other._handle is not None for other in self._others if other is not self):
             log.error(f"Requested navigation from {self.name} while another navigator is processing, rejecting request.")
-        elif not poses or self._crew.pose() is None:
+        elif not poses or self._context.pose() is None:
             log.error("There are no poses to go to" if not poses else "Initial robot pose is not available.")
         elif self._handle is not None:
             return self._preempts(file)
@@ -134,7 +136,7 @@ class Navigator:
 
     def _begin(self, request: Any) -> Time:
         """Put a goal on the blackboard. Returns the time."""
-        here, to = self._crew.pose(), self.poses(request)[-1].pose.position
+        here, to = self._context.pose(), self.poses(request)[-1].pose.position
         begins = f"({here.x:.2f}, {here.y:.2f})" if here is not None else ""
         way = f"through {len(request.poses)} poses" if self.kind is NavigateThroughPoses else begins
         self._node.get_logger().info(f"Begin navigating from current location {way} to ({to.x:.2f}, {to.y:.2f})")
@@ -159,12 +161,12 @@ class Navigator:
             handle.abort()
 
     def _feedback(self, begin: Time) -> Any:
-        feedback, here, now = self.kind.Feedback(), self._crew.pose(), self._node.get_clock().now()
+        feedback, here, now = self.kind.Feedback(), self._context.pose(), self._node.get_clock().now()
         if here is not None:
             feedback.current_pose = stamped(here, self._frame, now.to_msg())
         feedback.navigation_time = (now - begin).to_msg()
         feedback.distance_remaining = distance = self._distance()
-        speed = self._crew.speed()
+        speed = self._context.speed()
         if speed > 0.01 and distance > 0.1:
             feedback.estimated_time_remaining = Duration(seconds=distance / speed).to_msg()
         feedback.number_of_recoveries = int(self.board["number_recoveries"])
@@ -172,7 +174,7 @@ class Navigator:
 
     def _distance(self) -> float:
         """The remaining length of the path [m]."""
-        here, path = self._crew.pose(), self.board.get(self._node.text("path_blackboard_id"))
+        here, path = self._context.pose(), self.board.get(self._node.text("path_blackboard_id"))
         if here is None or path is None or not path.poses:
             return 0.0
         return length(remaining(points_of(path), here.x, here.y))

@@ -18,11 +18,11 @@ from coursekit.nav.costmap import Costmap
 from coursekit.nav.planner import PlanError, Planner
 from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.nav2.costmap_node import CostmapNode
-from coursekit.nodes.nav2.foreign import ForeignPlugins
-from coursekit.nodes.nav2.foreign_planner import ForeignPlanner
+from coursekit.nodes.nav2.cpp_planner import ForeignPlanner
+from coursekit.nodes.nav2.cpp_plugins import ForeignPlugins
 from coursekit.nodes.nav2.parameters import Obedience, declare
-from coursekit.nodes.nav2.running import Beat, Server, run
-from coursekit.nodes.nav2.whereabouts import path_message, stamped
+from coursekit.nodes.nav2.running import AsyncRate, Server, run
+from coursekit.nodes.nav2.transform_lookup import path_message, stamped
 from coursekit.nodes.scanning.planar import plane
 
 if TYPE_CHECKING:
@@ -191,16 +191,16 @@ class PlannerServer(Server):
 
     async def _costs_come(self, handle: ServerGoalHandle) -> bool:
         """Wait a little for the first map and the first transform; whether someone still wants the path."""
-        beat = Beat(self, 0.1)
+        rate = AsyncRate(self, 0.1)
         try:
             for _ in range(PATIENCE):
                 wanted = not handle.is_cancel_requested and self.actions[0].active
                 if not wanted or self.costmap.latest is not None:
                     return wanted
-                await beat.next()
+                await rate.sleep()
                 self.costmap.fresh()
         finally:
-            beat.stop()
+            rate.destroy()
         return True
 
     def _costs(self) -> Costmap:

@@ -10,7 +10,7 @@ from rclpy.action import ActionServer, CancelResponse, GoalResponse
 from rclpy.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
 from rclpy.task import Future
 
-from coursekit.nodes.nav2.foreign import PluginsOwner
+from coursekit.nodes.nav2.cpp_plugins import PluginsOwner
 from coursekit.nodes.running import spin_to_the_end
 
 if TYPE_CHECKING:
@@ -25,8 +25,8 @@ def run(make: Callable[[], LifecycleNode], args: list[str] | None = None) -> int
     return spin_to_the_end(node, *([node.costmap] if hasattr(node, "costmap") else []))
 
 
-class Beat:
-    """A periodic timer for coroutines, on the node's clock: `await beat.next()`; `stop()` ends it."""
+class AsyncRate:
+    """rclpy's Rate for coroutines, on the node's clock: `await rate.sleep()`, and `destroy()` in the end."""
 
     def __init__(self, node: Node, period: float) -> None:
         self._node, self._waiting = node, Future()
@@ -36,22 +36,22 @@ class Beat:
         waiting, self._waiting = self._waiting, Future()
         waiting.set_result(None)
 
-    async def next(self) -> None:
+    async def sleep(self) -> None:
         """Wait for the next tick."""
         await self._waiting
 
-    def stop(self) -> None:
+    def destroy(self) -> None:
         """Destroy the timer."""
         self._node.destroy_timer(self._timer)
 
 
 async def pause(node: Node, seconds: float) -> None:
     """Sleep on the node's clock."""
-    beat = Beat(node, seconds)
+    rate = AsyncRate(node, seconds)
     try:
-        await beat.next()
+        await rate.sleep()
     finally:
-        beat.stop()
+        rate.destroy()
 
 
 class SingleGoal:

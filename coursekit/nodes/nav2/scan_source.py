@@ -12,7 +12,7 @@ from sensor_msgs.msg import LaserScan
 from tf2_ros import TransformException
 
 from coursekit.nav.obstacles import ObstacleLayer
-from coursekit.nodes.nav2.whereabouts import Whereabouts
+from coursekit.nodes.nav2.transform_lookup import TransformLookup
 from coursekit.nodes.scanning.planar import fault_of, of_transform, upside_down
 from coursekit.nodes.scanning.scan_filter import ScanFilter, lookup
 
@@ -29,7 +29,7 @@ class Source:
     what: str
     """The type of its messages, and the word for one in log messages."""
 
-    def __init__(self, node: Node, where: Whereabouts, frame: str, layer: ObstacleLayer, given: dict[str, Any]) -> None:
+    def __init__(self, node: Node, where: TransformLookup, frame: str, layer: ObstacleLayer, given: dict[str, Any]) -> None:
         self.node, self.layer, self.given, self._where, self._frame = node, layer, given, where, frame
         self.filter = ScanFilter(node, where.buffer, frame, 10, self._take)
         self._heard = node.create_subscription(

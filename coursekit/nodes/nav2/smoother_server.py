@@ -14,12 +14,12 @@ from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 from coursekit.nav.costmap import INSCRIBED, UNKNOWN, Costmap
 from coursekit.nav.planner import smoothed
 from coursekit.nodes.compiled.classes import CppFault
-from coursekit.nodes.nav2.foreign import ForeignPlugins
-from coursekit.nodes.nav2.foreign_smoother import ForeignSmoother
+from coursekit.nodes.nav2.cpp_plugins import ForeignPlugins
+from coursekit.nodes.nav2.cpp_smoother import ForeignSmoother
 from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.parameters import Obedience, declare
-from coursekit.nodes.nav2.running import Beat, Server, run
-from coursekit.nodes.nav2.whereabouts import Whereabouts, path_message
+from coursekit.nodes.nav2.running import AsyncRate, Server, run
+from coursekit.nodes.nav2.transform_lookup import TransformLookup, path_message
 from coursekit.nodes.scanning.planar import plane
 
 if TYPE_CHECKING:
@@ -64,7 +64,7 @@ class SmootherServer(Server):
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Create the action server; return FAILURE for an invalid parameter."""
         self.get_logger().info("Configuring smoother server")
-        self.where = Whereabouts(self, self.text("robot_base_frame"))
+        self.where = TransformLookup(self, self.text("robot_base_frame"))
         try:
             given = declare(self, _SERVER)
             self._make_plugins()
@@ -115,11 +115,11 @@ class SmootherServer(Server):
 
     async def _smooth(self, handle: ServerGoalHandle) -> Any:
         request, result, begin = handle.request, SmoothPath.Result(), self.get_clock().now()
-        beat = Beat(self, 0.1)
+        rate = AsyncRate(self, 0.1)
         for _ in range(PATIENCE):
             if self._costs is None:
-                await beat.next()
-        beat.stop()
+                await rate.sleep()
+        rate.destroy()
         name = request.smoother_id or next(iter(self._smoothers))
         if name not in self._smoothers or not request.path.poses or self._costs is None:
             self.get_logger().error(self._fault(name, request.path.poses))

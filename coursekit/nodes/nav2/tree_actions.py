@@ -26,8 +26,8 @@ from rclpy.duration import Duration
 from std_srvs.srv import Empty
 
 from coursekit.nav.behavior_tree import FAILURE, RUNNING, SUCCESS, TreeNode
-from coursekit.nav.second_thoughts import remaining, worth_it
-from coursekit.nodes.nav2.crew import crew_of
+from coursekit.nav.path_change import remaining, worth_it
+from coursekit.nodes.nav2.tree_context import context_of
 from coursekit.nodes.scanning.planar import points_of
 
 
@@ -52,8 +52,8 @@ class ActionNode(TreeNode):
 
     def prepare(self) -> None:
         """Create the client."""
-        crew = crew_of(self)
-        self.client: ActionClient = crew.client(self.kind, self.ports.get("server_name") or self.server)
+        tree_context = context_of(self)
+        self.client: ActionClient = tree_context.client(self.kind, self.ports.get("server_name") or self.server)
         self._sent: Any = None
 
     def step(self) -> str:
@@ -61,7 +61,7 @@ class ActionNode(TreeNode):
         if self.status != RUNNING or self.again(self):
             if not self.client.server_is_ready():
                 name = self.ports.get("server_name") or self.server
-                crew_of(self).error(f'"{name}" action server not available: is its node running and active?')
+                context_of(self).error(f'"{name}" action server not available: is its node running and active?')
                 return FAILURE
             if self.recovers and self.status != RUNNING:
                 self.board["number_recoveries"] = self.board.get("number_recoveries", 0) + 1
@@ -70,7 +70,7 @@ class ActionNode(TreeNode):
         if self._result is None:
             if self._sent.done():
                 if not self._sent.result().accepted:
-                    crew_of(self).error(f'Goal was rejected by the action server "{self.server}"')
+                    context_of(self).error(f'Goal was rejected by the action server "{self.server}"')
                     return FAILURE
                 self._result = self._sent.result().get_result_async()
             return RUNNING
@@ -96,7 +96,7 @@ class PlanToPose(ActionNode):
     def prepare(self) -> None:
         """Create the clients."""
         super().prepare()
-        self._is_valid = crew_of(self).service(IsPathValid, "is_path_valid")
+        self._is_valid = context_of(self).service(IsPathValid, "is_path_valid")
         self._asked: Any = None
         self._aim: Any = None
         self._taken_for: Any = None
@@ -122,8 +122,8 @@ class PlanToPose(ActionNode):
     def _other_way(self) -> Any:
         """The rest of the driven path, if another way to the same goal is planned that is hardly shorter; else None."""
         old = self.get("path")
-        same = old is not None and crew_of(self).driven is old and self._taken_for == self._aim
-        here = crew_of(self).pose() if same else None
+        same = old is not None and context_of(self).driven is old and self._taken_for == self._aim
+        here = context_of(self).pose() if same else None
         if here is None or not self._is_valid.service_is_ready():
             return None
         ahead = remaining(points_of(old), here.x, here.y)
@@ -168,17 +168,17 @@ class Follow(ActionNode):
 
     def goal(self) -> Any:
         """Follow the path, and record it as the driven path."""
-        self.path = crew_of(self).driven = self.get("path")
+        self.path = context_of(self).driven = self.get("path")
         names = {name: self.get(name, "") for name in ("controller_id", "goal_checker_id")}
         return FollowPath.Goal(path=self.path, **names)
 
     def done(self, result: FollowPath.Result) -> None:
         """Record that no path is driven any more."""
-        crew_of(self).driven = None
+        context_of(self).driven = None
 
     def stop(self) -> None:
         """Cancel the goal."""
-        crew_of(self).driven = None
+        context_of(self).driven = None
         super().stop()
 
 
@@ -214,7 +214,7 @@ class CallNode(TreeNode):
 
     def prepare(self) -> None:
         """Create the client."""
-        self.client = crew_of(self).service(self.kind, self.ports.get("service_name") or self.server)
+        self.client = context_of(self).service(self.kind, self.ports.get("service_name") or self.server)
         self._sent: Any = None
 
     def request(self) -> Any:

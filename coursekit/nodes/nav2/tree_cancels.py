@@ -7,8 +7,8 @@ from typing import Any
 from action_msgs.srv import CancelGoal
 
 from coursekit.nav.behavior_tree import TreeNode
-from coursekit.nodes.nav2.crew import crew_of
 from coursekit.nodes.nav2.tree_actions import CallNode
+from coursekit.nodes.nav2.tree_context import context_of
 
 
 class CancelNode(CallNode):
@@ -19,13 +19,13 @@ class CancelNode(CallNode):
     def prepare(self) -> None:
         """Create the client of the action's service."""
         name = self.ports.get("server_name") or self.server
-        self.client = crew_of(self).service(CancelGoal, f"{name}/_action/cancel_goal")
+        self.client = context_of(self).service(CancelGoal, f"{name}/_action/cancel_goal")
         self._sent: Any = None
 
     def request(self) -> Any:
         """All goals up to now."""
         request = CancelGoal.Request()
-        request.goal_info.stamp = crew_of(self).node.get_clock().now().to_msg()
+        request.goal_info.stamp = context_of(self).node.get_clock().now().to_msg()
         return request
 
 

@@ -13,7 +13,7 @@ from sensor_msgs.msg import BatteryState
 
 from coursekit.nav.behavior_tree import FAILURE, IDLE, RUNNING, SUCCESS, TreeNode
 from coursekit.nodes.nav2.condition_nodes import goals_on
-from coursekit.nodes.nav2.crew import crew_of
+from coursekit.nodes.nav2.tree_context import context_of
 
 if TYPE_CHECKING:
     from nav_msgs.msg import Path
@@ -24,7 +24,7 @@ def length(path: Path) -> float:
 
     >>> from builtin_interfaces.msg import Time
     >>> import numpy as np
-    >>> from coursekit.nodes.nav2.whereabouts import path_message
+    >>> from coursekit.nodes.nav2.transform_lookup import path_message
     >>> length(path_message(np.array([[0.0, 0.0, 0.0], [3.0, 4.0, 0.0]]), "map", Time()))
     5.0
     """
@@ -40,7 +40,7 @@ class PathExpiringTimer(TreeNode):
 
     def step(self) -> str:
         """Start anew with a new path, and after a success."""
-        now, path = crew_of(self).seconds(), self.get("path")
+        now, path = context_of(self).seconds(), self.get("path")
         if self.begun is None or path != self.path:
             self.begun, self.path = now, path
             return FAILURE
@@ -93,7 +93,7 @@ class IsStuck(TreeNode):
 
     def prepare(self) -> None:
         """Listen."""
-        self._heard = crew_of(self).listen("odom", Odometry, most=3)
+        self._heard = context_of(self).listen("odom", Odometry, most=3)
 
     def step(self) -> str:
         """Compare them; the first two messages say nothing yet, as in nav2."""
@@ -139,7 +139,7 @@ class IsBatteryLow(TreeNode):
     def prepare(self) -> None:
         """Listen."""
         topic = self.ports.get("battery_topic", "/battery_status")
-        self._heard = crew_of(self).listen(topic, BatteryState, qos_profile_system_default)
+        self._heard = context_of(self).listen(topic, BatteryState, qos_profile_system_default)
 
     def step(self) -> str:
         """Compare the latest message; without one the battery is not low."""

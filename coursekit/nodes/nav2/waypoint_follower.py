@@ -9,8 +9,8 @@ from nav2_msgs.action import FollowWaypoints, NavigateToPose
 from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 
 from coursekit.nodes.compiled.classes import CppFault
-from coursekit.nodes.nav2.errands import Errand
-from coursekit.nodes.nav2.foreign import ForeignPlugins
+from coursekit.nodes.nav2.action_caller import ActionCaller
+from coursekit.nodes.nav2.cpp_plugins import ForeignPlugins
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import Server, run
 from coursekit.nodes.nav2.waypoint_tasks import task_of
@@ -42,7 +42,7 @@ class WaypointFollower(Server):
             self._task = task_of(self, self._given["waypoint_task_executor_plugin"], self._foreign)
         except (ValueError, CppFault) as fault:
             return self._foreign.refused(fault)
-        self._go = Errand(self, NavigateToPose, "navigate_to_pose")
+        self._go = ActionCaller(self, NavigateToPose, "navigate_to_pose")
         self._action = self.serve(FollowWaypoints, "follow_waypoints", self._follow)
         return super().on_configure(state)
 

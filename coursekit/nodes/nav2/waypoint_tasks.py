@@ -12,8 +12,8 @@ from rclpy.qos import qos_profile_system_default
 from sensor_msgs.msg import Image
 from std_msgs.msg import Empty
 
-from coursekit.nodes.nav2.foreign import ForeignPlugins
-from coursekit.nodes.nav2.foreign_behavior import ForeignTask
+from coursekit.nodes.nav2.cpp_behavior import ForeignTask
+from coursekit.nodes.nav2.cpp_plugins import ForeignPlugins
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import pause
 

@@ -14,13 +14,13 @@ from geometry_msgs.msg import Twist
 from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor
 from rclpy.node import Node
 
-from coursekit.nodes.gazebo.assembly import Assembly, assemble
 from coursekit.nodes.gazebo.devices import OdometryDevice
+from coursekit.nodes.gazebo.model_conversion import Assembly, assemble
 from coursekit.nodes.gazebo.odometry_publishers import OdometryPublisher
+from coursekit.nodes.gazebo.precompile import warm_up
 from coursekit.nodes.gazebo.sensor_publishers import PUBLISHERS, SensorPublisher
 from coursekit.nodes.gazebo.urdf_model import blueprint_of
-from coursekit.nodes.gazebo.warm_up import warm_up
-from coursekit.nodes.gazebo.world_of import open_world
+from coursekit.nodes.gazebo.world_lookup import open_world
 from coursekit.nodes.running import run
 from coursekit.sim import Simulation, WorldError
 from coursekit.urdf import load

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from coursekit.geometry.pose import Pose, Vector, compose, inverse
 from coursekit.nav.utm import Utm
-from coursekit.sim.globe import Globe
+from coursekit.sim.spherical_coordinates import Globe
 
 Fix = tuple[float, float, float]
 """Latitude and longitude [degrees] and altitude [m]."""

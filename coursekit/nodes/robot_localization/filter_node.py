@@ -19,11 +19,11 @@ from coursekit.nav.fusion.state import ANGLES, POSE, POSITION, SIZE, wrapped
 from coursekit.nav.fusion.unscented import Ukf
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.robot_localization import messages, parameters
-from coursekit.nodes.robot_localization.ears import Ears
+from coursekit.nodes.robot_localization.diagnostics import Health
+from coursekit.nodes.robot_localization.filter_subscriptions import Ears
 from coursekit.nodes.robot_localization.frames import Frames
 from coursekit.nodes.robot_localization.geometry import pose_of, square, turned, turning, vector
-from coursekit.nodes.robot_localization.health import Health
-from coursekit.nodes.robot_localization.preparing import Preparing
+from coursekit.nodes.robot_localization.measurement_conversion import Preparing
 from coursekit.nodes.robot_localization.sources import sources
 from coursekit.nodes.running import run
 

@@ -19,9 +19,9 @@ from coursekit.nodes.scanning.scan_filter import ScanFilter, WakingBuffer, looku
 from coursekit.nodes.slam_toolbox.engines import Engine, Mapping
 from coursekit.nodes.slam_toolbox.map_topic import MapTopic
 from coursekit.nodes.slam_toolbox.parameters import declare, number, slam_parameters
+from coursekit.slam.precompile import warm
 from coursekit.slam.scan import Scan
 from coursekit.slam.slam import Result, Slam
-from coursekit.slam.warm import warm
 
 EVERY_SCAN = 1000
 """The number of scans that a synchronous node queues while it is busy."""

@@ -20,7 +20,7 @@ from controller_manager_msgs.srv import (
     UnloadController,
 )
 
-from coursekit.nodes.control.asking import Asker, NoManager
+from coursekit.nodes.control.manager_client import Asker, NoManager
 
 if TYPE_CHECKING:
     from rclpy.node import Node

@@ -12,8 +12,8 @@ from coursekit.processes import script, session
 from coursekit.processes.child import ChildProcess
 from coursekit.processes.executables import has_compiled_here
 from coursekit.processes.prefixed import is_package_executable, prefixed
+from coursekit.systems.command_lines import plain_words, shell_command
 from coursekit.systems.layout import executable_name
-from coursekit.systems.words import plain_words, shell_command
 from coursekit.wiring import COMPILED_HOST, command
 
 from .substitutions.find_executable import which

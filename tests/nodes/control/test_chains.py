@@ -11,7 +11,7 @@ from std_srvs.srv import SetBool
 
 from coursekit.nodes.control.chains import Chains
 from coursekit.nodes.control.controller import ControlError, Controller
-from coursekit.nodes.control.loaded import Loaded
+from coursekit.nodes.control.loaded_controller import Loaded
 from coursekit.nodes.control.pid import Gains, Pid
 from tests.nodes.control.test_controllers import CART
 from tests.nodes.control.test_steering import ACKERMANN, FOUR, car, joints  # noqa: F401 (a fixture)

@@ -6,7 +6,7 @@ import pytest
 
 from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.gazebo.sdf_world import load_sdf
-from coursekit.nodes.gazebo.world_of import find_world
+from coursekit.nodes.gazebo.world_lookup import find_world
 from coursekit.sim import Lidar, RobotModel, Simulation
 
 WALL = """<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">

@@ -6,7 +6,7 @@ from sensor_msgs.msg import FluidPressure, MagneticField, NavSatFix
 
 from coursekit.nodes.gazebo.sdf_world import load_sdf
 from coursekit.nodes.gz.bridge_types import carried_by
-from coursekit.sim.globe import Globe, pressure
+from coursekit.sim.spherical_coordinates import Globe, pressure
 from coursekit.urdf import UrdfError
 from tests.nodes.gz.conftest import DRIVE, WORLD
 

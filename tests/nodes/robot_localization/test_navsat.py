@@ -10,7 +10,7 @@ from rclpy.time import Time
 from robot_localization.srv import FromLL, SetDatum, SetUTMZone, ToLL
 from sensor_msgs.msg import NavSatFix
 
-from coursekit.sim.globe import Globe
+from coursekit.sim.spherical_coordinates import Globe
 from tests.nodes.robot_localization.conftest import TICK, rolled
 
 HOME = (48.0, 11.0, 500.0)

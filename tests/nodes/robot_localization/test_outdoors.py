@@ -13,7 +13,7 @@ from tf2_geometry_msgs import do_transform_point
 from coursekit.cli.parser import run as run_cli
 from coursekit.nav.utm import Utm
 from coursekit.nodes.gazebo.simulators import simulators
-from coursekit.sim.globe import Globe
+from coursekit.sim.spherical_coordinates import Globe
 
 HOME = (55.944831, -3.186998, 80.0)
 HEADING = math.degrees(math.pi / 2 + 0.0429351)  # where the example's yaw_offset and declination have x point to, from east

@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from coursekit.systems.words import split_words
+from coursekit.systems.command_lines import split_words
 
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution

@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from coursekit.processes import session
+from coursekit.systems.command_lines import split_words
 from coursekit.systems.layout import executable_name
-from coursekit.systems.words import split_words
 from coursekit.wiring import command
 
 from ..frontend.expose import expose_substitution

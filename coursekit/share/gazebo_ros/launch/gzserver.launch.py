@@ -5,7 +5,7 @@ from launch.actions import DeclareLaunchArgument, OpaqueFunction
 from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
 
-from coursekit.systems.words import split_words
+from coursekit.systems.command_lines import split_words
 
 ARGUMENTS = {
     "world": ("", "Specify world file name"),

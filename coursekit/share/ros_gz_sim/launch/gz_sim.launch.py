@@ -4,7 +4,7 @@ from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument, ExecuteProcess, OpaqueFunction, Shutdown
 from launch.substitutions import LaunchConfiguration
 
-from coursekit.systems.words import split_words
+from coursekit.systems.command_lines import split_words
 
 ARGUMENTS = {
     "gz_args": ("", "Arguments to be passed to Gazebo Sim"),

@@ -1,0 +1,64 @@
+"""Who may connect in a compiled program's name: on a port, only who knows the token."""
+
+import socket
+import threading
+
+import pytest
+
+from coursekit.nodes.compiled.program_address import LoopbackDoor, UnixDoor, open_door
+from coursekit.systems import which
+from tests.needs import posix
+
+
+@pytest.fixture
+def door():
+    loopback_door = LoopbackDoor()
+    yield loopback_door
+    loopback_door.close()
+
+
+def connect(door, said):
+    """A connection to a port that says this first, and no more."""
+    connection = socket.create_connection(door.listening.getsockname(), timeout=10)
+    connection.sendall(said)
+    connection.shutdown(socket.SHUT_WR)
+    return connection
+
+
+def test_only_who_says_the_token_comes_in(door):
+    port, token = door.address.split(":")
+    assert door.listening.getsockname() == ("127.0.0.1", int(port)) and len(token) == 32
+    strangers = [connect(door, said) for said in (b"", b"M", b"x" * 32, token[:-1].encode())]
+    friend = connect(door, f"{token}M".encode())
+    with door.accept() as accepted, friend:
+        assert accepted.recv(10) == b"M"  # the strangers came before, and not in
+    for stranger in strangers:
+        with stranger:
+            assert stranger.recv(1) == b""
+
+
+def test_doors_have_tokens_of_their_own(door):
+    other = LoopbackDoor()
+    assert other.address.split(":")[1] != door.address.split(":")[1]
+    other.close()
+
+
+@pytest.mark.parametrize("kind", [LoopbackDoor, pytest.param(UnixDoor, marks=posix("there are no sockets of files"))])
+def test_who_waits_at_a_door_that_is_closed_hears_of_it(kind):
+    closing, ended = kind(), threading.Event()
+
+    def wait():
+        with pytest.raises(OSError):
+            closing.accept()
+        ended.set()
+
+    threading.Thread(target=wait, daemon=True).start()
+    closing.close()
+    assert ended.wait(20)
+
+
+def test_windows_has_ports(monkeypatch):
+    monkeypatch.setattr(which, "WINDOWS", True)
+    door = open_door()
+    assert isinstance(door, LoopbackDoor)
+    door.close()

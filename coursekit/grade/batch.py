@@ -23,7 +23,7 @@ from .mark import Marked, mark
 from .marks_table import MarksTable
 from .outcome import Outcome
 from .overview import write_overview
-from .person_submission import Handed, wanted_chapters
+from .person_submission import PersonSubmission, wanted_chapters
 from .questions import NAME as QUESTIONS
 from .questions import read_answers, write_questions
 from .record import Record, lateness_of
@@ -142,7 +142,7 @@ class Class:
         chapters, others = wanted_chapters(collection.handed)
         return chapters or sorted(self.sources), others
 
-    def _record(self, handed: Handed, wanted: Mapping[str, Sequence[Verdict]]) -> Record:
+    def _record(self, handed: PersonSubmission, wanted: Mapping[str, Sequence[Verdict]]) -> Record:
         record = Record(handed, wanted, tier=self._tier)
         for chapter in [name for name in handed.chosen if name not in wanted]:
             handed.concerns.append(f"{chapter} was handed in too; it is not marked here")

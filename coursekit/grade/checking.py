@@ -9,7 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from coursekit.view.progress_bar import Working
+from coursekit.view.progress_bar import ProgressBar
 from coursekit.view.shell import running_shell
 from coursekit.words.gettext import gettext
 
@@ -18,7 +18,7 @@ from .exception_advice import cause_of
 from .exercise import Exercise, find
 from .illustration import Illustration
 from .interruptions import Gone, NeedsWorkspace
-from .observed_work import NotedWork
+from .observed_work import ObservedWork
 from .own_checks import OWN, fault_of, read_checks
 from .plain import error_of, of_student
 from .progress import Progress
@@ -53,7 +53,7 @@ def judge(
 
 def judge_work(exercise: Exercise, work: Any, tries: int = 1) -> Verdict:
     """Judge any work: full points require that the judge ends without an objection."""
-    noted = NotedWork(work)
+    noted = ObservedWork(work)
     illustration = getattr(work, "illustration", None) or Illustration()
     try:
         exercise.judge(noted)
@@ -72,7 +72,7 @@ def judge_work(exercise: Exercise, work: Any, tries: int = 1) -> Verdict:
     return Verdict(exercise.name, exercise.title, exercise.points, exercise.points)
 
 
-def _stopped(exercise: Exercise, error: Exception, noted: NotedWork) -> Verdict:
+def _stopped(exercise: Exercise, error: Exception, noted: ObservedWork) -> Verdict:
     """Return the verdict after an exception: the student's own costs the points, the check's own is reported as such."""
     empty = Verdict(exercise.name, exercise.title, 0, exercise.points)
     if error is noted.raised or of_student(error):
@@ -82,7 +82,7 @@ def _stopped(exercise: Exercise, error: Exception, noted: NotedWork) -> Verdict:
     return replace(empty, fault=fault_of(error))
 
 
-def _refused(exercise: Exercise, wrong: Wrong, noted: NotedWork, tries: int) -> Verdict:
+def _refused(exercise: Exercise, wrong: Wrong, noted: ObservedWork, tries: int) -> Verdict:
     """Return a negative verdict; a program's fatal exception comes first, without the check's own guess."""
     died, got, cause, hint = noted.death(), wrong.got, wrong.cause, _hint(exercise.hints, wrong, tries)
     if died:
@@ -128,7 +128,7 @@ def check(name: str, **variants: Any) -> None:
     read_checks(progress.file.parent.parent / OWN)
     exercise, illustration = find(name), Illustration()
     try:
-        with Working(gettext(f"Trying out {name}"), late=gettext(ENDLESS)):
+        with ProgressBar(gettext(f"Trying out {name}"), late=gettext(ENDLESS)):
             verdict = judge(exercise, _variables(), workspace(), progress.count_try(name), variants, illustration)
     except KeyboardInterrupt:
         raise CheckFailed(gettext(f"{name} was stopped, so it is not judged. Is there a loop that never ends?")) from None

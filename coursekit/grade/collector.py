@@ -18,7 +18,7 @@ from .chapter_files import choose
 from .entries import entries_of_folder, entries_of_zip
 from .identifying import SURE, Identified, Identifier, without_ending
 from .lateness import Policy, platform_time
-from .person_submission import Handed
+from .person_submission import PersonSubmission
 from .platform_names import platform_name
 from .questions import NOBODY, Question, numbered
 from .recognising import Recogniser
@@ -32,7 +32,7 @@ from .submission_split import Part, parts_of, whole
 class Collection:
     """The work of a class."""
 
-    handed: list[Handed]
+    handed: list[PersonSubmission]
     questions: list[Question]
     """All questions, answered or not."""
     told: list[str]
@@ -62,7 +62,7 @@ class Collector:
         self._knows_marks = bool(copies)
         self._policy = policy or Policy()
         self._answers = answers or {}
-        self._people: dict[str, Handed] = {}
+        self._people: dict[str, PersonSubmission] = {}
         self._made = Collection([], [], list(roster.notes) if roster else [])
 
     def collect(self, place: Path, leave: Iterable[Path] = ()) -> Collection:
@@ -98,9 +98,9 @@ class Collector:
         known = self._identifier is not None and len(self._identifier.by_name(name).people) == 1
         return known or platform_name(name) is not None
 
-    def _of(self, person: Person) -> Handed:
+    def _of(self, person: Person) -> PersonSubmission:
         label = self._roster.label(person) if self._roster else shown(person.name)
-        return self._people.setdefault(person.identity, Handed(person, label))
+        return self._people.setdefault(person.identity, PersonSubmission(person, label))
 
     def _put(self, entry: Entry) -> None:
         """Assign an entry to its owner, or ask; an entry with several people's copies is divided."""
@@ -160,7 +160,7 @@ class Collector:
             return Person(shown(before), id=identity_of(before)) if identity_of(before) else None
         return Person(shown(stem), id=identity_of(stem) or shown(stem))
 
-    def _look_for_other_s_copies(self, handed: Handed) -> None:
+    def _look_for_other_s_copies(self, handed: PersonSubmission) -> None:
         """Note that a copy was made for another student, even if the teacher assigned it."""
         for piece in handed.chosen.values():
             owner = self._identifier.owner(piece.known.copy) if self._identifier is not None else None
@@ -174,7 +174,7 @@ class Collector:
             missing = "the .secret of the list that they were released with is not beside this list"
             self._made.told.append(f"There are copies with a mark, but {missing}: only names tell whose they are.")
 
-    def _choose(self, handed: Handed) -> None:
+    def _choose(self, handed: PersonSubmission) -> None:
         """Choose the file that counts for each chapter."""
         deadline = self._policy.deadline(handed.person)
         listed = platform_time(handed.person.when)
@@ -209,7 +209,7 @@ class Collector:
                 if choice.piece.known.level == 0:
                     handed.concerns.append(f"{choice.piece.where}: nothing was written in it")
 
-    def _take_apart(self, handed: Handed, by_chapter: dict[str, list[Piece]]) -> None:
+    def _take_apart(self, handed: PersonSubmission, by_chapter: dict[str, list[Piece]]) -> None:
         """Use a notebook with exercises of two chapters for both, unless the other chapter has its own notebook."""
         own = set(by_chapter)
         for entry in handed.entries:
@@ -225,7 +225,7 @@ class Collector:
                         by_chapter.setdefault(known.chapter, []).append(part)
                     handed.concerns.append(f"{piece.where}: {said}")
 
-    def _chapter_of(self, piece: Piece, handed: Handed, others: bool) -> Piece:
+    def _chapter_of(self, piece: Piece, handed: PersonSubmission, others: bool) -> Piece:
         """Find the chapter of a notebook that neither content nor name gives; ask if the person handed in nothing else."""
         if piece.fault or others or not piece.known.work:
             why = piece.fault or "it holds no exercise of the chapters"
@@ -258,7 +258,7 @@ class Collector:
                 self._made.told.append(f"'{other}' and '{handed.label}' look like one name: give the class with --roster.")
 
 
-    def _look_for_a_class(self, only: Handed) -> None:
+    def _look_for_a_class(self, only: PersonSubmission) -> None:
         """Report a student with everybody's work: the folder above that of the class was given."""
         for name, pieces in itertools.groupby(
             sorted(only.pieces(), key=lambda piece: piece.chapter), lambda piece: piece.chapter

@@ -8,7 +8,7 @@ from .interruptions import TimeOver
 from .outputs import exception_in
 
 
-class NotedWork:
+class ObservedWork:
     """A judge's view of the work; it records the last output of its programs, and exceptions of its functions."""
 
     def __init__(self, work: Any) -> None:

@@ -13,7 +13,7 @@ from .submissions import Submission
 
 
 @dataclass
-class Handed:
+class PersonSubmission:
     """One person's submission."""
 
     person: Person
@@ -54,7 +54,7 @@ class Handed:
         return Submission(self.label, piece.file, {chapter: piece.file}, bundles)
 
 
-def wanted_chapters(handed: Sequence[Handed]) -> tuple[list[str], dict[str, list[str]]]:
+def wanted_chapters(handed: Sequence[PersonSubmission]) -> tuple[list[str], dict[str, list[str]]]:
     """Return the chapters that most people handed in (else all), and the people with each of the others."""
     chapters: dict[str, list[str]] = {}
     for student in handed:

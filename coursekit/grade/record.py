@@ -11,7 +11,7 @@ from coursekit.words.gettext import ENGLISH
 
 from .lateness import DAY_S, Policy
 from .mark import Marked
-from .person_submission import Handed
+from .person_submission import PersonSubmission
 from .sanitizing import number, unique
 from .statuses import status_of
 from .submission_parts import SEALED, told_time
@@ -37,7 +37,7 @@ class Late:
 class Record:
     """A person, with all data of the marks."""
 
-    handed: Handed
+    handed: PersonSubmission
     wanted: Mapping[str, Sequence[Verdict]]
     """The exercises by chapter, without points so far."""
     marks: dict[str, Marked] = field(default_factory=dict)
@@ -164,7 +164,7 @@ def _together(statuses: Sequence[str]) -> str:
     return "empty" if statuses and all(status == "empty" for status in statuses) else "graded"
 
 
-def lateness_of(handed: Handed, chapters: Sequence[str], policy: Policy) -> dict[str, Late]:
+def lateness_of(handed: PersonSubmission, chapters: Sequence[str], policy: Policy) -> dict[str, Late]:
     """Return the lateness of each chapter; contradictions between times are reported to the teacher."""
     lateness = {}
     for chapter in chapters:

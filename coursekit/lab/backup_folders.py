@@ -11,7 +11,7 @@ from coursekit.words.gettext import gettext
 
 from .errors import NotNow
 from .magics import workspace
-from .written_parts import Written
+from .written_parts import WrittenParts
 
 
 def set_aside(*names: str) -> None:
@@ -24,7 +24,7 @@ def set_aside(*names: str) -> None:
         for path in dict.fromkeys((workspace() / name, Path(name).resolve())):
             if path.exists():
                 print(gettext(f"{name} was there already. It is kept: {_keep(path)}"))
-                Written(path).forget()
+                WrittenParts(path).forget()
 
 
 def _keep(path: Path) -> str:

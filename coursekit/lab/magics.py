@@ -24,7 +24,7 @@ from .known_terminals import KNOWN
 from .magic_values import Values
 from .terminal import Terminal, Terminals
 from .waiting import until_said
-from .written_parts import Written
+from .written_parts import WrittenParts
 
 _DURATION = re.compile(r"\[[0-9.]+(min )?[0-9.]*s(?=[],])")
 
@@ -57,7 +57,7 @@ def edit(path: str, old: str, new: str) -> None:
     file = workspace() / path
     if not file.is_file():
         raise NotThere(f"There is no {path} in {workspace().name}/. Is the name right, was the cell above run?")
-    if Written(file).edit(old, new):
+    if WrittenParts(file).edit(old, new):
         print(f"{path}:", *(f"    {line}" for line in new.splitlines()), sep="\n")
     else:
         print(gettext(f"{path}: this edit was made before, and the lines were changed since. They stay as they are."))
@@ -123,7 +123,7 @@ class CourseMagics(Magics):
             same = f"Not written: {right} is there, and the same file on this computer. Type its name: %%write {right}"
             print(gettext(same))
             return
-        written = Written(workspace() / name)
+        written = WrittenParts(workspace() / name)
         total = len((written.append(cell) if append else written.write(cell)).splitlines())
         print(gettext(f"Wrote {workspace().name}/{name} ({total} lines)"))
 

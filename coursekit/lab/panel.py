@@ -11,7 +11,7 @@ from coursekit.words.gettext import gettext
 
 from .bundle import forms_of, with_text
 from .docking import View
-from .panel_history import Past, cursor_of
+from .panel_history import PanelHistory, cursor_of
 from .panel_node import HiddenNode
 from .script import script, style
 
@@ -79,7 +79,7 @@ class Panel(View):
         self._lock = threading.Lock()
         self._alarm: Any = None
         self._follow_up: Any = None
-        self.past, self.cursor = Past(), cursor_of(self.session)
+        self.past, self.cursor = PanelHistory(), cursor_of(self.session)
         self.cursor.watchers.append(self.look_back)
         self.on_msg(self._hear)
         _open.append(self)

@@ -19,10 +19,10 @@ EVERY_SECONDS = 0.2
 """The recording period of a scene [s]."""
 
 
-class Past:
+class PanelHistory:
     """Moments with their times [ns] and sizes [bytes].
 
-    >>> past = Past()
+    >>> past = PanelHistory()
     >>> for second in range(3):
     ...     past.keep(second * 10**9, f"moment {second}", 100)
     >>> past.at(1_500_000_000), past.at(-1), past.span()
@@ -82,4 +82,4 @@ def cursor_of(session: Session) -> Cursor:
     return _cursors.setdefault(session, Cursor())
 
 
-__all__ = ["EVERY_SECONDS", "SECONDS", "Cursor", "Past", "cursor_of"]
+__all__ = ["EVERY_SECONDS", "SECONDS", "Cursor", "PanelHistory", "cursor_of"]

@@ -10,7 +10,7 @@ import numpy as np
 
 from coursekit.geometry.plane import Pose2D, wrap
 from coursekit.processes.session import current
-from coursekit.view.progress_bar import Working
+from coursekit.view.progress_bar import ProgressBar
 
 from .drive import Driver
 from .errors import NotNow
@@ -118,7 +118,7 @@ def drive_along(
         current().clock.sleep(BEAT_SECONDS)
         _wait_for_slam(hidden, buffer, base)
         places = list(points)
-        with Working("Driving") as bar:
+        with ProgressBar("Driving") as bar:
             for number, (x, y) in enumerate(places):
                 bar.share = number / len(places)
                 _go(tour, driver, buffer, x, y)

@@ -7,7 +7,7 @@ from typing import Any
 
 from coursekit.cli.ask import full_name
 from coursekit.processes.session import Session, current
-from coursekit.view.progress_bar import Working
+from coursekit.view.progress_bar import ProgressBar
 from coursekit.words.gettext import gettext
 
 from .errors import NotNow, TooLate
@@ -28,7 +28,7 @@ def wait(seconds: float = 0.0, until: str = "", timeout_sec: float = PATIENCE_SE
     """
     session = current()
     what = gettext(f"Waiting for a message on {until}") if until else gettext("Waiting")
-    with Working(what, 0.0 if until else seconds):
+    with ProgressBar(what, 0.0 if until else seconds):
         if not until:
             session.clock.sleep(seconds)
         elif not _wait_for(session, full_name(until), seconds, timeout_sec):

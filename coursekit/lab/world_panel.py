@@ -8,7 +8,7 @@ import math
 from typing import Any
 
 from coursekit.geometry.plane import Pose2D
-from coursekit.nodes.gazebo.model_conversion import Assembly
+from coursekit.nodes.gazebo.model_conversion import ModelConversion
 from coursekit.nodes.gazebo.simulators import Simulator, simulators
 from coursekit.sim import Prism, Thing, WorldError
 from coursekit.view.world_scene import WorldScene
@@ -95,7 +95,7 @@ class WorldView(ScenePanel):
         corners = ((-half, -half), (half, -half), (half, half), (-half, half))
         place = Pose2D(float(x), float(y), 0.0)
         box = Thing(name, (Prism(corners, 0.0, size),), place, BOX_KG, texture="crates", model=name)
-        simulator.soon(simulator.put, Assembly(name, things=[box], place=place))
+        simulator.soon(simulator.put, ModelConversion(name, things=[box], place=place))
         return name
 
     def _free_name(self, taken: set[str]) -> str:

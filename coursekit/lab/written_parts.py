@@ -16,7 +16,7 @@ from .errors import NotNow, NotThere
 from .text_edits import appended, edited, undone
 
 
-class Written:
+class WrittenParts:
     """The parts of one file of the workspace that cells wrote.
 
     `pieces` are [cell, text] of `%%write`; `edits` are [cell, number, old, new], the newest last.
@@ -126,4 +126,4 @@ def _write(path: Path, text: str) -> None:
         raise
 
 
-__all__ = ["Written"]
+__all__ = ["WrittenParts"]

@@ -13,7 +13,7 @@ from coursekit.joined.ghosts import GhostNode
 
 from .calls import Answers
 from .direct import DirectLines
-from .link_context import Place
+from .link_context import LinkContext
 from .quality import wire_quality
 from .remote import RemoteSubscription
 from .sending import Sender
@@ -43,7 +43,7 @@ class Announced:
 class Announcer:
     """Keeps the announcements in step with the graph: one thread calls `compare` after each change."""
 
-    def __init__(self, place: Place, direct: DirectLines | None, *, listen_only: bool) -> None:
+    def __init__(self, place: LinkContext, direct: DirectLines | None, *, listen_only: bool) -> None:
         self._place = place
         self._direct = direct
         self._listen_only = listen_only

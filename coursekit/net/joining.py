@@ -15,7 +15,7 @@ from coursekit.processes.session import NETWORK_VARIABLE, Session
 from .address import read_address
 from .errors import NoNetwork
 from .link import Link
-from .link_context import Place
+from .link_context import LinkContext
 from .motion_check import would_move
 from .zenoh_session import Credentials, open_client
 
@@ -48,7 +48,7 @@ def join(
     where = read_address(address)
     leave(session, domain_id)
     engine = open_client(where, credentials)
-    link = Link(Place(session.graph(domain_id), domain_id, engine, where, tell), listen_only=listen_only)
+    link = Link(LinkContext(session.graph(domain_id), domain_id, engine, where, tell), listen_only=listen_only)
     try:
         moves = [] if listen_only else would_move(link.place.graph, link.tokens())
         if moves and not confirm(moves):

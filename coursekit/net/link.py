@@ -15,8 +15,8 @@ from coursekit.systems.user_socket import HAS_UNIX
 
 from .announcements import Announcer
 from .direct import DirectLines
-from .link_context import Place
-from .remote_graph import Visitors
+from .link_context import LinkContext
+from .remote_graph import RemoteGraph
 from .wire.token import ADMIN, Token, read_token
 
 SETTLE_SECONDS = 5.0
@@ -28,10 +28,10 @@ CLOSE_SECONDS = 2.0
 class Link:
     """Inspects a network first (`tokens`); this side stays invisible until `begin`."""
 
-    def __init__(self, place: Place, *, listen_only: bool = False) -> None:
+    def __init__(self, place: LinkContext, *, listen_only: bool = False) -> None:
         self.place = place
         self.listen_only = listen_only
-        self.visitors = Visitors(place, listen_only=listen_only)
+        self.visitors = RemoteGraph(place, listen_only=listen_only)
         self.direct = self._listen_for_neighbours()
         self.announcer = Announcer(place, self.direct, listen_only=listen_only)
         self.since = place.graph.clock.now()

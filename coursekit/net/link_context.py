@@ -12,7 +12,7 @@ from .wire.names import ANY_HASH, data_key
 
 
 @dataclass(frozen=True)
-class Place:
+class LinkContext:
     """The context shared by all parts of a link; `tell` reports a sentence to the user."""
 
     graph: Graph

@@ -13,7 +13,7 @@ from coursekit.processes.current_process import outside
 
 from .announcements import INSIDE, local_nodes
 from .calls import Questions
-from .link_context import Place
+from .link_context import LinkContext
 from .receiving import Receiver
 from .remote import RemoteClient, RemotePublisher, RemoteServer, RemoteSubscription, is_latched
 from .wire.attachment import Attachment
@@ -23,10 +23,10 @@ MOST = 20_000
 """Maximum number of announcements."""
 
 
-class Visitors:
+class RemoteGraph:
     """Remote nodes and endpoints; all calls come from one thread, in the order in which announcements arrive."""
 
-    def __init__(self, place: Place, *, listen_only: bool) -> None:
+    def __init__(self, place: LinkContext, *, listen_only: bool) -> None:
         self._place = place
         self._listen_only = listen_only
         self._things: dict[str, Any] = {}
@@ -183,4 +183,4 @@ class Visitors:
                 )
 
 
-__all__ = ["Visitors"]
+__all__ = ["RemoteGraph"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from coursekit.packages.package_settings import Recipe
+from coursekit.packages.package_settings import PackageSettings
 
 _TESTING = """\
 if(BUILD_TESTING)
@@ -22,7 +22,7 @@ endif()
 """
 
 
-def cmake_lists(recipe: Recipe) -> str:
+def cmake_lists(recipe: PackageSettings) -> str:
     """Return the text of CMakeLists.txt."""
     ament = recipe.build_type == "ament_cmake"
     parts = [f"cmake_minimum_required(VERSION 3.8)\nproject({recipe.name})\n", _WARNINGS, _find(recipe)]
@@ -35,7 +35,7 @@ def cmake_lists(recipe: Recipe) -> str:
     return "\n".join(parts)
 
 
-def _find(recipe: Recipe) -> str:
+def _find(recipe: PackageSettings) -> str:
     ament = ["ament_cmake", *(["ament_cmake_ros"] if recipe.library_name else [])]
     names = [*(ament if recipe.build_type == "ament_cmake" else []), *recipe.dependencies]
     lines = ["# find dependencies", *(f"find_package({name} REQUIRED)" for name in names)]
@@ -44,7 +44,7 @@ def _find(recipe: Recipe) -> str:
     return "\n".join([*lines, ""])
 
 
-def _uses(target: str, recipe: Recipe, indent: str = "") -> str:
+def _uses(target: str, recipe: PackageSettings, indent: str = "") -> str:
     if not recipe.dependencies:
         return ""
     if recipe.build_type == "cmake":
@@ -53,7 +53,7 @@ def _uses(target: str, recipe: Recipe, indent: str = "") -> str:
     return f"ament_target_dependencies(\n  {target}{names}\n)\n"
 
 
-def _library(recipe: Recipe) -> str:
+def _library(recipe: PackageSettings) -> str:
     name, package = recipe.library_name, recipe.name
     return (
         f"add_library({name} src/{name}.cpp)\n"
@@ -70,7 +70,7 @@ def _library(recipe: Recipe) -> str:
     )
 
 
-def _node(recipe: Recipe) -> str:
+def _node(recipe: PackageSettings) -> str:
     name = recipe.node_name
     link = f"target_link_libraries({name} {recipe.library_name})\n" if recipe.library_name else ""
     return (
@@ -81,10 +81,11 @@ def _node(recipe: Recipe) -> str:
     )
 
 
-def node_cpp(recipe: Recipe) -> str:
+def node_cpp(recipe: PackageSettings) -> str:
     """Return the text of the executable's source.
 
-    >>> 'printf("hello world robot package' in node_cpp(Recipe("robot", "", "MIT", "Ada", "ada@example.com", "ament_cmake"))
+    >>> settings = PackageSettings("robot", "", "MIT", "Ada", "ada@example.com", "ament_cmake")
+    >>> 'printf("hello world robot package' in node_cpp(settings)
     True
     """
     return (
@@ -93,11 +94,11 @@ def node_cpp(recipe: Recipe) -> str:
     )
 
 
-def _class_name(recipe: Recipe) -> str:
+def _class_name(recipe: PackageSettings) -> str:
     return "".join(part.capitalize() for part in str(recipe.library_name).split("_"))
 
 
-def library_hpp(recipe: Recipe) -> str:
+def library_hpp(recipe: PackageSettings) -> str:
     """Return the text of the library's header."""
     name, package, cls = recipe.library_name, recipe.name, _class_name(recipe)
     guard = f"{package.upper()}__{str(name).upper()}_HPP_"
@@ -108,7 +109,7 @@ def library_hpp(recipe: Recipe) -> str:
     )
 
 
-def library_cpp(recipe: Recipe) -> str:
+def library_cpp(recipe: PackageSettings) -> str:
     """Return the text of the library's source."""
     name, package, cls = recipe.library_name, recipe.name, _class_name(recipe)
     return (
@@ -117,7 +118,7 @@ def library_cpp(recipe: Recipe) -> str:
     )
 
 
-def visibility_h(recipe: Recipe) -> str:
+def visibility_h(recipe: PackageSettings) -> str:
     """Return the text of the header that defines the exported symbols of the library."""
     upper = recipe.name.upper()
     guard = f"{upper}__VISIBILITY_CONTROL_H_"
@@ -131,7 +132,7 @@ def visibility_h(recipe: Recipe) -> str:
     )
 
 
-def config_in(recipe: Recipe) -> str:
+def config_in(recipe: PackageSettings) -> str:
     """Return the text of <package>Config.cmake.in of a plain CMake package."""
     lines = ["@PACKAGE_INIT@", ""]
     if recipe.library_name:
@@ -140,6 +141,6 @@ def config_in(recipe: Recipe) -> str:
     return "\n".join([*lines, f"check_required_components({recipe.name})", ""])
 
 
-def version_in(recipe: Recipe) -> str:
+def version_in(recipe: PackageSettings) -> str:
     """Return the text of <package>ConfigVersion.cmake.in of a plain CMake package."""
     return f'set(PACKAGE_VERSION "@{recipe.name}_VERSION@")\nset(PACKAGE_VERSION_COMPATIBLE TRUE)\n'

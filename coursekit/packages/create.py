@@ -12,7 +12,7 @@ import sys
 from pathlib import Path
 
 from coursekit.packages import cmake_templates, python_templates
-from coursekit.packages.package_settings import Recipe, manifest
+from coursekit.packages.package_settings import PackageSettings, manifest
 from coursekit.systems.letter_case import other_spelling
 from coursekit.words import licenses
 
@@ -68,13 +68,13 @@ def create(args: argparse.Namespace) -> int:
     return 0
 
 
-def _recipe(args: argparse.Namespace) -> Recipe:
+def _recipe(args: argparse.Namespace) -> PackageSettings:
     node_name = args.node_name or None
     if node_name and node_name == args.library_name:
         node_name += "_node"
         print("[WARNING] node name can not be equal to the library name", file=sys.stderr)
         print(f"[WARNING] renaming node to {node_name}", file=sys.stderr)
-    return Recipe(
+    return PackageSettings(
         name=args.package_name,
         description=args.description,
         license=args.license,
@@ -98,7 +98,7 @@ def _email(name: str) -> str:
     return f"{name}@todo.todo"
 
 
-def _refusal(recipe: Recipe, destination: str) -> str | None:
+def _refusal(recipe: PackageSettings, destination: str) -> str | None:
     if recipe.build_type == "ament_python" and recipe.name == "test":
         why = "Aborted since 'ament_python' packages can't be named 'test'."
         return f"{why} Please choose a different package name."
@@ -120,7 +120,7 @@ def _refusal(recipe: Recipe, destination: str) -> str | None:
     return None
 
 
-def _announce(recipe: Recipe, destination: str) -> None:
+def _announce(recipe: PackageSettings, destination: str) -> None:
     print("going to create a new package")
     print("package name:", recipe.name)
     print("destination directory:", os.path.abspath(destination))
@@ -140,7 +140,7 @@ def _announce(recipe: Recipe, destination: str) -> None:
 class _Maker:
     """Writes the files and prints their names."""
 
-    def __init__(self, recipe: Recipe, destination: str) -> None:
+    def __init__(self, recipe: PackageSettings, destination: str) -> None:
         self.recipe = recipe
         self.folder = self._folder(destination, recipe.name)
 

@@ -9,7 +9,7 @@ _SCHEMA = "http://download.ros.org/schema/package_format{}.xsd"
 
 
 @dataclass(frozen=True)
-class Recipe:
+class PackageSettings:
     """Name, maintainer, build type and contents of a new package."""
 
     name: str
@@ -31,7 +31,7 @@ class Recipe:
     def buildtools(self) -> list[str]:
         """Return the build tools on which the package depends.
 
-        >>> Recipe("robot", "", "MIT", "Ada", "ada@example.com", "ament_cmake", library_name="robot").buildtools()
+        >>> PackageSettings("robot", "", "MIT", "Ada", "ada@example.com", "ament_cmake", library_name="robot").buildtools()
         ['ament_cmake_ros']
         """
         if self.build_type != "ament_cmake":
@@ -47,10 +47,10 @@ class Recipe:
         return []
 
 
-def manifest(recipe: Recipe) -> str:
+def manifest(recipe: PackageSettings) -> str:
     """Return the text of package.xml.
 
-    >>> recipe = Recipe("robot", "Drives & sees", "MIT", "Ada", "ada@example.com", "ament_python", ("rclpy",))
+    >>> recipe = PackageSettings("robot", "Drives & sees", "MIT", "Ada", "ada@example.com", "ament_python", ("rclpy",))
     >>> [line.strip() for line in manifest(recipe).splitlines() if "Drives" in line or "rclpy" in line]
     ['<description>Drives &amp; sees</description>', '<depend>rclpy</depend>']
     """

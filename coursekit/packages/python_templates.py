@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from coursekit.packages.package_settings import Recipe
+from coursekit.packages.package_settings import PackageSettings
 
 _SETUP = """\
 from setuptools import find_packages, setup
@@ -82,7 +82,7 @@ def test_pep257():
 TESTS = {"test_copyright.py": TEST_COPYRIGHT, "test_flake8.py": TEST_FLAKE8, "test_pep257.py": TEST_PEP257}
 
 
-def setup_py(recipe: Recipe) -> str:
+def setup_py(recipe: PackageSettings) -> str:
     """Return the text of setup.py."""
     script = f"{recipe.node_name} = {recipe.name}.{recipe.node_name}:main" if recipe.node_name else ""
     return _SETUP.format(
@@ -95,10 +95,10 @@ def setup_py(recipe: Recipe) -> str:
     )
 
 
-def setup_cfg(recipe: Recipe) -> str:
+def setup_cfg(recipe: PackageSettings) -> str:
     """Return the text of setup.cfg: executables go where `ros2 run` finds them.
 
-    >>> print(setup_cfg(Recipe("robot", "", "MIT", "Ada", "ada@example.com", "ament_python")), end="")
+    >>> print(setup_cfg(PackageSettings("robot", "", "MIT", "Ada", "ada@example.com", "ament_python")), end="")
     [develop]
     script_dir=$base/lib/robot
     [install]

@@ -8,10 +8,10 @@ from typing import Any
 
 
 @dataclass(frozen=True)
-class Push:
+class ExternalForce:
     """A force [N] and torque [Nm] on a named body, from `begin_ns` until `end_ns` (None: for ever).
 
-    >>> Push("crate", 1.0, 0.0, 0.0, 0, None).finite
+    >>> ExternalForce("crate", 1.0, 0.0, 0.0, 0, None).finite
     True
     """
 
@@ -41,4 +41,4 @@ class Push:
         body.torque += self.torque
 
 
-__all__ = ["Push"]
+__all__ = ["ExternalForce"]

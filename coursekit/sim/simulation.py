@@ -16,7 +16,7 @@ from .bodies import FIXED, LOOSE, ROBOT, body_of, follow, moment, put, shapes_of
 from .contacts import drag, hits, overlap, part, pass_by, touch
 from .errors import WorldError, known
 from .exclusive import alone
-from .external_forces import Push
+from .external_forces import ExternalForce
 from .lidar import Lidar
 from .outline_scene import OutlineScene
 from .robot import Robot, RobotModel
@@ -52,7 +52,7 @@ class Simulation:
         self.space = pymunk.Space()
         self.space.iterations = 12
         self.space.collision_slop = 1e-3  # m; the library's own 0.1 is meant for pixels
-        self.pushes: list[Push] = []
+        self.pushes: list[ExternalForce] = []
         """External forces; they are dropped when they are over, or their target is gone."""
         self._starts: dict[str, Pose2D] = {}
         self._doors: dict[str, list[Any]] = {}
@@ -299,7 +299,7 @@ class Simulation:
         return self._scenes[height]
 
 
-def _over(push: Push, now_ns: int) -> bool:
+def _over(push: ExternalForce, now_ns: int) -> bool:
     return push.end_ns is not None and push.end_ns <= now_ns
 
 

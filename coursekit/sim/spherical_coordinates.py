@@ -11,10 +11,10 @@ _SQUARED = _FLATTENING * (2 - _FLATTENING)
 
 
 @dataclass(frozen=True)
-class Globe:
+class SphericalCoordinates:
     """The origin of a world: latitude, longitude and the heading of its x axis from east in degrees, elevation in metres.
 
-    >>> latitude, longitude, altitude = Globe(48.0, 11.0, 500.0).fix(0.0, 0.0)
+    >>> latitude, longitude, altitude = SphericalCoordinates(48.0, 11.0, 500.0).fix(0.0, 0.0)
     >>> round(latitude, 9), round(longitude, 9), round(altitude, 6)
     (48.0, 11.0, 500.0)
     """
@@ -27,7 +27,7 @@ class Globe:
     def fix(self, x: float, y: float, z: float = 0.0) -> tuple[float, float, float]:
         """Convert a position in the world [m] to latitude and longitude [degrees] and altitude [m].
 
-        >>> latitude, longitude, _ = Globe(48.0, 11.0).fix(0.0, 1000.0)
+        >>> latitude, longitude, _ = SphericalCoordinates(48.0, 11.0).fix(0.0, 1000.0)
         >>> round(latitude, 5), round(longitude, 5)
         (48.00899, 11.0)
         """
@@ -42,7 +42,8 @@ class Globe:
     def place(self, latitude: float, longitude: float, altitude: float = 0.0) -> tuple[float, float, float]:
         """Convert latitude, longitude [degrees] and altitude [m] to a position in the world [m], the inverse of `fix`.
 
-        >>> [round(one, 1) + 0.0 for one in Globe(48.0, 11.0).place(48.001, 11.0)]  # a thousandth of a degree is 111 m
+        >>> munich = SphericalCoordinates(48.0, 11.0)
+        >>> [round(one, 1) + 0.0 for one in munich.place(48.001, 11.0)]  # a thousandth of a degree is 111 m
         [0.0, 111.2, 0.0]
         """
         turn, lat, swing = map(math.radians, (self.heading, self.latitude, longitude - self.longitude))
@@ -78,4 +79,4 @@ def pressure(altitude: float) -> float:
     return 101_325.0 * max(0.0, 1 - 0.0065 * altitude / 288.15) ** 5.2561
 
 
-__all__ = ["Globe", "pressure"]
+__all__ = ["SphericalCoordinates", "pressure"]

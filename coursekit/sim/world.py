@@ -11,7 +11,7 @@ from coursekit.geometry.plane import ORIGIN, Pose2D
 
 from .errors import WorldError, known
 from .solids import Cut, Part, join
-from .spherical_coordinates import Globe
+from .spherical_coordinates import SphericalCoordinates
 from .walk import Walk
 
 TEXTURES = ("plain", "brick", "concrete", "wood", "crates", "metal", "stripes", "tiles", "door", "hedge")
@@ -76,7 +76,7 @@ class World:
     """The parts of the file that are not simulated, one sentence each."""
     models: dict[str, Pose2D] = field(default_factory=dict)
     """The names known to the user (models of a Gazebo file), with their poses, including models without collision shapes."""
-    globe: Globe | None = None
+    globe: SphericalCoordinates | None = None
     """Its location on the Earth; None if the file does not specify one."""
     magnetism: tuple[float, float, float] = (5.5645e-6, 22.8758e-6, -42.3884e-6)
     """The Earth's magnetic field [T], along x, y and z."""

@@ -16,10 +16,10 @@ LOOK_SECONDS = 0.3
 LATE_SECONDS = 45.0
 
 
-class Working(AbstractContextManager["Working"]):
+class ProgressBar(AbstractContextManager["ProgressBar"]):
     """Shows `what` and a bar while the block runs; nothing on the virtual clock or without a notebook.
 
-    >>> with Working("Driving") as bar:
+    >>> with ProgressBar("Driving") as bar:
     ...     bar.share = 0.5
     """
 
@@ -32,7 +32,7 @@ class Working(AbstractContextManager["Working"]):
         self._thread = threading.Thread(target=self._show, daemon=True)
         self._since = time.monotonic()
 
-    def __enter__(self) -> Working:
+    def __enter__(self) -> ProgressBar:
         if _has_a_page():
             self._thread.start()
         return self
@@ -70,4 +70,4 @@ def _has_a_page() -> bool:
     return hasattr(getattr(running_shell(), "kernel", None), "session") and not current().clock.virtual
 
 
-__all__ = ["Working"]
+__all__ = ["ProgressBar"]

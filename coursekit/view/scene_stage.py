@@ -20,7 +20,7 @@ from .scene import HERE, Scene
 from .scene_camera import Camera, camera_of
 from .scene_still import Still
 from .simulated_time import SimulatedTime
-from .view_control import Looking
+from .view_control import ViewControl
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -42,7 +42,7 @@ class Stage:
         self.buffer = listen_to_frames(node)
         self.displays: list[Display] = []
         self.lock = threading.RLock()
-        self.looking = Looking(self)
+        self.looking = ViewControl(self)
         self._guessed = ""
         self._count = 0
         self._time = SimulatedTime(node)

@@ -20,7 +20,7 @@ Place = tuple[float, float, float, float]
 ORBIT, FOLLOWER = "Orbit", "ThirdPersonFollower"
 
 
-class Looking:
+class ViewControl:
     """The view of a stage. `frame` is RViz's Target Frame, '' the fixed frame; `type` is the kind of camera."""
 
     def __init__(self, stage: Stage) -> None:
@@ -109,4 +109,4 @@ def _turned(point: Any, angle: float) -> tuple[float, float]:
     return x * math.cos(angle) - y * math.sin(angle), x * math.sin(angle) + y * math.cos(angle)
 
 
-__all__ = ["FOLLOWER", "ORBIT", "Looking", "Place"]
+__all__ = ["FOLLOWER", "ORBIT", "Place", "ViewControl"]

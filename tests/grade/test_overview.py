@@ -6,7 +6,7 @@ from coursekit.grade.collector import Collection
 from coursekit.grade.mark import Marked
 from coursekit.grade.outcome import Outcome
 from coursekit.grade.overview import overview
-from coursekit.grade.person_submission import Handed
+from coursekit.grade.person_submission import PersonSubmission
 from coursekit.grade.questions import Question
 from coursekit.grade.record import Late, Record
 from coursekit.grade.roster import Person
@@ -23,7 +23,7 @@ def verdict(points, got="<b>7</b>"):
 
 def record(name, *verdicts, **more):
     """Somebody's line; of somebody who handed in an empty folder if there are no verdicts."""
-    handed = Handed(Person(name), name, [Entry(name)])
+    handed = PersonSubmission(Person(name), name, [Entry(name)])
     new_record = Record(handed, {CHAPTER: [verdict(0, "nothing was handed in")]}, tier="bubblewrap")
     if verdicts:
         handed.chosen[CHAPTER] = Piece(CHAPTER, CHAPTER)

@@ -117,11 +117,11 @@ def _style(text):
 
 
 def _record():
-    from coursekit.grade.person_submission import Handed
+    from coursekit.grade.person_submission import PersonSubmission
     from coursekit.grade.record import Record
     from coursekit.grade.roster import Person
 
-    return Record(Handed(Person("Ann Lee"), "Ann Lee"), {TOPICS: [Verdict("ch02.q1", "Names", 0, 1)]})
+    return Record(PersonSubmission(Person("Ann Lee"), "Ann Lee"), {TOPICS: [Verdict("ch02.q1", "Names", 0, 1)]})
 
 
 def test_what_is_typed_looks_so_in_a_verdict():

@@ -6,7 +6,7 @@ from tf2_ros import TransformBroadcaster
 
 from coursekit.lab.frames_panel import frames
 from coursekit.lab.graph_panel import graph
-from coursekit.lab.panel_history import Past
+from coursekit.lab.panel_history import PanelHistory
 from coursekit.lab.plot_panel import plot
 from coursekit.lab.timeline import timeline
 from coursekit.lab.viewer import viewer
@@ -163,7 +163,7 @@ def test_the_text_says_where_the_panels_are(session, drive, page):
 
 
 def test_the_past_is_bounded_in_time_and_in_memory():
-    past = Past(seconds=10.0, largest=1000)
+    past = PanelHistory(seconds=10.0, largest=1000)
     for second in range(100):
         past.keep(second * 10**9, second, 1)
     assert past.span() == (89 * 10**9, 99 * 10**9)
@@ -171,4 +171,4 @@ def test_the_past_is_bounded_in_time_and_in_memory():
     assert past.at(0) == 99 and past.at(10**12) == "large"
     past.keep(101 * 10**9, "larger", 5000)
     assert past.at(0) == "larger"
-    assert Past().at(0) is None and Past().span() is None
+    assert PanelHistory().at(0) is None and PanelHistory().span() is None

@@ -8,7 +8,7 @@ import pytest
 
 from coursekit.lab.errors import BadArgument
 from coursekit.lab.world_windows import world_view
-from coursekit.nodes.gazebo.model_conversion import Assembly
+from coursekit.nodes.gazebo.model_conversion import ModelConversion
 from coursekit.processes.executables import find
 from coursekit.sim import Disc, Thing
 from coursekit.view.scene_shapes import Label
@@ -188,7 +188,7 @@ def test_a_simulator_that_ends_leaves_an_empty_scene(world, server):
 
 
 def test_what_cannot_be_done_is_told_to_who_asked_and_the_world_goes_on(session, world, server, capsys):
-    world.stage.simulator.soon(world.stage.simulator.put, Assembly("crate", things=[Thing("crate", ())]))
+    world.stage.simulator.soon(world.stage.simulator.put, ModelConversion("crate", things=[Thing("crate", ())]))
     session.clock.sleep(0.5)
     assert "there is a 'crate' already" in capsys.readouterr().err and server.state == "running"
 

@@ -9,7 +9,7 @@ import time
 from coursekit.core.clock import WallClock
 from coursekit.core.graph import Graph
 from coursekit.net.link import Link
-from coursekit.net.link_context import Place
+from coursekit.net.link_context import LinkContext
 from coursekit.net.zenoh_session import open_client, open_router
 from coursekit.systems.ports import free_port
 
@@ -24,7 +24,7 @@ class Side:
         self.graph = Graph(WallClock())
         self.said: list[str] = []
         self.told = threading.Condition()
-        place = Place(self.graph, domain_id, open_client(address), address, self.hear)
+        place = LinkContext(self.graph, domain_id, open_client(address), address, self.hear)
         self.link = Link(place, listen_only=listen_only)
 
     def hear(self, sentence: str) -> None:

@@ -10,6 +10,7 @@ import sys
 import xml.etree.ElementTree as ET
 from pathlib import Path
 from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from hypothesis import example, given
@@ -20,7 +21,7 @@ from coursekit.interfaces.registry import make_message
 from coursekit.packages.create import _refusal
 from coursekit.packages.folder_name import refusal
 from coursekit.packages.interface_rules import python_files
-from coursekit.packages.package_settings import Recipe, manifest
+from coursekit.packages.package_settings import PackageSettings, manifest
 from coursekit.packages.python_templates import setup_py
 from coursekit.packages.shell_quotes import expand_quoted, quoted
 from tests.needs import ON_WINDOWS, posix
@@ -56,7 +57,7 @@ def test_the_package_of_an_interface_says_its_name_in_a_docstring(name: str) -> 
 
 @given(NAMES, NAMES)
 def test_texts_about_a_package_are_values_in_setup_py_and_package_xml(about: str, who: str) -> None:
-    recipe = Recipe("talks", about, about, who, f"{who}@example.com", "ament_python", node_name="talk")
+    recipe = PackageSettings("talks", about, about, who, f"{who}@example.com", "ament_python", node_name="talk")
     (call,) = [statement.value for statement in ast.parse(setup_py(recipe)).body if isinstance(statement, ast.Expr)]
     words = {word.arg: word.value for word in call.keywords}  # type: ignore[attr-defined]
     assert ast.literal_eval(words["description"]) == about and ast.literal_eval(words["maintainer"]) == who
@@ -68,9 +69,11 @@ def test_texts_about_a_package_are_values_in_setup_py_and_package_xml(about: str
 @pytest.mark.parametrize("part", ["node_name", "library_name", "dependencies"])
 def test_names_that_would_be_programs_are_refused_when_a_package_is_made(part: str) -> None:
     value = "x', __import__('os').system('touch PWNED'), '"
-    recipe = Recipe("talks", "", "", "", "", "ament_python", **{part: (value,) if part == "dependencies" else value})  # type: ignore[arg-type]
-    assert "is no name of a node, a library or a package" in str(_refusal(recipe, "."))
-    assert _refusal(Recipe("talks", "", "", "", "", "cmake", ("python3-numpy",), 3, "my-node", "lib_x"), "/none") is None
+    given: Any = {part: (value,) if part == "dependencies" else value}
+    settings = PackageSettings("talks", "", "", "", "", "ament_python", **given)
+    assert "is no name of a node, a library or a package" in str(_refusal(settings, "."))
+    settings = PackageSettings("talks", "", "", "", "", "cmake", ("python3-numpy",), 3, "my-node", "lib_x")
+    assert _refusal(settings, "/none") is None
 
 
 def shell(script: Path, *, env: dict[str, str] | None = None) -> str:

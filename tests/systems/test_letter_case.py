@@ -7,7 +7,7 @@ import pytest
 
 from coursekit.lab import magics
 from coursekit.packages.create import _refusal
-from coursekit.packages.package_settings import Recipe
+from coursekit.packages.package_settings import PackageSettings
 from coursekit.systems.letter_case import other_spelling
 
 
@@ -52,7 +52,7 @@ def test_where_case_counts_two_spellings_are_two_files(tmp_path):
 
 def test_a_package_whose_name_differs_in_case_only_is_refused_with_the_reason(tmp_path, ignores_case):
     (tmp_path / "Talks").mkdir()
-    said = str(_refusal(Recipe("talks", "", "", "", "", "ament_python"), str(tmp_path)))
+    said = str(_refusal(PackageSettings("talks", "", "", "", "", "ament_python"), str(tmp_path)))
     assert "Aborted!" in said and "'Talks'" in said and "one folder" in said
 
 

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import pytest
 
 from coursekit.view import progress_bar
-from coursekit.view.progress_bar import Working
+from coursekit.view.progress_bar import ProgressBar
 
 
 class Page:
@@ -34,7 +34,7 @@ def page(monkeypatch):
 
 def test_long_work_has_a_bar_that_goes(page, monkeypatch):
     monkeypatch.setattr(progress_bar, "PATIENCE_SECONDS", 0.0)
-    with Working("Driving <home>") as bar:
+    with ProgressBar("Driving <home>") as bar:
         bar.share = 0.25
         assert page.drawn.wait(10)
     assert "Driving &lt;home&gt;" in page.told[0] and "<progress" in page.told[0]
@@ -42,21 +42,21 @@ def test_long_work_has_a_bar_that_goes(page, monkeypatch):
 
 
 def test_short_work_has_none(page):
-    with Working("A moment"):
+    with ProgressBar("A moment"):
         pass
     assert page.told == []
 
 
 def test_it_goes_also_when_the_work_fails(page, monkeypatch):
     monkeypatch.setattr(progress_bar, "PATIENCE_SECONDS", 0.0)
-    with pytest.raises(ValueError), Working("Driving"):
+    with pytest.raises(ValueError), ProgressBar("Driving"):
         assert page.drawn.wait(10)
         raise ValueError
     assert page.told[-1] == ""
 
 
 def test_how_far_it_is():
-    bar = Working("Driving")
+    bar = ProgressBar("Driving")
     assert "value" not in bar.html().replace("vertical", "")
     bar.share = 0.25
     assert 'value="0.250"' in bar.html()
@@ -71,8 +71,8 @@ def test_without_a_page_there_is_none(kernel, monkeypatch):
 
 
 def test_work_that_lasts_says_what_to_do_once_it_is_late(monkeypatch):
-    bar = Working("Trying out", late="Stop it with <b>")
+    bar = ProgressBar("Trying out", late="Stop it with <b>")
     assert "Stop it" not in bar.html()
     monkeypatch.setattr(progress_bar, "LATE_SECONDS", 0.0)
     assert "Stop it with &lt;b&gt;" in bar.html()
-    assert "<br>" not in Working("Driving").html()
+    assert "<br>" not in ProgressBar("Driving").html()

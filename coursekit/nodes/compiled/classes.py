@@ -7,7 +7,7 @@ from typing import NoReturn
 
 from coursekit.cpp.age import is_of_another_age
 from coursekit.nodes.compiled.channel import Gone
-from coursekit.nodes.compiled.embedded_program import Part
+from coursekit.nodes.compiled.embedded_program import EmbeddedProgram
 from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.host import ANOTHER_AGE
 from coursekit.nodes.compiled.plugins import InvalidManifest, Plugin, declared
@@ -64,7 +64,7 @@ class Program:
     """
 
     def __init__(self, path: str, kind: str, type_: str) -> None:
-        self._part = Part(path, [kind, type_])
+        self._part = EmbeddedProgram(path, [kind, type_])
         try:
             self._part.start()
         except Gone:

@@ -12,7 +12,7 @@ _PATIENCE_S = 5.0
 """The time for its end after `close` [s]; then it is killed."""
 
 
-class Part(Host):
+class EmbeddedProgram(Host):
     """Carries out requests of the process that makes it; its nodes, output and end are that process's."""
 
     def __init__(self, path: str, argv: Sequence[str]) -> None:

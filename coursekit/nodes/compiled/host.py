@@ -58,7 +58,7 @@ from coursekit.processes.session import current
 
 if TYPE_CHECKING:
     from coursekit.core.clock import Event
-    from coursekit.nodes.compiled.embedded_program import Part
+    from coursekit.nodes.compiled.embedded_program import EmbeddedProgram
 
 VIRTUAL, STOPPING, SIMULATED = 1, 2, 4
 _LAST_WORDS_S = 1.0
@@ -131,7 +131,7 @@ class Host:
         """Those publishers whose messages may stay in the program."""
         self.news = arrival_callbacks.News(self)
         self.context = contextvars.copy_context()
-        self.served: Part | None = None
+        self.served: EmbeddedProgram | None = None
         """What the program carries out requests for, if it is a part of a process of Python."""
         self.caught: set[int] = set()
         """Signals that interrupt the program's waiting, and do not end the program."""

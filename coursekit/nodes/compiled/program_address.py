@@ -16,7 +16,7 @@ _TOKEN_S = 5.0
 """The timeout for a new connection to send the token [s, real time]."""
 
 
-class UnixDoor:
+class UnixAddress:
     """A socket in a folder that only this user can enter."""
 
     def __init__(self) -> None:
@@ -38,7 +38,7 @@ class UnixDoor:
         self._folder.cleanup()
 
 
-class LoopbackDoor:
+class LoopbackAddress:
     """A port of this computer: a connection must first send the token."""
 
     def __init__(self) -> None:
@@ -76,6 +76,6 @@ class LoopbackDoor:
         return hmac.compare_digest(said, self._token)
 
 
-def open_door() -> UnixDoor | LoopbackDoor:
+def open_door() -> UnixAddress | LoopbackAddress:
     """Return the kind of door that this system and its compiled programs support."""
-    return LoopbackDoor() if which.WINDOWS else UnixDoor()
+    return LoopbackAddress() if which.WINDOWS else UnixAddress()

@@ -27,7 +27,7 @@ _INACTIVE, _ACTIVE = 2, 3
 """lifecycle_msgs's numbers."""
 
 
-class ForeignController(Controller):
+class CppController(Controller):
     """A class derived from ControllerInterface or ChainableControllerInterface.
 
     Raises CppFault when it cannot be made, ControlError when it cannot be initialized.
@@ -147,12 +147,12 @@ def foreign_types() -> list[str]:
     return [name for base in _BASES for name in plugins_of(_PACKAGE, f"{_PACKAGE}::{base}")]
 
 
-def make_foreign(kind: str, *given: Any) -> ForeignController | None:
+def make_foreign(kind: str, *given: Any) -> CppController | None:
     """Return a controller of a C++ class, None if no package has it. Raises PluginFault, CppFault, ControlError."""
     for base in _BASES:
         if plugin := plugins_of(_PACKAGE, f"{_PACKAGE}::{base}").get(kind):
-            return ForeignController(*program_of(plugin), base == _CHAINABLE, *given)
+            return CppController(*program_of(plugin), base == _CHAINABLE, *given)
     return None
 
 
-__all__ = ["CppFault", "ForeignController", "PluginFault", "foreign_types", "make_foreign"]
+__all__ = ["CppController", "CppFault", "PluginFault", "foreign_types", "make_foreign"]

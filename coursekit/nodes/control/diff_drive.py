@@ -12,7 +12,7 @@ from tf2_msgs.msg import TFMessage
 from .controller import ControlError, Controller, stamp
 from .frames import odometry_frames
 from .limiter import SpeedLimiter
-from .wheel_odometry import Reckoning
+from .wheel_odometry import WheelOdometry
 
 DEFAULTS: dict[str, Any] = {
     "left_wheel_names": [],
@@ -82,14 +82,14 @@ class DiffDriveController(Controller):
             self.log.error(f"Error configuring {kind} speed limiter: {error}")
             return SpeedLimiter(lambda _name, usual: usual, kind)
 
-    def _reckoner(self) -> Reckoning:
+    def _reckoner(self) -> WheelOdometry:
         frames = odometry_frames(self._told, self.node.get_namespace())
         period_ns = round(1e9 / max(float(self._told["publish_rate"]), 1e-3))
         out = self.node.create_publisher(Odometry, "~/odom", 10)
         tf = self.node.create_publisher(TFMessage, "/tf", 100) if self._told["enable_odom_tf"] else None
         spreads = tuple(self._diagonal(f"{kind}_covariance_diagonal") for kind in ("pose", "twist"))
         window = int(self._told["velocity_rolling_window_size"])
-        return Reckoning(frames, out, tf, period_ns, spreads=spreads, window=1 if self._open_loop else window)
+        return WheelOdometry(frames, out, tf, period_ns, spreads=spreads, window=1 if self._open_loop else window)
 
     def _diagonal(self, name: str) -> list[float]:
         values = [float(number) for number in self._told[name]]

@@ -10,7 +10,7 @@ from nav_msgs.msg import Odometry
 from tf2_msgs.msg import TFMessage
 
 from .controller import ControlError, Controller
-from .wheel_odometry import Reckoning
+from .wheel_odometry import WheelOdometry
 
 
 class SteeringController(Controller):
@@ -44,10 +44,10 @@ class SteeringController(Controller):
         self._wish, self._angle, self._heard_ns = (0.0, 0.0), 0.0, 0
         self._last: list[float] | None = None
 
-    def _reckoner(self) -> Reckoning:
+    def _reckoner(self) -> WheelOdometry:
         frames = self.parameter("odom_frame_id", "odom"), self.parameter("base_frame_id", "base_link")
         tf = self.node.create_publisher(TFMessage, "~/tf_odometry", 10) if self.parameter("enable_odom_tf", True) else None
-        return Reckoning(frames, self.node.create_publisher(Odometry, "~/odometry", 10), tf)
+        return WheelOdometry(frames, self.node.create_publisher(Odometry, "~/odometry", 10), tf)
 
     def _wheels(self, wheels: dict[str, list[str]], end: str, count: int) -> list[str]:
         if len(wheels[end]) != count:

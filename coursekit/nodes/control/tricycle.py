@@ -11,7 +11,7 @@ from std_srvs.srv import Empty
 from tf2_msgs.msg import TFMessage
 
 from .controller import ControlError, Controller
-from .wheel_odometry import Reckoning
+from .wheel_odometry import WheelOdometry
 
 NEARLY, FAR = math.pi / 6, math.pi / 2
 """The maximum angle error of the wheel for full speed, and the error from which it creeps [rad]."""
@@ -42,7 +42,7 @@ class TricycleController(Controller):
             raise ControlError(f"{name} is empty: name a joint of the description's <ros2_control>")
         return value
 
-    def _reckoner(self) -> Reckoning:
+    def _reckoner(self) -> WheelOdometry:
         frames = self.parameter("odom_frame_id", "odom"), self.parameter("base_frame_id", "base_link")
         spreads = [
             [float(number) for number in self.parameter(f"{kind}_covariance_diagonal", [0.0] * 6)]
@@ -52,7 +52,7 @@ class TricycleController(Controller):
             raise ControlError("pose_covariance_diagonal and twist_covariance_diagonal have 6 numbers each")
         tf = self.node.create_publisher(TFMessage, "/tf", 100) if self.parameter("enable_odom_tf", False) else None
         window = 1 if self._open_loop else int(self.parameter("velocity_rolling_window_size", 10))
-        return Reckoning(frames, self.node.create_publisher(Odometry, "~/odom", 10), tf, spreads=spreads, window=window)
+        return WheelOdometry(frames, self.node.create_publisher(Odometry, "~/odom", 10), tf, spreads=spreads, window=window)
 
     def _hear(self, msg: Twist | TwistStamped) -> None:
         twist = msg.twist if isinstance(msg, TwistStamped) else msg

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from rclpy.publisher import Publisher
 
 
-class Reckoning:
+class WheelOdometry:
     """Integrates a path; `frames` are the odometry frame and the robot's frame.
 
     `spreads` are the diagonals of the covariances of pose and twist; speeds are means of the last `window` steps.
@@ -72,4 +72,4 @@ class Reckoning:
             self._tf.publish(TFMessage(transforms=[transform]))
 
 
-__all__ = ["Reckoning"]
+__all__ = ["WheelOdometry"]

@@ -11,7 +11,7 @@ from coursekit.sim.solids import Part
 from coursekit.urdf import Robot
 from coursekit.urdf.kinematics import Kinematics
 
-from .model_file import Blueprint
+from .model_file import ModelFile
 from .solids import raised
 from .transformed_parts import moved
 from .value_parsing import matrix
@@ -23,7 +23,7 @@ STEP = 0.02
 class Articulated:
     """The poses of a robot's links and parts, by the positions of its joints."""
 
-    def __init__(self, robot: Robot, made: Blueprint, floor: float) -> None:
+    def __init__(self, robot: Robot, made: ModelFile, floor: float) -> None:
         self._kinematics, self._floor = Kinematics(robot), floor
         self._joints = [name for name, joint in robot.joints.items() if joint.moves and joint.mimic is None]
         self._links = {name: (link.pose, list(link.parts)) for name, link in made.links.items()}

@@ -19,7 +19,7 @@ from coursekit.urdf.resources import find_file
 from coursekit.urdf.xml_tree import Element
 
 from .devices import ControlDevice, Device, OdometryDevice
-from .model_file import Blueprint
+from .model_file import ModelFile
 from .ros_names import names_of
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ LIMITS = (
 limit."""
 
 
-def read_controllers(plugin: Element, model: Blueprint, namespace: str) -> tuple[Drive | None, list[Device]]:
+def read_controllers(plugin: Element, model: ModelFile, namespace: str) -> tuple[Drive | None, list[Device]]:
     """Return the drive for the wheel controllers, and the controller manager as a device."""
     try:
         files = [find_file(element.text.strip(), model.file) for element in plugin.all("parameters")]
@@ -110,7 +110,7 @@ def _flat(data: dict[str, Any]) -> dict[str, Any]:
     return flat
 
 
-def _rolling(hardware: Iterable[HardwareInfo], model: Blueprint) -> Drive | None:
+def _rolling(hardware: Iterable[HardwareInfo], model: ModelFile) -> Drive | None:
     """Return the drive of wheels commanded only by speed; their poses give their separation and radius."""
     wheels = [
         part.name for info in hardware for part in info.components
@@ -130,7 +130,7 @@ def _rolling(hardware: Iterable[HardwareInfo], model: Blueprint) -> Drive | None
                  left=left, right=right)  # fmt: skip
 
 
-def _drive(plugin: Element, model: Blueprint, name: str, told: dict[str, Any], prefix: str) -> tuple[Drive, OdometryDevice]:
+def _drive(plugin: Element, model: ModelFile, name: str, told: dict[str, Any], prefix: str) -> tuple[Drive, OdometryDevice]:
     left, right = (tuple(map(str, told.get(f"{side}_wheel_names", ()))) for side in ("left", "right"))
     if not left or len(left) != len(right):
         raise plugin.error(f"controller '{name}' needs left_wheel_names and right_wheel_names", "Name as many on each side.")

@@ -7,7 +7,7 @@ from typing import Any
 
 from coursekit.geometry.plane import ORIGIN, Array, Pose2D
 from coursekit.sim.lidar import Lidar
-from coursekit.sim.spherical_coordinates import Globe
+from coursekit.sim.spherical_coordinates import SphericalCoordinates
 
 
 @dataclass(frozen=True)
@@ -49,7 +49,7 @@ class EarthDevice(Device):
     height: float = 0.0
     noise: tuple[float, float] = (0.0, 0.0)
     """Standard deviations: horizontal and vertical; of height and speed; horizontal and vertical; of the pressure."""
-    globe: Globe | None = None
+    globe: SphericalCoordinates | None = None
     """The location of a world without its own."""
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from gazebo_msgs.srv import ApplyJointEffort, ApplyLinkWrench, JointRequest, LinkRequest
 
 from coursekit.geometry.plane import Pose2D
-from coursekit.sim.external_forces import Push
+from coursekit.sim.external_forces import ExternalForce
 
 from .entity_poses import WORLD
 
@@ -48,7 +48,8 @@ class Forces:
         force = Pose2D(0.0, 0.0, base.theta) @ Pose2D(request.wrench.force.x, request.wrench.force.y, 0.0)
         body = self._gazebo.simulation.pose_of(model)
         lever = (at.x - body.x) * force.y - (at.y - body.y) * force.x
-        push = Push(model, force.x, force.y, request.wrench.torque.z + lever, *_times(request, now), label=request.link_name)
+        torque, times = request.wrench.torque.z + lever, _times(request, now)
+        push = ExternalForce(model, force.x, force.y, torque, *times, label=request.link_name)
         return self._begin(push, answer, "")
 
     def _turn(self, request: ApplyJointEffort.Request, answer: ApplyJointEffort.Response) -> ApplyJointEffort.Response:
@@ -59,13 +60,13 @@ class Forces:
                 continue
             force = request.effort / drive.radius
             arm = drive.separation / 2 * (-1.0 if name in drive.left else 1.0)
-            push = Push(robot.name, force, 0.0, force * arm, *_times(request, now), along=True, label=name)
+            push = ExternalForce(robot.name, force, 0.0, force * arm, *_times(request, now), along=True, label=name)
             return self._begin(push, answer, f"Effort on joint [{name}] set")
         answer.status_message = "Joint not found"
         self._log.error(f"Joint [{name}] is no wheel of a robot; efforts on other joints are not simulated")
         return answer
 
-    def _begin(self, push: Push, answer: ApplyLinkWrench.Response | ApplyJointEffort.Response, text: str) -> Any:
+    def _begin(self, push: ExternalForce, answer: ApplyLinkWrench.Response | ApplyJointEffort.Response, text: str) -> Any:
         if not push.finite:
             answer.status_message = "force and torque must be finite numbers"
             return answer

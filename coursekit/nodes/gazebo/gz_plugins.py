@@ -13,7 +13,7 @@ from coursekit.sim.robot import Drive
 from coursekit.urdf.xml_tree import Element
 
 from .devices import Device, JointDevice, MotorDevice, OdometryDevice, PoseDevice, TrajectoryDevice
-from .model_file import Blueprint
+from .model_file import ModelFile
 from .value_parsing import flag, number
 
 NODE = "/gz_sim"
@@ -62,7 +62,7 @@ def system_of(plugin: Element) -> str:
     return re.sub(r"(?<=[a-z])(?=[A-Z])", "-", name.rpartition("::")[2]).lower()
 
 
-def read_system(system: str, plugin: Element, model: Blueprint) -> tuple[Drive | None, list[Device]]:
+def read_system(system: str, plugin: Element, model: ModelFile) -> tuple[Drive | None, list[Device]]:
     """Return the drive, if it is one, and the devices of a system, with notes on unsupported parts."""
     readers = {
         "diff-drive": _differential,
@@ -84,7 +84,7 @@ def read_system(system: str, plugin: Element, model: Blueprint) -> tuple[Drive |
     return None, []
 
 
-def _joints(plugin: Element, model: Blueprint, *tags: str) -> tuple[str, ...]:
+def _joints(plugin: Element, model: ModelFile, *tags: str) -> tuple[str, ...]:
     joints = tuple(element.text.strip() for tag in tags for element in plugin.all(tag))
     for name in joints:
         if name not in model.joints:
@@ -97,7 +97,7 @@ def _limit(plugin: Element, *tags: str) -> float:
     return next((number(plugin, tag, math.inf) for tag in tags if plugin.first(tag) is not None), math.inf)
 
 
-def _differential(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:
+def _differential(plugin: Element, model: ModelFile, names: GzNames) -> tuple[Drive | None, list[Device]]:
     left, right = _joints(plugin, model, "left_joint"), _joints(plugin, model, "right_joint")
     if not left or len(left) != len(right):
         raise plugin.error("needs as many <left_joint> as <right_joint>, at least one", "Name the joints of its wheels.")
@@ -114,7 +114,7 @@ def _differential(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Dr
     return drive, [_odometry(plugin, model, names, exact=False)]
 
 
-def _odometry(plugin: Element, model: Blueprint, names: GzNames, exact: bool) -> OdometryDevice:
+def _odometry(plugin: Element, model: ModelFile, names: GzNames, exact: bool) -> OdometryDevice:
     rate = number(plugin, "odom_publish_frequency", 50.0)
     if not 0.0 <= rate <= 10_000.0:
         raise plugin.error(f"has an odom_publish_frequency of {rate:g}", "Give one from 0 to 10000 a second.")
@@ -131,7 +131,7 @@ def _odometry(plugin: Element, model: Blueprint, names: GzNames, exact: bool) ->
     )
 
 
-def _ackermann(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:
+def _ackermann(plugin: Element, model: ModelFile, names: GzNames) -> tuple[Drive | None, list[Device]]:
     wheels = _joints(plugin, model, "left_joint"), _joints(plugin, model, "right_joint")
     steering = _joints(plugin, model, "left_steering_joint", "right_steering_joint")
     base, separation = number(plugin, "wheel_base", 1.0), number(plugin, "wheel_separation", 1.0)
@@ -145,12 +145,12 @@ def _ackermann(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive
     return drive, [replace(_odometry(plugin, model, names, exact=True), by_rate=True)]
 
 
-def _planar(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:
+def _planar(plugin: Element, model: ModelFile, names: GzNames) -> tuple[Drive | None, list[Device]]:
     device = _odometry(plugin, model, names, exact=True)
     return Drive("planar", acceleration=math.inf, turn_acceleration=math.inf), [device]
 
 
-def _odometry_publisher(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:
+def _odometry_publisher(plugin: Element, model: ModelFile, names: GzNames) -> tuple[Drive | None, list[Device]]:
     device = OdometryDevice(
         names.topic(plugin.tell("odom_topic"), "odometry"),
         plugin.tell("odom_frame") or f"{model.name}/odom",
@@ -164,14 +164,14 @@ def _odometry_publisher(plugin: Element, model: Blueprint, names: GzNames) -> tu
     return None, [device]
 
 
-def _joint_states(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:
+def _joint_states(plugin: Element, model: ModelFile, names: GzNames) -> tuple[Drive | None, list[Device]]:
     joints = _joints(plugin, model, "joint_name") or _turning(model)
     usual = f"/world/{names.world}/model/{names.model}/joint_state"
     topic = "/" + (plugin.tell("topic") or usual).strip("/")
     return None, [JointDevice(topic, "", number(plugin, "update_rate", 100.0) or 100.0, NODE, joints)]
 
 
-def _poses(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:
+def _poses(plugin: Element, model: ModelFile, names: GzNames) -> tuple[Drive | None, list[Device]]:
     whole = any(flag(plugin, tag, False) for tag in ("publish_model_pose", "publish_nested_model_pose"))
     links = tuple((name, tuple(link.pose.ravel().tolist())) for name, link in model.links.items())
     links = links if flag(plugin, "publish_link_pose", True) else ()
@@ -187,7 +187,7 @@ def _poses(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | N
     return None, devices
 
 
-def _position(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:
+def _position(plugin: Element, model: ModelFile, names: GzNames) -> tuple[Drive | None, list[Device]]:
     joints = _joints(plugin, model, "joint_name")
     told = plugin.tell("topic") or plugin.tell("sub_topic")
     return None, [
@@ -196,7 +196,7 @@ def _position(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive 
     ]
 
 
-def _velocity(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:
+def _velocity(plugin: Element, model: ModelFile, names: GzNames) -> tuple[Drive | None, list[Device]]:
     told = plugin.tell("topic") or plugin.tell("sub_topic")
     return None, [
         MotorDevice(names.topic(told, f"joint/{joint}/cmd_vel"), "", 1.0, NODE, joint, "velocity")
@@ -204,11 +204,11 @@ def _velocity(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive 
     ]
 
 
-def _turning(model: Blueprint) -> tuple[str, ...]:
+def _turning(model: ModelFile) -> tuple[str, ...]:
     return tuple(joint for joint, kind in model.joints.items() if kind not in ("fixed", ""))
 
 
-def _trajectory(plugin: Element, model: Blueprint, names: GzNames) -> tuple[Drive | None, list[Device]]:
+def _trajectory(plugin: Element, model: ModelFile, names: GzNames) -> tuple[Drive | None, list[Device]]:
     joints = _joints(plugin, model, "joint_name") or _turning(model)
     topic, timed = names.topic(plugin.tell("topic"), "joint_trajectory"), flag(plugin, "use_header_start_time", False)
     return None, [TrajectoryDevice(topic, "", 100.0, NODE, joints, timed)]

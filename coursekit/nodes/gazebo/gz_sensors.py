@@ -7,7 +7,7 @@ from coursekit.urdf.xml_tree import Element
 
 from .devices import CameraDevice, DepthDevice, Device, ImuDevice, RayDevice, TouchDevice
 from .gz_plugins import NODE, GzNames
-from .model_file import BlueLink, Blueprint
+from .model_file import ModelFile, ModelLink
 from .ray_messages import CLOUD
 from .sensor_elements import EARTH, earth_of, lidar_of, picture_of, shakes_of
 from .value_parsing import number, pose
@@ -15,7 +15,7 @@ from .value_parsing import number, pose
 LIDARS, CAMERAS = ("gpu_lidar", "lidar", "ray", "gpu_ray"), ("camera", "depth_camera", "depth", "rgbd_camera", "rgbd")
 
 
-def devices_of(sensor: Element, link: BlueLink, model: Blueprint, floor: float) -> list[Device]:
+def devices_of(sensor: Element, link: ModelLink, model: ModelFile, floor: float) -> list[Device]:
     """Return the devices of a sensor on a link, with notes on unsupported parts. `floor` is its z in the model."""
     kind, name = sensor.get("type") or "", sensor.get("name") or "sensor"
     names = GzNames(model.newer or "default", model.name)
@@ -42,7 +42,7 @@ def devices_of(sensor: Element, link: BlueLink, model: Blueprint, floor: float) 
 
 
 def _lidar(
-    sensor: Element, topic: str, frame: str, rate: float, where: Array, model: Blueprint, floor: float
+    sensor: Element, topic: str, frame: str, rate: float, where: Array, model: ModelFile, floor: float
 ) -> list[Device]:
     ray = sensor.first("lidar") or sensor.first("ray")
     if ray is None:

@@ -1,4 +1,4 @@
-"""Blueprints converted for the simulation: a robot with its devices, or a thing."""
+"""Model files converted for the simulation: a robot with its devices, or a thing."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from coursekit.urdf import Robot
 from .articulated import Articulated
 from .devices import ControlDevice, Device, MotorDevice, OdometryDevice, TrajectoryDevice
 from .gz_sensors import devices_of
-from .model_file import Blueprint
+from .model_file import ModelFile
 from .plugins import drift_of, read_plugin
 from .sensors import sensed
 from .solids import raised
@@ -30,7 +30,7 @@ LIGHTEST = 0.05
 
 
 @dataclass
-class Assembly:
+class ModelConversion:
     """A model ready for a simulation: a `robot` with `devices`, or `things`."""
 
     name: str
@@ -53,7 +53,7 @@ class Assembly:
     """The height of its origin above the floor [m]."""
 
 
-def assemble(made: Blueprint, namespace: str = "") -> Assembly:
+def assemble(made: ModelFile, namespace: str = "") -> ModelConversion:
     """Make a robot if the model has drives or sensors, else a thing. Raises UrdfError and WorldError."""
     place = Pose2D(float(made.pose[0, 3]), float(made.pose[1, 3]), yaw_of(made.pose))
     mast = made.static and any(link.sensors for link in made.links.values())
@@ -66,7 +66,7 @@ def assemble(made: Blueprint, namespace: str = "") -> Assembly:
         for sensor in link.sensors:
             newer = made.newer is not None
             devices += devices_of(sensor, link, made, floor) if newer else sensed(sensor, link, made, namespace, floor)
-    done = Assembly(made.name, None, devices, [], made.notes, place=place)
+    done = ModelConversion(made.name, None, devices, [], made.notes, place=place)
     done.joints = tuple(name for name, kind in made.joints.items() if kind not in ("fixed", ""))
     if made.robot is not None and any(
         isinstance(device, (ControlDevice, MotorDevice, TrajectoryDevice)) for device in devices
@@ -85,14 +85,14 @@ def assemble(made: Blueprint, namespace: str = "") -> Assembly:
     return done
 
 
-def _raise(blueprint: Blueprint, level: Array) -> None:
+def _raise(blueprint: ModelFile, level: Array) -> None:
     """Move links and parts to their height above the floor, so that position and heading complete the model's pose."""
     for link in blueprint.links.values():
         link.pose, link.parts = level @ link.pose, [moved(part, level) for part in link.parts]
     blueprint.pose = blueprint.pose @ np.linalg.inv(level)
 
 
-def _read_plugins(blueprint: Blueprint, namespace: str) -> tuple[Drive | None, list[Device]]:
+def _read_plugins(blueprint: ModelFile, namespace: str) -> tuple[Drive | None, list[Device]]:
     drive, devices = None, []
     for plugin in blueprint.plugins:
         plugin_drive, more = read_plugin(plugin, blueprint, namespace)
@@ -104,7 +104,7 @@ def _read_plugins(blueprint: Blueprint, namespace: str) -> tuple[Drive | None, l
     return drive, devices
 
 
-def _robot(blueprint: Blueprint, drive: Drive | None, devices: list[Device], parts: list[Part]) -> RobotModel:
+def _robot(blueprint: ModelFile, drive: Drive | None, devices: list[Device], parts: list[Part]) -> RobotModel:
     if not parts:
         blueprint.notes.append(f"{blueprint.name} has no <collision> that can be met: it is simulated as a disc of 0.1 m")
         parts = [Disc(0.0, 0.0, 0.1, 0.0, 0.2)]
@@ -119,7 +119,7 @@ def _robot(blueprint: Blueprint, drive: Drive | None, devices: list[Device], par
     return RobotModel(blueprint.name, tuple(parts), max(blueprint.mass(), LIGHTEST), drive, drift, reach=blueprint.reach)
 
 
-def _things(blueprint: Blueprint, place: Pose2D) -> list[Thing]:
+def _things(blueprint: ModelFile, place: Pose2D) -> list[Thing]:
     """Make one thing, with its parts in the model's frame seen from above, at the height in its file."""
     parts = blueprint.parts()
     if not parts:
@@ -151,7 +151,7 @@ def _check(part: Part, name: str) -> None:
         raise WorldError("has an open polygon", element=f"model '{name}'", cure="Give it at least three points.")
 
 
-def renamed(done: Assembly, name: str, place: Pose2D) -> Assembly:
+def renamed(done: ModelConversion, name: str, place: Pose2D) -> ModelConversion:
     """Return a copy under another name, with its model's pose shifted by `place`."""
     at = Pose2D(place.x + done.place.x, place.y + done.place.y, place.theta + done.place.theta)
     things = [replace(thing, name=name, place=at, model=name) for thing in done.things]
@@ -159,4 +159,4 @@ def renamed(done: Assembly, name: str, place: Pose2D) -> Assembly:
     return replace(done, name=name, place=at, things=things, robot=robot)
 
 
-__all__ = ["Assembly", "assemble", "renamed"]
+__all__ = ["ModelConversion", "assemble", "renamed"]

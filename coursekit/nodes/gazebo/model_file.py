@@ -18,7 +18,7 @@ from .model_colors import PLAIN, Look
 
 
 @dataclass
-class BlueLink:
+class ModelLink:
     """A link: its pose in the model, collision parts, mass and sensors."""
 
     name: str
@@ -29,11 +29,11 @@ class BlueLink:
 
 
 @dataclass
-class Blueprint:
+class ModelFile:
     """A model: links, plugins, rotating joints, and notes on what is not simulated."""
 
     name: str
-    links: dict[str, BlueLink] = field(default_factory=dict)
+    links: dict[str, ModelLink] = field(default_factory=dict)
     joints: dict[str, str] = field(default_factory=dict)
     """Joints with their types."""
     axles: dict[str, Array] = field(default_factory=dict)
@@ -76,4 +76,4 @@ class Blueprint:
         return math.fsum(link.mass for link in self.links.values())
 
 
-__all__ = ["BlueLink", "Blueprint"]
+__all__ = ["ModelFile", "ModelLink"]

@@ -14,7 +14,7 @@ from coursekit.urdf.xml_tree import Element
 from .controllers import read_controllers
 from .devices import Device, JointDevice, OdometryDevice, TruthDevice
 from .gz_plugins import read_system, system_of
-from .model_file import Blueprint
+from .model_file import ModelFile
 from .ros_names import names_of
 from .value_parsing import flag, number, numbers
 from .wheel_frames import wheels_of
@@ -22,7 +22,7 @@ from .wheel_frames import wheels_of
 Found = tuple[Drive | None, list[Device]]
 
 
-def read_plugin(plugin: Element, model: Blueprint, namespace: str) -> Found:
+def read_plugin(plugin: Element, model: ModelFile, namespace: str) -> Found:
     """Return the drive, if it is one, and the devices of a plugin, with notes on unsupported parts."""
     file = (plugin.get("filename") or "").removeprefix("lib").removesuffix(".so").removeprefix("gazebo_ros_")
     readers = {
@@ -57,7 +57,7 @@ def _all(plugin: Element, *tags: str) -> tuple[str, ...]:
     return tuple(element.text.strip() for tag in tags for element in plugin.all(tag))
 
 
-def _check_joints(plugin: Element, model: Blueprint, joints: tuple[str, ...]) -> None:
+def _check_joints(plugin: Element, model: ModelFile, joints: tuple[str, ...]) -> None:
     for name in joints:
         if name not in model.joints:
             known = ", ".join(model.joints) or "none"
@@ -65,7 +65,7 @@ def _check_joints(plugin: Element, model: Blueprint, joints: tuple[str, ...]) ->
 
 
 def _odometry(
-    plugin: Element, model: Blueprint, namespace: str, rate: float, shown: bool, exact: bool
+    plugin: Element, model: ModelFile, namespace: str, rate: float, shown: bool, exact: bool
 ) -> OdometryDevice:
     names = names_of(plugin, namespace)
     x, y, turn = (number(plugin, f"covariance_{axis}", size) for axis, size in (("x", 1e-5), ("y", 1e-5), ("yaw", 1e-3)))
@@ -91,7 +91,7 @@ def _rate(plugin: Element, tag: str, default: float) -> float:
     return rate or 200.0
 
 
-def _differential(plugin: Element, model: Blueprint, namespace: str) -> Found:
+def _differential(plugin: Element, model: ModelFile, namespace: str) -> Found:
     left, right = _all(plugin, "left_joint"), _all(plugin, "right_joint")
     if not left or len(left) != len(right):
         raise plugin.error("needs as many <left_joint> as <right_joint>, at least one", "Name the joints of its wheels.")
@@ -101,7 +101,7 @@ def _differential(plugin: Element, model: Blueprint, namespace: str) -> Found:
     return _wheels(plugin, model, namespace, left, right, separation, diameter, push, "odometry_source", "1")
 
 
-def _skid_steer(plugin: Element, model: Blueprint, namespace: str) -> Found:
+def _skid_steer(plugin: Element, model: ModelFile, namespace: str) -> Found:
     left, right = _all(plugin, "leftFrontJoint", "leftRearJoint"), _all(plugin, "rightFrontJoint", "rightRearJoint")
     _check_joints(plugin, model, left + right)
     separation, diameter = number(plugin, "wheelSeparation", 0.4), number(plugin, "wheelDiameter", 0.15)
@@ -109,7 +109,7 @@ def _skid_steer(plugin: Element, model: Blueprint, namespace: str) -> Found:
 
 
 def _wheels(
-    plugin: Element, model: Blueprint, namespace: str, left: tuple[str, ...], right: tuple[str, ...], separation: float,
+    plugin: Element, model: ModelFile, namespace: str, left: tuple[str, ...], right: tuple[str, ...], separation: float,
     diameter: float, push: float, source: str, usual: str,
 ) -> Found:  # fmt: skip
     if separation <= 0 or diameter <= 0:
@@ -127,7 +127,7 @@ def _wheels(
     ]
 
 
-def _frames(plugin: Element, model: Blueprint, namespace: str, rate: float, joints: tuple[str, ...]) -> list[Device]:
+def _frames(plugin: Element, model: ModelFile, namespace: str, rate: float, joints: tuple[str, ...]) -> list[Device]:
     """Return the frames of the wheels, if the drive publishes them."""
     if not flag(plugin, "publish_wheel_tf", False):
         return []
@@ -138,13 +138,13 @@ def _frames(plugin: Element, model: Blueprint, namespace: str, rate: float, join
     return [wheels_of(model, joints, names.topic("/tf"), rate, names.full_node)]
 
 
-def _planar(plugin: Element, model: Blueprint, namespace: str) -> Found:
+def _planar(plugin: Element, model: ModelFile, namespace: str) -> Found:
     rate = _rate(plugin, "publish_rate", 20.0)
     drive = Drive("planar", acceleration=math.inf, turn_acceleration=math.inf)
     return drive, [_odometry(plugin, model, namespace, rate, shown=True, exact=True)]
 
 
-def _ackermann(plugin: Element, model: Blueprint, namespace: str) -> Found:
+def _ackermann(plugin: Element, model: ModelFile, namespace: str) -> Found:
     names = [f"{end}_{side}_joint" for end in ("front", "rear") for side in ("left", "right")]
     wheels = tuple(plugin.tell(name) for name in names)
     steering = (*_all(plugin, "left_steering_joint"), *_all(plugin, "right_steering_joint"))
@@ -164,7 +164,7 @@ def _ackermann(plugin: Element, model: Blueprint, namespace: str) -> Found:
     return drive, [device, *_frames(plugin, model, namespace, rate, wheels + steering)]
 
 
-def _joint_states(plugin: Element, model: Blueprint, namespace: str) -> Found:
+def _joint_states(plugin: Element, model: ModelFile, namespace: str) -> Found:
     names, joints = names_of(plugin, namespace), _all(plugin, "joint_name")
     for name in joints:
         if name not in model.joints:
@@ -173,7 +173,7 @@ def _joint_states(plugin: Element, model: Blueprint, namespace: str) -> Found:
     return None, [JointDevice(names.topic("joint_states"), "", rate, names.full_node, joints)]
 
 
-def _truth(plugin: Element, model: Blueprint, namespace: str) -> Found:
+def _truth(plugin: Element, model: ModelFile, namespace: str) -> Found:
     names = names_of(plugin, namespace)
     topic = names.topic(plugin.tell("topic_name") or "odom")
     body = plugin.tell("body_name")

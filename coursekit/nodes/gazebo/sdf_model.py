@@ -13,7 +13,7 @@ from coursekit.urdf.model import Box, Cylinder, Mesh, Sphere
 from coursekit.urdf.xml_tree import Element
 
 from .model_colors import PLAIN, look_of
-from .model_file import BlueLink, Blueprint
+from .model_file import ModelFile, ModelLink
 from .model_paths import MissingModel, find_mesh
 from .sdf_frames import DEEPEST, frames_of, included, is_merged
 from .solids import Outline, Shape, part_of
@@ -26,11 +26,11 @@ QUIET = {
 }  # fmt: skip
 
 
-def read_model(element: Element, file: Path | None = None, depth: int = 0) -> Blueprint:
+def read_model(element: Element, file: Path | None = None, depth: int = 0) -> ModelFile:
     """Return the blueprint of a `<model>`; its parts are in the model's frame, the model's pose is in its parent's."""
     if depth > DEEPEST:
         raise element.error(f"holds more than {DEEPEST} models inside each other", "Does it include itself?")
-    blueprint = Blueprint(element.get("name") or "model", file=file, static=flag(element, "static", False))
+    blueprint = ModelFile(element.get("name") or "model", file=file, static=flag(element, "static", False))
     frames = frames_of(element, file, depth)
     blueprint.pose = pose(element) @ np.linalg.inv(frames(element.get("placement_frame") or ""))
     for joint in element.all("joint"):
@@ -53,7 +53,7 @@ def read_model(element: Element, file: Path | None = None, depth: int = 0) -> Bl
     return blueprint
 
 
-def include(element: Element, file: Path | None, depth: int = 0) -> Blueprint:
+def include(element: Element, file: Path | None, depth: int = 0) -> ModelFile:
     """Return the blueprint of an `<include>`, renamed and moved accordingly. Raises MeshError if the model is missing."""
     model, path = included(element, file)
     blueprint = read_model(model, path, depth + 1)
@@ -66,7 +66,7 @@ def include(element: Element, file: Path | None, depth: int = 0) -> Blueprint:
     return blueprint
 
 
-def entity(element: Element, file: Path | None, depth: int, frames: Callable[[str], Array]) -> Blueprint:
+def entity(element: Element, file: Path | None, depth: int, frames: Callable[[str], Array]) -> ModelFile:
     """Return a `<model>` or `<include>` of a world or model, with its pose in that frame. Raises MeshError."""
     inner = include(element, file, depth) if element.tag == "include" else read_model(element, file, depth)
     place = element.first("pose")
@@ -75,7 +75,7 @@ def entity(element: Element, file: Path | None, depth: int, frames: Callable[[st
     return inner
 
 
-def _nest(element: Element, blueprint: Blueprint, file: Path | None, depth: int, frames: Callable[[str], Array]) -> None:
+def _nest(element: Element, blueprint: ModelFile, file: Path | None, depth: int, frames: Callable[[str], Array]) -> None:
     try:
         inner = entity(element, file, depth + 1, frames)
     except MissingModel as error:
@@ -89,7 +89,7 @@ def _nest(element: Element, blueprint: Blueprint, file: Path | None, depth: int,
         name, number = f"{inner.name}_{number}", number + 1
     for key, link in inner.links.items():
         parts = [moved(part, inner.pose) for part in link.parts]
-        blueprint.links[f"{name}::{key}"] = BlueLink(link.name, inner.pose @ link.pose, parts, link.mass, link.sensors)
+        blueprint.links[f"{name}::{key}"] = ModelLink(link.name, inner.pose @ link.pose, parts, link.mass, link.sensors)
     blueprint.joints |= {f"{name}::{key}": kind for key, kind in inner.joints.items()}
     blueprint.static |= inner.static
     blueprint.look = blueprint.look if blueprint.look != PLAIN else inner.look
@@ -97,11 +97,11 @@ def _nest(element: Element, blueprint: Blueprint, file: Path | None, depth: int,
     blueprint.notes += inner.notes
 
 
-def _merge(inner: Blueprint, blueprint: Blueprint) -> None:
+def _merge(inner: ModelFile, blueprint: ModelFile) -> None:
     """Merge an `<include merge="true">`: its links and joints become the model's own."""
     for key, link in inner.links.items():
         parts = [moved(part, inner.pose) for part in link.parts]
-        blueprint.links[key] = BlueLink(link.name, inner.pose @ link.pose, parts, link.mass, link.sensors)
+        blueprint.links[key] = ModelLink(link.name, inner.pose @ link.pose, parts, link.mass, link.sensors)
     blueprint.joints |= inner.joints
     blueprint.held |= inner.held
     blueprint.axles |= {key: inner.pose @ pose for key, pose in inner.axles.items()}
@@ -110,9 +110,9 @@ def _merge(inner: Blueprint, blueprint: Blueprint) -> None:
     blueprint.look = blueprint.look if blueprint.look != PLAIN else inner.look
 
 
-def _read_link(link: Element, frames: Callable[[str], Array], blueprint: Blueprint) -> None:
+def _read_link(link: Element, frames: Callable[[str], Array], blueprint: ModelFile) -> None:
     name = link.get("name") or f"link_{len(blueprint.links)}"
-    blue = BlueLink(name, frames(name), mass=number(link, "inertial/mass", 1.0))
+    blue = ModelLink(name, frames(name), mass=number(link, "inertial/mass", 1.0))
     blueprint.links[name] = blue
     for child in link.children:
         if child.tag == "collision":
@@ -124,7 +124,7 @@ def _read_link(link: Element, frames: Callable[[str], Array], blueprint: Bluepri
             blue.sensors.append(child)
 
 
-def _collide(element: Element, where: Array, blue: BlueLink, blueprint: Blueprint) -> None:
+def _collide(element: Element, where: Array, blue: ModelLink, blueprint: ModelFile) -> None:
     geometry = element.first("geometry")
     if geometry is None or not geometry.children:
         raise element.error("has no <geometry>", "Give it <geometry><box>, <cylinder>, <sphere>, <polyline> or <mesh>.")
@@ -135,7 +135,7 @@ def _collide(element: Element, where: Array, blue: BlueLink, blueprint: Blueprin
         blueprint.note(element, f"is left out: {error.what}")
 
 
-def _shapes(kind: Element, blueprint: Blueprint) -> list[Shape]:
+def _shapes(kind: Element, blueprint: ModelFile) -> list[Shape]:
     if kind.tag == "box":
         x, y, z = _sizes(kind, "size", 3)
         return [Box((x, y, z))]

@@ -13,7 +13,7 @@ from coursekit.files import read_text
 from coursekit.geometry.plane import Pose2D
 from coursekit.sim.errors import WorldError
 from coursekit.sim.solids import Part
-from coursekit.sim.spherical_coordinates import Globe
+from coursekit.sim.spherical_coordinates import SphericalCoordinates
 from coursekit.sim.world import Thing, World
 from coursekit.urdf import parse
 from coursekit.urdf.xml_tree import Element, read
@@ -21,8 +21,8 @@ from coursekit.urdf.xml_tree import Element, read
 from .actors import actor
 from .gz_plugins import QUIET as SYSTEMS
 from .gz_plugins import system_of
-from .model_conversion import Assembly, assemble
-from .model_file import Blueprint
+from .model_conversion import ModelConversion, assemble
+from .model_file import ModelFile
 from .model_paths import MissingModel, is_scenery
 from .sdf_frames import frames_of
 from .sdf_model import entity, include, read_model
@@ -44,7 +44,7 @@ class SdfWorld:
     """A world, the models in its file (their things are already in the world), and its plugins."""
 
     world: World
-    models: list[Assembly] = field(default_factory=list)
+    models: list[ModelConversion] = field(default_factory=list)
     state: StatePlugin | None = None
     systems: frozenset[str] | None = None
     """The systems of the newer Gazebo that the world loads; None if the file has no list."""
@@ -111,7 +111,7 @@ def _read_world(element: Element, file: Path, newer: bool) -> SdfWorld:
     return SdfWorld(world, models, next((plugin for plugin in plugins if plugin is not None), None), systems)
 
 
-def _globe(world: Element, newer: bool) -> Globe | None:
+def _globe(world: Element, newer: bool) -> SphericalCoordinates | None:
     told = world.first("spherical_coordinates")
     if told is None:
         return None
@@ -120,21 +120,21 @@ def _globe(world: Element, newer: bool) -> Globe | None:
         raise told.error(f"has a latitude_deg of {latitude:g}", "Give one from -90 to 90.")
     heading = number(told, "heading_deg", 0.0)
     turned = heading if newer else 180.0 - heading  # Classic's x points west at 0; its worlds give 180
-    return Globe(latitude, number(told, "longitude_deg", 0.0), number(told, "elevation", 0.0), turned)
+    return SphericalCoordinates(latitude, number(told, "longitude_deg", 0.0), number(told, "elevation", 0.0), turned)
 
 
-def _placed(blueprint: Blueprint) -> Thing:
+def _placed(blueprint: ModelFile) -> Thing:
     return Thing(
         blueprint.name, (), Pose2D(float(blueprint.pose[0, 3]), float(blueprint.pose[1, 3]), yaw_of(blueprint.pose))
     )
 
 
-def _models(element: Element, file: Path, notes: list[str]) -> Iterator[Blueprint]:
+def _models(element: Element, file: Path, notes: list[str]) -> Iterator[ModelFile]:
     frames = frames_of(element, file)
     for child in element.children:
         if child.tag == "include" and is_scenery(child.tell("uri")):
             name = unquote(child.tell("uri")).rpartition("/")[2]
-            yield Blueprint(child.tell("name") or name.lower().replace(" ", "_"), static=True)
+            yield ModelFile(child.tell("name") or name.lower().replace(" ", "_"), static=True)
         elif child.tag in ("model", "include"):
             try:
                 yield entity(child, file, 0, frames)
@@ -142,7 +142,7 @@ def _models(element: Element, file: Path, notes: list[str]) -> Iterator[Blueprin
                 notes.append(f"{file}:{child.line}: {child.label()} is left out: {error.what}")
 
 
-def _restore(state: Element, blueprints: list[Blueprint]) -> None:
+def _restore(state: Element, blueprints: list[ModelFile]) -> None:
     """Move models to the poses of a saved state, including links moved inside them."""
     saved = {model.get("name"): model for model in state.all("model")}
     for blueprint in blueprints:
@@ -166,13 +166,13 @@ def _kept(part: Part, shift: np.ndarray) -> Part:
 
 def read_entity(
     text: str, namespace: str = "", file: Path | None = None, newer: str | None = None, name: str = ""
-) -> Assembly:
+) -> ModelConversion:
     """A single model as text, URDF or SDF; `newer` is the name of the newer Gazebo's world, `name` that of the model there.
 
     Raises UrdfError and WorldError.
     """
 
-    def done(draft: Blueprint) -> Assembly:
+    def done(draft: ModelFile) -> ModelConversion:
         draft.newer, draft.name = newer, (name or draft.name) if newer is not None else draft.name
         return assemble(draft, namespace)
 
@@ -189,7 +189,7 @@ def read_entity(
         if child.tag == "include":
             return done(include(child, file))
         if child.tag == "light":
-            return Assembly(child.get("name") or "light", notes=["a light is not simulated"])
+            return ModelConversion(child.get("name") or "light", notes=["a light is not simulated"])
     raise root.error("Failed to find a model or light on SDF", "Put a <model> into it.")
 
 

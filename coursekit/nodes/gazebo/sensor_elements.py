@@ -6,11 +6,11 @@ import math
 
 from coursekit.geometry.plane import Array, Pose2D
 from coursekit.sim.lidar import Lidar
-from coursekit.sim.spherical_coordinates import Globe
+from coursekit.sim.spherical_coordinates import SphericalCoordinates
 from coursekit.urdf.xml_tree import Element
 
 from .devices import EarthDevice
-from .model_file import Blueprint
+from .model_file import ModelFile
 from .value_parsing import number, yaw_of
 
 EARTH = {
@@ -23,7 +23,7 @@ EARTH = {
 """Sensor types, with the paths of the noise of their first and second value."""
 
 
-def lidar_of(sensor: Element, ray: Element, rate: float, where: Array, model: Blueprint, floor: float) -> Lidar:
+def lidar_of(sensor: Element, ray: Element, rate: float, where: Array, model: ModelFile, floor: float) -> Lidar:
     """Return the beams of a `<ray>` or `<lidar>`, with notes on unsupported parts."""
     if number(ray, "scan/vertical/samples", 1) > 1:
         model.note(sensor, "has several layers; the middle one is simulated")
@@ -65,8 +65,9 @@ def picture_of(sensor: Element, camera: Element | None) -> tuple[int, int, float
 
 
 def earth_of(
-    sensor: Element, topic: str, frame: str, rate: float, node: str, where: Array, floor: float, usual: Globe | None = None
-) -> EarthDevice:
+    sensor: Element, topic: str, frame: str, rate: float, node: str, where: Array, floor: float,
+    usual: SphericalCoordinates | None = None,
+) -> EarthDevice:  # fmt: skip
     """Return a sensor of an Earth quantity; `usual` is the location of a world without its own."""
     kind = sensor.get("type") or ""
     told = sensor.first(kind)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from coursekit.geometry.plane import Array
-from coursekit.sim.spherical_coordinates import Globe
+from coursekit.sim.spherical_coordinates import SphericalCoordinates
 from coursekit.urdf.xml_tree import Element
 
 from .devices import BumpDevice, CameraDevice, DepthDevice, Device, ImuDevice, RayDevice
-from .model_file import BlueLink, Blueprint
+from .model_file import ModelFile, ModelLink
 from .ray_messages import CLOUD, LASER, RAY_TYPES
 from .ros_names import RosNames, names_of
 from .sensor_elements import earth_of, lidar_of, picture_of, shakes_of
@@ -19,7 +19,7 @@ ENCODINGS = {"R8G8B8": "rgb8", "RGB_INT8": "rgb8", "B8G8R8": "bgr8", "BGR_INT8":
 """Image formats in SDF and in messages."""
 
 
-def sensed(sensor: Element, link: BlueLink, model: Blueprint, namespace: str, floor: float) -> list[Device]:
+def sensed(sensor: Element, link: ModelLink, model: ModelFile, namespace: str, floor: float) -> list[Device]:
     """Return the devices of a sensor on a link, with notes on unsupported parts. `floor` is its z in the model."""
     kind = sensor.get("type") or ""
     plugin = sensor.first("plugin")
@@ -36,7 +36,8 @@ def sensed(sensor: Element, link: BlueLink, model: Blueprint, namespace: str, fl
         topic = names.topic(plugin.tell("topicName") or "~/out")
         return [ImuDevice(topic, frame, rate, names.full_node, *shakes_of(sensor))]
     if kind == "gps":
-        return [earth_of(sensor, names.topic("~/out"), frame, rate, names.full_node, where, floor, Globe(heading=180.0))]
+        usual = SphericalCoordinates(heading=180.0)
+        return [earth_of(sensor, names.topic("~/out"), frame, rate, names.full_node, where, floor, usual)]
     if kind in CAMERAS:
         return [_camera(sensor, sensor.first("camera"), "", names, frame, rate, where, model)]
     if kind == "multicamera":
@@ -52,7 +53,7 @@ def sensed(sensor: Element, link: BlueLink, model: Blueprint, namespace: str, fl
 
 
 def _ray(
-    sensor: Element, plugin: Element, names: RosNames, frame: str, rate: float, where: Array, model: Blueprint, floor: float
+    sensor: Element, plugin: Element, names: RosNames, frame: str, rate: float, where: Array, model: ModelFile, floor: float
 ) -> Device:
     ray = sensor.first("ray") or sensor.first("lidar")
     if ray is None:
@@ -64,7 +65,7 @@ def _ray(
     return RayDevice(names.topic(old or "~/out"), frame, rate, names.full_node, lidar, output, int(not sound))
 
 
-def _output(plugin: Element, model: Blueprint) -> str:
+def _output(plugin: Element, model: ModelFile) -> str:
     """Return the message type of a ray sensor; the plugin's default is a cloud."""
     told = plugin.tell("output_type")
     if told in RAY_TYPES:
@@ -79,7 +80,7 @@ def _output(plugin: Element, model: Blueprint) -> str:
 
 def _camera(
     sensor: Element, camera: Element | None, eye: str, names: RosNames, frame: str, rate: float, where: Array,
-    model: Blueprint,
+    model: ModelFile,
 ) -> Device:  # fmt: skip
     """Return a camera; `eye` is a part of its topics if the sensor has several cameras."""
     plugin = sensor.first("plugin")

@@ -38,7 +38,7 @@ from .earth_publishers import EarthPublisher
 from .entity_poses import EntityPoses
 from .forces import Forces
 from .gz_publishers import PosePublisher, TouchPublisher
-from .model_conversion import Assembly
+from .model_conversion import ModelConversion
 from .odometry_publishers import OdometryPublisher, TruthPublisher
 from .precompile import warm_up
 from .sensor_publishers import PUBLISHERS, SensorPublisher, stamp_of
@@ -77,7 +77,7 @@ class Gazebo(Node):
         self.systems = opened.systems
         self.simulation = Simulation(loaded, seed)
         self.time = SimTime(self.session.clock, paused)
-        self.assemblies: dict[str, Assembly] = {}
+        self.assemblies: dict[str, ModelConversion] = {}
         self.sensors: dict[str, list[SensorPublisher]] = {}
         self.executor_ = SingleThreadedExecutor(context=self.context)
         self.executor_.add_node(self)
@@ -97,7 +97,7 @@ class Gazebo(Node):
 
     # -- models
 
-    def _admit(self, model: Assembly) -> None:
+    def _admit(self, model: ModelConversion) -> None:
         """Add a model of the world's file, whose things are already there. A robot without room is reported."""
         try:
             if model.robot is not None:
@@ -106,7 +106,7 @@ class Gazebo(Node):
             self.get_logger().error(str(error))
         self.assemblies[model.name] = model
 
-    def put(self, model: Assembly) -> None:
+    def put(self, model: ModelConversion) -> None:
         """Add a model to the world, and start its devices. Raises WorldError."""
         self.advance()
         for thing in settled(model.things):
@@ -117,7 +117,7 @@ class Gazebo(Node):
         self.assemblies[model.name] = model
         self.tell(model.notes)
 
-    def _equip(self, model: Assembly, robot: Robot) -> None:
+    def _equip(self, model: ModelConversion, robot: Robot) -> None:
         begin = self.time.now()
         sensors = self.sensors[model.name] = []
         for number, device in enumerate(self.working(model)):
@@ -135,7 +135,7 @@ class Gazebo(Node):
                 heard = node.create_subscription(twist, device.command_topic, hear, 10)
                 self._commands.setdefault(model.name, []).append((node, heard))
 
-    def working(self, model: Assembly) -> list[Device]:
+    def working(self, model: ModelConversion) -> list[Device]:
         """Return the devices of a model that are active in this world."""
         return model.devices
 
@@ -211,7 +211,7 @@ class Gazebo(Node):
                 self._articulate(name, model, model.articulated)
         return now
 
-    def _articulate(self, name: str, model: Assembly, articulated: Articulated) -> None:
+    def _articulate(self, name: str, model: ModelConversion, articulated: Articulated) -> None:
         """Update an arm's links from its joints."""
         moved = self.simulation.robots[name].motors.moved()
         if articulated.has_moved(moved):

@@ -11,7 +11,7 @@ from coursekit.sim.simulation import Simulation
 from .sim_time import SimTime
 
 if TYPE_CHECKING:
-    from coursekit.nodes.gazebo.model_conversion import Assembly
+    from coursekit.nodes.gazebo.model_conversion import ModelConversion
 
 
 class Simulator(Protocol):
@@ -35,7 +35,7 @@ class Simulator(Protocol):
 
     def restart(self, time: bool) -> None: ...
 
-    def put(self, model: Assembly) -> None: ...
+    def put(self, model: ModelConversion) -> None: ...
 
     def delete(self, name: str) -> None: ...
 

@@ -12,7 +12,7 @@ from coursekit.urdf.xml_tree import Element
 
 from .gz_sensors import lumped
 from .model_colors import PLAIN, look_named
-from .model_file import BlueLink, Blueprint
+from .model_file import ModelFile, ModelLink
 from .solids import part_of
 from .value_parsing import flag, matrix
 
@@ -25,13 +25,13 @@ QUIET = {
 """Child elements for Gazebo's physics engine and rendering; a 2D world needs none of them."""
 
 
-def blueprint_of(robot: Robot) -> Blueprint:
+def blueprint_of(robot: Robot) -> ModelFile:
     """Return a robot's blueprint. Raises UrdfError for invalid numbers; a missing mesh becomes a note."""
-    blueprint = Blueprint(robot.name, file=robot.file, root=robot.root, robot=robot)
+    blueprint = ModelFile(robot.name, file=robot.file, root=robot.root, robot=robot)
     blueprint.joints = {name: joint.type for name, joint in robot.joints.items()}
     for name, pose in Kinematics(robot).poses().items():
         link = robot.links[name]
-        blueprint.links[name] = blue = BlueLink(name, matrix(pose), mass=link.inertial.mass if link.inertial else 0.0)
+        blueprint.links[name] = blue = ModelLink(name, matrix(pose), mass=link.inertial.mass if link.inertial else 0.0)
         for collision in link.collisions:
             try:
                 where = blue.pose @ matrix_of(collision.origin)
@@ -54,7 +54,7 @@ def _kept(robot: Robot) -> Iterator[str]:
             yield block.get("reference") or ""
 
 
-def _read_block(block: Element, robot: Robot, blueprint: Blueprint) -> None:
+def _read_block(block: Element, robot: Robot, blueprint: ModelFile) -> None:
     reference = block.get("reference")
     for child in block.children:
         if child.tag == "plugin":

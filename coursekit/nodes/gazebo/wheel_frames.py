@@ -11,11 +11,11 @@ from coursekit.geometry.plane import Array
 
 from .devices import WheelDevice
 from .gz_publishers import transform_of
-from .model_file import Blueprint
+from .model_file import ModelFile
 from .sensor_publishers import SensorPublisher, stamp_of
 
 
-def wheels_of(model: Blueprint, joints: tuple[str, ...], topic: str, rate: float, node: str) -> WheelDevice:
+def wheels_of(model: ModelFile, joints: tuple[str, ...], topic: str, rate: float, node: str) -> WheelDevice:
     """Return a drive's wheel frames; their parent is the link that fixed joints are merged into, as in Gazebo."""
     assert model.robot is not None
     wheels = []

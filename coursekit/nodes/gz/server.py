@@ -15,7 +15,7 @@ from tf2_msgs.msg import TFMessage
 
 from coursekit.nodes.gazebo.devices import CameraDevice, Device, EarthDevice, ImuDevice, RayDevice
 from coursekit.nodes.gazebo.gzserver import simulate
-from coursekit.nodes.gazebo.model_conversion import Assembly
+from coursekit.nodes.gazebo.model_conversion import ModelConversion
 from coursekit.nodes.gazebo.server import Gazebo
 from coursekit.processes.session import current
 
@@ -58,7 +58,7 @@ class GzSim(Gazebo):
         self._gz_services = GzServices(self, name)
         self.create_timer(1 / 60, self._tell_poses)
 
-    def working(self, model: Assembly) -> list[Device]:
+    def working(self, model: ModelConversion) -> list[Device]:
         """Return the devices that publish. A sensor whose system is missing in the world and model only gets a warning."""
         if self.systems is None:
             return list(model.devices)

@@ -18,8 +18,8 @@ from coursekit.nav.costmap import Costmap
 from coursekit.nav.footprint import Footprint
 from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.nav2.behaviors import KINDS, USUAL
-from coursekit.nodes.nav2.cpp_behavior import ForeignBehavior
-from coursekit.nodes.nav2.cpp_plugins import ForeignPlugins, where_is
+from coursekit.nodes.nav2.cpp_behavior import CppBehavior
+from coursekit.nodes.nav2.cpp_plugins import CppPlugins, where_is
 from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import AsyncRate, Server, SingleGoal, run
@@ -54,7 +54,7 @@ class BehaviorServer(Server):
     def __init__(self) -> None:
         super().__init__("behavior_server")
         declare(self, _SERVER)
-        self._foreign = ForeignPlugins(self)
+        self._foreign = CppPlugins(self)
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Create the behaviours in `behavior_plugins`."""
@@ -86,9 +86,9 @@ class BehaviorServer(Server):
 
     def _make(self, name: str, plugin: str) -> None:
         if plugin not in KINDS:
-            self._foreign.get(ForeignBehavior, name, plugin, KINDS)
+            self._foreign.get(CppBehavior, name, plugin, KINDS)
             return
-        self.get_logger().info(ForeignBehavior.created.format(name=name, kind=plugin))
+        self.get_logger().info(CppBehavior.created.format(name=name, kind=plugin))
         action, work = KINDS[plugin]
         self.serve(action, name, partial(work, self, name))
 
@@ -113,7 +113,7 @@ class BehaviorServer(Server):
         """Return the plugin of a behaviour. NoPlugin for an unknown one."""
         plugin: str = declare(self, {"plugin": USUAL.get(name, "")}, name)["plugin"]
         if plugin not in KINDS:
-            where_is(ForeignBehavior, name, plugin, KINDS)
+            where_is(CppBehavior, name, plugin, KINDS)
         return plugin
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:

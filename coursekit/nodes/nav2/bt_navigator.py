@@ -13,7 +13,7 @@ from tf2_ros import TransformException
 
 from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.compiled.classes import CppFault
-from coursekit.nodes.nav2.cpp_tree_nodes import ForeignNodes, load
+from coursekit.nodes.nav2.cpp_tree_nodes import CppTreeNodes, load
 from coursekit.nodes.nav2.navigators import NavigateThroughPosesNavigator, NavigateToPoseNavigator, Navigator
 from coursekit.nodes.nav2.odom_smoother import OdomSmoother
 from coursekit.nodes.nav2.parameters import declare
@@ -98,7 +98,7 @@ class BtNavigator(Server):
         self.where.close()
         return super().on_cleanup(state)
 
-    def _load(self, names: list[str]) -> ForeignNodes | None:
+    def _load(self, names: list[str]) -> CppTreeNodes | None:
         """Load the workspaces' libraries of nodes. Raises CppFault."""
         self._kinds: Kinds = KINDS
         try:

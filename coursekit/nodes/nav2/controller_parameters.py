@@ -11,8 +11,8 @@ from rclpy.node import Node
 from coursekit.nav.checkers import GoalChecker, ProgressChecker
 from coursekit.nav.controller import Controller, Limits
 from coursekit.nodes.nav2.costmap_node import CostmapNode
-from coursekit.nodes.nav2.cpp_controller import ForeignController, ForeignGoalChecker, ForeignProgressChecker
-from coursekit.nodes.nav2.cpp_plugins import ForeignPlugins
+from coursekit.nodes.nav2.cpp_controller import CppController, CppGoalChecker, CppProgressChecker
+from coursekit.nodes.nav2.cpp_plugins import CppPlugins
 from coursekit.nodes.nav2.parameters import declare
 
 SERVER: dict[str, Any] = {
@@ -75,8 +75,8 @@ _MPPI_NAME = "nav2_mppi_controller::MPPIController"
 
 
 def controller(
-    node: Node, name: str, costmap: CostmapNode, period: float, foreign: ForeignPlugins
-) -> Controller | ForeignController:
+    node: Node, name: str, costmap: CostmapNode, period: float, foreign: CppPlugins
+) -> Controller | CppController:
     """Create a controller by its plugin name. Those in Python sample velocities in the same way, within their own limits."""
     kind = declare(node, {"plugin": _DWB_NAME}, name)["plugin"]
     turn_first = None
@@ -84,7 +84,7 @@ def controller(
         kind = declare(node, {"primary_controller": _DWB_NAME}, name)["primary_controller"]
         turn_first = declare(node, _SHIM_ANGLE, name)["angular_dist_threshold"]
     if kind not in _MAKERS:
-        return foreign.get(ForeignController, name, kind, [*_MAKERS, _SHIM])
+        return foreign.get(CppController, name, kind, [*_MAKERS, _SHIM])
     make, defaults = _MAKERS[kind]
     own_controller = make(declare(node, defaults, name))
     own_controller.turn_first, own_controller.period = turn_first or own_controller.turn_first, period
@@ -130,27 +130,27 @@ _MAKERS: dict[str, tuple[Callable[[dict[str, Any]], Controller], dict[str, Any]]
 
 
 def goal_checkers(
-    node: Node, names: Iterable[str], foreign: ForeignPlugins
-) -> dict[str, GoalChecker | ForeignGoalChecker]:
+    node: Node, names: Iterable[str], foreign: CppPlugins
+) -> dict[str, GoalChecker | CppGoalChecker]:
     """Return the goal checkers by name; StoppedGoalChecker waits for the robot to stop."""
     return {name: _goal_checker(node, name, foreign) for name in names}
 
 
-def _goal_checker(node: Node, name: str, foreign: ForeignPlugins) -> GoalChecker | ForeignGoalChecker:
+def _goal_checker(node: Node, name: str, foreign: CppPlugins) -> GoalChecker | CppGoalChecker:
     kind = declare(node, _GOAL_KIND, name)["plugin"]
     if kind not in _GOAL_KINDS:
-        return foreign.get(ForeignGoalChecker, name, kind, _GOAL_KINDS)
+        return foreign.get(CppGoalChecker, name, kind, _GOAL_KINDS)
     given = declare(node, _GOAL, name)
     still = declare(node, _STOPPED, name) if kind == _GOAL_KINDS[1] else None
     speeds = (still["trans_stopped_velocity"], still["rot_stopped_velocity"]) if still else None
     return GoalChecker(given["xy_goal_tolerance"], given["yaw_goal_tolerance"], given["stateful"], speeds)
 
 
-def progress_checker(node: Node, name: str, foreign: ForeignPlugins) -> ProgressChecker | ForeignProgressChecker:
+def progress_checker(node: Node, name: str, foreign: CppPlugins) -> ProgressChecker | CppProgressChecker:
     """Return the progress checker; PoseProgressChecker counts rotation as well."""
     kind = declare(node, _PROGRESS_KIND, name)["plugin"]
     if kind not in _PROGRESS_KINDS:
-        return foreign.get(ForeignProgressChecker, name, kind, _PROGRESS_KINDS)
+        return foreign.get(CppProgressChecker, name, kind, _PROGRESS_KINDS)
     given = declare(node, _PROGRESS, name)
     turns = declare(node, {"required_movement_angle": 0.5}, name) if kind == _PROGRESS_KINDS[1] else {}
     angle = turns.get("required_movement_angle", math.inf)

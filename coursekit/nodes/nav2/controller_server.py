@@ -15,9 +15,9 @@ from coursekit.nav.controller import Controller
 from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.nav2.controller_parameters import SERVER, controller, goal_checkers, progress_checker
 from coursekit.nodes.nav2.costmap_node import CostmapNode
-from coursekit.nodes.nav2.cpp_controller import ForeignController, ForeignGoalChecker
-from coursekit.nodes.nav2.cpp_plugins import ForeignPlugins
-from coursekit.nodes.nav2.drive import Drive, ForeignDrive
+from coursekit.nodes.nav2.cpp_controller import CppController, CppGoalChecker
+from coursekit.nodes.nav2.cpp_plugins import CppPlugins
+from coursekit.nodes.nav2.drive import CppDrive, Drive
 from coursekit.nodes.nav2.local_plan import LocalPlan
 from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import AsyncRate, Server, run
@@ -33,7 +33,7 @@ class ControllerServer(Server):
         super().__init__("controller_server")
         declare(self, SERVER)
         self.costmap = CostmapNode("local_costmap", self)
-        self._foreign = ForeignPlugins(self, self.costmap)
+        self._foreign = CppPlugins(self, self.costmap)
 
     # -- states
 
@@ -112,7 +112,7 @@ class ControllerServer(Server):
         """Handle a limit in m/s, or in percent of the maximum speed; 0 means no limit."""
         self._limit, self._limit_share = (0.0, msg.speed_limit / 100) if msg.percentage else (msg.speed_limit, 0.0)
         for known in self._controllers.values():
-            if isinstance(known, ForeignController):
+            if isinstance(known, CppController):
                 known.limit(msg.speed_limit, msg.percentage)
 
     @property
@@ -141,7 +141,7 @@ class ControllerServer(Server):
         )
         self._plan_out.publish(request.path)
         chosen = self._controllers[request.controller_id or next(iter(self._controllers))]
-        drive = ForeignDrive(self, handle, chosen) if isinstance(chosen, ForeignController) else Drive(self, handle, chosen)
+        drive = CppDrive(self, handle, chosen) if isinstance(chosen, CppController) else Drive(self, handle, chosen)
         rate = AsyncRate(self, self._period)
         try:
             while not drive.step():
@@ -162,7 +162,7 @@ class ControllerServer(Server):
             )
         return "" if request.path.poses else "Invalid path, Path is empty."
 
-    def goal_checker(self, name: str) -> GoalChecker | ForeignGoalChecker:
+    def goal_checker(self, name: str) -> GoalChecker | CppGoalChecker:
         """Return a goal checker by name, or the first one."""
         return self._goals[name or next(iter(self._goals))]
 

@@ -16,7 +16,7 @@ from coursekit.nav.obstacles import ObstacleLayer
 from coursekit.nodes.nav2.cloud_source import CloudSource
 from coursekit.nodes.nav2.costmap_filters import filters
 from coursekit.nodes.nav2.costmap_parameters import KINDS, layers, sources
-from coursekit.nodes.nav2.cpp_layer import ForeignLayer, foreign_layer
+from coursekit.nodes.nav2.cpp_layer import CppLayer, foreign_layer
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
 from coursekit.nodes.nav2.range_source import RangeSource
 from coursekit.nodes.nav2.scan_source import ScanSource, Source, in_server_space, layer_of
@@ -44,7 +44,7 @@ class Layers:
         self._given: dict[str, dict[str, Any]] = {}
         self._inflation: dict[str, Any] | None = None
         self.has_static = False
-        self.foreign: list[ForeignLayer] = []
+        self.foreign: list[CppLayer] = []
         self._first_above = 0
         """The number of foreign layers below the inflation."""
         for name, kind, layer in layers(node, given["plugins"]):

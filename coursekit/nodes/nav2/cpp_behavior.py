@@ -8,17 +8,17 @@ from typing import Any
 from geometry_msgs.msg import PoseStamped
 
 from coursekit.nodes.compiled.frames import packed
-from coursekit.nodes.nav2.cpp_plugins import Foreign, ForeignListener
+from coursekit.nodes.nav2.cpp_plugins import CppListeningPlugin, CppPlugin
 
 
-class ForeignBehavior(ForeignListener):
+class CppBehavior(CppListeningPlugin):
     """A class derived from nav2_core::Behavior, which serves its own action."""
 
     served, base = "behavior", "nav2_core::Behavior"
     what, created = "behavior {name} of type {kind}", "Creating behavior plugin {name} of type {kind}"
 
 
-class ForeignTask(Foreign):
+class CppTask(CppPlugin):
     """A class derived from nav2_core::WaypointTaskExecutor, as a Task."""
 
     served, base = "waypoint_task", "nav2_core::WaypointTaskExecutor"

@@ -14,7 +14,7 @@ from nav_msgs.msg import Path
 from coursekit.geometry.plane import Pose2D
 from coursekit.nav.checkers import GoalChecker
 from coursekit.nodes.compiled.frames import Unpacker, packed
-from coursekit.nodes.nav2.cpp_plugins import Foreign
+from coursekit.nodes.nav2.cpp_plugins import CppPlugin
 from coursekit.nodes.nav2.transform_lookup import stamped
 from coursekit.nodes.scanning.planar import plane, to_pose
 
@@ -22,7 +22,7 @@ _NO_MATTER = -sys.float_info.max
 """A tolerance of what does not matter: std::numeric_limits<double>::lowest()."""
 
 
-class ForeignController(Foreign):
+class CppController(CppPlugin):
     """A class derived from nav2_core::Controller."""
 
     served, base = "path_controller", "nav2_core::Controller"
@@ -40,7 +40,7 @@ class ForeignController(Foreign):
         """Call setSpeedLimit."""
         self.ask("limit", rest=struct.pack("<dq", speed, percentage))
 
-    def command(self, here: PoseStamped, velocity: Twist, checker: GoalChecker | ForeignGoalChecker) -> Twist:
+    def command(self, here: PoseStamped, velocity: Twist, checker: GoalChecker | CppGoalChecker) -> Twist:
         """Call computeVelocityCommands."""
         if id(checker) not in self._lent:
             self._lent[id(checker)] = self.share(answering(checker))
@@ -49,7 +49,7 @@ class ForeignController(Foreign):
         return twist
 
 
-class ForeignGoalChecker(Foreign):
+class CppGoalChecker(CppPlugin):
     """A class derived from nav2_core::GoalChecker, as a GoalChecker."""
 
     served, base = "goal_checker", "nav2_core::GoalChecker"
@@ -73,7 +73,7 @@ class ForeignGoalChecker(Foreign):
         return bool(known) and math.hypot(here.x - goal.x, here.y - goal.y) <= tolerance
 
 
-class ForeignProgressChecker(Foreign):
+class CppProgressChecker(CppPlugin):
     """A class derived from nav2_core::ProgressChecker, as a ProgressChecker."""
 
     served, base = "progress_checker", "nav2_core::ProgressChecker"
@@ -92,7 +92,7 @@ class ForeignProgressChecker(Foreign):
         return bool(self.ask("check", rest=packed(here)).integer())
 
 
-def answering(checker: GoalChecker | ForeignGoalChecker) -> Callable[[Unpacker], bytes]:
+def answering(checker: GoalChecker | CppGoalChecker) -> Callable[[Unpacker], bytes]:
     """Return a function that answers the questions of a C++ controller to a goal checker."""
 
     def answer(frame: Unpacker) -> bytes:
@@ -104,7 +104,7 @@ def answering(checker: GoalChecker | ForeignGoalChecker) -> Callable[[Unpacker],
             here, goal = (plane(pose.position, pose.orientation) for pose in (frame.message(Pose), frame.message(Pose)))
             twist = frame.message(Twist)
             return packed(int(checker.reached(here, goal, (twist.linear.x, twist.angular.z))))
-        if isinstance(checker, ForeignGoalChecker):
+        if isinstance(checker, CppGoalChecker):
             return checker.ask("tolerances").rest()
         return packed(1, *_tolerances(checker))
 

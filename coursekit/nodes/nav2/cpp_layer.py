@@ -9,7 +9,7 @@ import numpy as np
 
 from coursekit.geometry.plane import Pose2D
 from coursekit.nav.costmap import Costmap
-from coursekit.nodes.nav2.cpp_plugins import Foreign, packed_costs, where_is
+from coursekit.nodes.nav2.cpp_plugins import CppPlugin, packed_costs, where_is
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from coursekit.nodes.nav2.costmap_node import CostmapNode
 
 
-class ForeignLayer(Foreign):
+class CppLayer(CppPlugin):
     """A class derived from nav2_costmap_2d::Layer."""
 
     served, base = "layer", "nav2_costmap_2d::Layer"
@@ -34,8 +34,8 @@ class ForeignLayer(Foreign):
         self.ask("reset")
 
 
-def foreign_layer(node: CostmapNode, name: str, kind: str, known: Iterable[str]) -> ForeignLayer:
+def foreign_layer(node: CostmapNode, name: str, kind: str, known: Iterable[str]) -> CppLayer:
     """Return a layer of a costmap's node, not configured yet. Raises NoPlugin, CppFault."""
-    layer = ForeignLayer(*where_is(ForeignLayer, name, kind, known), name, node, node)
-    node.get_logger().info(ForeignLayer.created.format(name=name))
+    layer = CppLayer(*where_is(CppLayer, name, kind, known), name, node, node)
+    node.get_logger().info(CppLayer.created.format(name=name))
     return layer

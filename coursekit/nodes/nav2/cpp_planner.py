@@ -6,10 +6,10 @@ from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Path
 
 from coursekit.nodes.compiled.frames import packed
-from coursekit.nodes.nav2.cpp_plugins import Foreign
+from coursekit.nodes.nav2.cpp_plugins import CppPlugin
 
 
-class ForeignPlanner(Foreign):
+class CppPlanner(CppPlugin):
     """A class derived from nav2_core::GlobalPlanner."""
 
     served, base = "planner", "nav2_core::GlobalPlanner"

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from coursekit.nodes.nav2.costmap_node import CostmapNode
 
 
-class Foreign:
+class CppPlugin:
     """A C++ class, for the server with this node and costmap. Its calls raise CppFault when it throws."""
 
     served, base, what, created = "", "", "", ""
@@ -66,7 +66,7 @@ class Foreign:
         return packed_costs(self.costmap.latest or self.costmap.layers.costmap, self.costmap.robot)
 
 
-class ForeignListener(Foreign):
+class CppListeningPlugin(CppPlugin):
     """A C++ class that hears another node's costmap and footprint itself."""
 
     def configure(self) -> None:
@@ -92,15 +92,15 @@ class PluginsOwner(GroupsApart, LifecycleNode):
         return TransitionCallbackReturn.SUCCESS
 
 
-Kind = TypeVar("Kind", bound=Foreign)
+Kind = TypeVar("Kind", bound=CppPlugin)
 
 
-class ForeignPlugins:
+class CppPlugins:
     """The C++ classes of a server, by the names of its plugins."""
 
     def __init__(self, node: PluginsOwner, costmap: CostmapNode | None = None) -> None:
         self._node, self._costmap = node, costmap
-        self._all: dict[str, Foreign] = {}
+        self._all: dict[str, CppPlugin] = {}
 
     def get(self, wanted: type[Kind], name: str, kind: str, known: Iterable[str]) -> Kind:
         """Return a plugin, made and configured the first time; `known` are the classes in Python.
@@ -143,7 +143,7 @@ class ForeignPlugins:
         return TransitionCallbackReturn.FAILURE
 
 
-def where_is(wanted: type[Foreign], name: str, kind: str, known: Iterable[str]) -> tuple[str, str]:
+def where_is(wanted: type[CppPlugin], name: str, kind: str, known: Iterable[str]) -> tuple[str, str]:
     """Return the program and the type of a C++ class for a plugin. Raises NoPlugin."""
     what = wanted.what.format(name=name, kind=kind)
     try:

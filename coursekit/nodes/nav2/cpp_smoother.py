@@ -5,10 +5,10 @@ from __future__ import annotations
 from nav_msgs.msg import Path
 
 from coursekit.nodes.compiled.frames import packed
-from coursekit.nodes.nav2.cpp_plugins import ForeignListener
+from coursekit.nodes.nav2.cpp_plugins import CppListeningPlugin
 
 
-class ForeignSmoother(ForeignListener):
+class CppSmoother(CppListeningPlugin):
     """A class derived from nav2_core::Smoother."""
 
     served, base = "smoother", "nav2_core::Smoother"

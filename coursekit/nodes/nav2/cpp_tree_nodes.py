@@ -20,7 +20,7 @@ from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.host import ANOTHER_AGE
 from coursekit.nodes.compiled.tree_nodes import STATUSES
-from coursekit.nodes.nav2.cpp_plugins import Foreign
+from coursekit.nodes.nav2.cpp_plugins import CppPlugin
 from coursekit.systems.layout import executable_files
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ _CHANGES = "changes for nodes in C++"
 """The key of a blackboard's Changes."""
 
 
-class ForeignNodes(Foreign):
+class CppTreeNodes(CppPlugin):
     """The classes of nodes in libraries, and the nodes of these classes."""
 
     served = "tree_nodes"
@@ -55,7 +55,7 @@ class ForeignNodes(Foreign):
         answer, names = self.ask("kinds"), []
         while answer.rest():
             names.append(answer.text())
-        return {name: partial(ForeignNode, self, name) for name in names}
+        return {name: partial(CppTreeNode, self, name) for name in names}
 
     def number(self) -> int:
         """Return a number for a new node or blackboard."""
@@ -63,12 +63,12 @@ class ForeignNodes(Foreign):
         return self._made
 
 
-class ForeignNode(TreeNode):
+class CppTreeNode(TreeNode):
     """A node of a C++ class. Its calls raise CppFault when it throws."""
 
     arity = (0, float("inf"))
 
-    def __init__(self, nodes: ForeignNodes, kind: str, *given: Any) -> None:
+    def __init__(self, nodes: CppTreeNodes, kind: str, *given: Any) -> None:
         self._nodes, self._kind = nodes, kind
         super().__init__(*given)
 
@@ -184,7 +184,7 @@ def _name(kind: type[Any]) -> str:
     return f"{package}/{middle}/{kind.__name__}"
 
 
-def load(names: Iterable[str], node: BtNavigator) -> ForeignNodes | None:
+def load(names: Iterable[str], node: BtNavigator) -> CppTreeNodes | None:
     """Load the libraries of these names that workspaces have; None if there is none.
 
     Raises CppFault for a name that is neither theirs nor nav2's.
@@ -192,7 +192,7 @@ def load(names: Iterable[str], node: BtNavigator) -> ForeignNodes | None:
     libraries = [library for name in names if (library := _library(name)) is not None]
     if not libraries:
         return None
-    return ForeignNodes(_program(libraries[0]), map(str, libraries), node)
+    return CppTreeNodes(_program(libraries[0]), map(str, libraries), node)
 
 
 def _library(name: str) -> Path | None:

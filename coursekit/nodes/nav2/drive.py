@@ -144,7 +144,7 @@ class Drive:
         self.handle.publish_feedback(feedback)
 
 
-class ForeignDrive(Drive):
+class CppDrive(Drive):
     """A goal for a controller that is a C++ class: a PlannerException is a failure that may pass."""
 
     def _begin(self) -> None:

@@ -18,8 +18,8 @@ from coursekit.nav.costmap import Costmap
 from coursekit.nav.planner import PlanError, Planner
 from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.nav2.costmap_node import CostmapNode
-from coursekit.nodes.nav2.cpp_planner import ForeignPlanner
-from coursekit.nodes.nav2.cpp_plugins import ForeignPlugins
+from coursekit.nodes.nav2.cpp_planner import CppPlanner
+from coursekit.nodes.nav2.cpp_plugins import CppPlugins
 from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import AsyncRate, Server, run
 from coursekit.nodes.nav2.transform_lookup import path_message, stamped
@@ -51,8 +51,8 @@ class PlannerServer(Server):
         super().__init__("planner_server")
         declare(self, _SERVER)
         self.costmap = CostmapNode("global_costmap", self)
-        self._foreign = ForeignPlugins(self, self.costmap)
-        self._planners: dict[str, Planner | ForeignPlanner] = {}
+        self._foreign = CppPlugins(self, self.costmap)
+        self._planners: dict[str, Planner | CppPlanner] = {}
         self._ends: list[tuple[Pose2D, tuple[float, float]]] = []
         """The goals of the last plan, and where the ways to them ended."""
 
@@ -77,13 +77,13 @@ class PlannerServer(Server):
         """Take the parameters; ValueError when they cannot work."""
         self._planners = {name: self._make(name) for name in declare(self, _SERVER)["planner_plugins"]}
 
-    def _make(self, name: str) -> Planner | ForeignPlanner:
+    def _make(self, name: str) -> Planner | CppPlanner:
         kind = declare(self, {"plugin": _USUAL}, name)["plugin"]
         if kind not in _KINDS:
-            return self._foreign.get(ForeignPlanner, name, kind, _KINDS)
+            return self._foreign.get(CppPlanner, name, kind, _KINDS)
         given = declare(self, {**_PLUGIN, "tolerance": _KINDS[kind]}, name)
         if name not in self._planners:
-            self.get_logger().info(ForeignPlanner.created.format(name=name, kind=kind))
+            self.get_logger().info(CppPlanner.created.format(name=name, kind=kind))
         return Planner(given["tolerance"], given["allow_unknown"], given["cost_factor"])
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
@@ -174,7 +174,7 @@ class PlannerServer(Server):
         """Return the way from a pose to another. Raises PlanError."""
         planner, to = self._planners[name], goal.pose.position
         try:
-            if isinstance(planner, ForeignPlanner):
+            if isinstance(planner, CppPlanner):
                 path = planner.plan(start, goal)
             else:
                 path = self._searched(planner, costs, start, goal)

@@ -14,8 +14,8 @@ from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 from coursekit.nav.costmap import INSCRIBED, UNKNOWN, Costmap
 from coursekit.nav.planner import smoothed
 from coursekit.nodes.compiled.classes import CppFault
-from coursekit.nodes.nav2.cpp_plugins import ForeignPlugins
-from coursekit.nodes.nav2.cpp_smoother import ForeignSmoother
+from coursekit.nodes.nav2.cpp_plugins import CppPlugins
+from coursekit.nodes.nav2.cpp_smoother import CppSmoother
 from coursekit.nodes.nav2.map_message import MAP_QOS
 from coursekit.nodes.nav2.parameters import Obedience, declare
 from coursekit.nodes.nav2.running import AsyncRate, Server, run
@@ -57,8 +57,8 @@ class SmootherServer(Server):
     def __init__(self) -> None:
         super().__init__("smoother_server")
         declare(self, _SERVER)
-        self._foreign = ForeignPlugins(self)
-        self._smoothers: dict[str, int | ForeignSmoother] = {}
+        self._foreign = CppPlugins(self)
+        self._smoothers: dict[str, int | CppSmoother] = {}
         """Classes, and for our own the number of its iterations."""
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
@@ -82,10 +82,10 @@ class SmootherServer(Server):
         """Read the parameters; raises ValueError if they are invalid."""
         self._smoothers = {name: self._make(name) for name in declare(self, _SERVER)["smoother_plugins"]}
 
-    def _make(self, name: str) -> int | ForeignSmoother:
+    def _make(self, name: str) -> int | CppSmoother:
         kind = declare(self, {"plugin": _PLUGIN["plugin"]}, name)["plugin"]
         if kind not in _KINDS:
-            return self._foreign.get(ForeignSmoother, name, kind, _KINDS)
+            return self._foreign.get(CppSmoother, name, kind, _KINDS)
         rounds: int = declare(self, _PLUGIN, name)["max_its"]
         return rounds
 
@@ -146,7 +146,7 @@ class SmootherServer(Server):
     def _smoothed(self, name: str, request: SmoothPath.Goal) -> tuple[Path, bool]:
         """Return the path, and whether it was done in time. Raises CppFault."""
         smoother, path = self._smoothers[name], request.path
-        if isinstance(smoother, ForeignSmoother):
+        if isinstance(smoother, CppSmoother):
             return smoother.smooth(path, Duration.from_msg(request.max_smoothing_duration).nanoseconds)
         assert self._costs is not None
         poses = smoothed(self._costs, _poses(path), smoother)

@@ -10,7 +10,7 @@ from rclpy.lifecycle import LifecycleState, TransitionCallbackReturn
 
 from coursekit.nodes.compiled.classes import CppFault
 from coursekit.nodes.nav2.action_caller import ActionCaller
-from coursekit.nodes.nav2.cpp_plugins import ForeignPlugins
+from coursekit.nodes.nav2.cpp_plugins import CppPlugins
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import Server, run
 from coursekit.nodes.nav2.waypoint_tasks import task_of
@@ -32,7 +32,7 @@ class WaypointFollower(Server):
     def __init__(self) -> None:
         super().__init__("waypoint_follower")
         declare(self, _SERVER)
-        self._foreign = ForeignPlugins(self)
+        self._foreign = CppPlugins(self)
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Create the action server; return FAILURE for an invalid parameter."""

@@ -12,8 +12,8 @@ from rclpy.qos import qos_profile_system_default
 from sensor_msgs.msg import Image
 from std_msgs.msg import Empty
 
-from coursekit.nodes.nav2.cpp_behavior import ForeignTask
-from coursekit.nodes.nav2.cpp_plugins import ForeignPlugins
+from coursekit.nodes.nav2.cpp_behavior import CppTask
+from coursekit.nodes.nav2.cpp_plugins import CppPlugins
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.running import pause
 
@@ -139,11 +139,11 @@ KINDS: dict[str, Any] = {
 }
 
 
-def task_of(node: Node, name: str, foreign: ForeignPlugins) -> Task:
+def task_of(node: Node, name: str, foreign: CppPlugins) -> Task:
     """Return the task that the parameters under `name.` describe. Raises NoPlugin, CppFault."""
     plugin = declare(node, {"plugin": "nav2_waypoint_follower::WaitAtWaypoint"}, name)["plugin"]
     if plugin not in KINDS:
-        return foreign.get(ForeignTask, name, plugin, KINDS)
+        return foreign.get(CppTask, name, plugin, KINDS)
     kind = KINDS[plugin]
     task: Task = kind(node, declare(node, kind.DEFAULTS, name))
     return task

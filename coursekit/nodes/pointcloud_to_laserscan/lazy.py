@@ -11,7 +11,7 @@ from rclpy.qos import QoSProfile, ReliabilityPolicy
 LOOK_SECONDS = 0.1
 
 
-class LazyEar:
+class LazySubscription:
     """Subscribes, best effort, while `out` has subscribers; logs when that changes."""
 
     def __init__(self, node: Node, out: Any, kind: Any, topic: str, hear: Callable[[Any], None], depth: int = 5) -> None:

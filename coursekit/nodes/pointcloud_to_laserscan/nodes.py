@@ -20,7 +20,7 @@ from tf2_sensor_msgs.tf2_sensor_msgs import do_transform_cloud
 
 from coursekit.nav.scans.making import Fan, floats, of_points
 from coursekit.nodes.nav2.parameters import declare
-from coursekit.nodes.pointcloud_to_laserscan.lazy import LazyEar
+from coursekit.nodes.pointcloud_to_laserscan.lazy import LazySubscription
 from coursekit.nodes.running import run
 
 _FRAME: dict[str, Any] = {"target_frame": "", "transform_tolerance": 0.01, "queue_size": os.cpu_count() or 1}
@@ -45,7 +45,7 @@ class Converter(Node):
         self._buffer = Buffer(node=self)
         self._listener = TransformListener(self._buffer, self)
         self._out = self.create_publisher(kinds[1], topics[1], qos_profile_sensor_data)
-        self._ear = LazyEar(self, self._out, kinds[0], topics[0], self._hear, self.given["queue_size"])
+        self._ear = LazySubscription(self, self._out, kinds[0], topics[0], self._hear, self.given["queue_size"])
         published, heard = names
         start, end = f"starting {heard} subscriber", f"shutting down {heard} subscriber"
         self._ear.words = (f"Got a subscriber to {published}, {start}", f"No subscribers to {published}, {end}")

@@ -15,7 +15,7 @@ from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor
 from rclpy.node import Node
 
 from coursekit.nodes.gazebo.devices import OdometryDevice
-from coursekit.nodes.gazebo.model_conversion import Assembly, assemble
+from coursekit.nodes.gazebo.model_conversion import ModelConversion, assemble
 from coursekit.nodes.gazebo.odometry_publishers import OdometryPublisher
 from coursekit.nodes.gazebo.precompile import warm_up
 from coursekit.nodes.gazebo.sensor_publishers import PUBLISHERS, SensorPublisher
@@ -65,7 +65,7 @@ class PracticeBase(Node):
         value: float = self.get_parameter(name).value
         return value
 
-    def _equip(self, model: Assembly) -> Iterator[SensorPublisher]:
+    def _equip(self, model: ModelConversion) -> Iterator[SensorPublisher]:
         for number, device in enumerate(model.devices):
             kind = KINDS[type(device)]
             yield kind(self, self._simulation, self._robot, device, number, self._simulation.now_ns)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from coursekit.geometry.pose import Pose, Vector, compose, inverse
 from coursekit.nav.utm import Utm
-from coursekit.sim.spherical_coordinates import Globe
+from coursekit.sim.spherical_coordinates import SphericalCoordinates
 
 Fix = tuple[float, float, float]
 """Latitude and longitude [degrees] and altitude [m]."""
@@ -17,7 +17,7 @@ Fix = tuple[float, float, float]
 class Plane:
     """A UTM zone, or the tangent plane at a position on the Earth; `frame` is its name in tf."""
 
-    of: Utm | Globe
+    of: Utm | SphericalCoordinates
 
     @property
     def frame(self) -> str:
@@ -61,7 +61,7 @@ class Bridge:
 def plane_at(fix: Fix, *, local: bool, zone: str = "") -> Plane:
     """The plane at a position: its tangent plane, its UTM zone, or the UTM zone of that name."""
     if local:
-        return Plane(Globe(*fix))
+        return Plane(SphericalCoordinates(*fix))
     return Plane(Utm.named(zone) if zone else Utm.at(*fix[:2]))
 
 

@@ -10,7 +10,7 @@ SLACK = 2.0
 """The tolerance of the rate of estimates, in both directions [Hz]."""
 
 
-class Health:
+class FilterDiagnostics:
     """Reports the rate of estimates, and the problems with messages since the last report."""
 
     def __init__(self, node: Node, frequency: float) -> None:

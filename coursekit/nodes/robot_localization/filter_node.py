@@ -19,11 +19,11 @@ from coursekit.nav.fusion.state import ANGLES, POSE, POSITION, SIZE, wrapped
 from coursekit.nav.fusion.unscented import Ukf
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.robot_localization import messages, parameters
-from coursekit.nodes.robot_localization.diagnostics import Health
-from coursekit.nodes.robot_localization.filter_subscriptions import Ears
+from coursekit.nodes.robot_localization.diagnostics import FilterDiagnostics
+from coursekit.nodes.robot_localization.filter_subscriptions import FilterSubscriptions
 from coursekit.nodes.robot_localization.frames import Frames
 from coursekit.nodes.robot_localization.geometry import pose_of, square, turned, turning, vector
-from coursekit.nodes.robot_localization.measurement_conversion import Preparing
+from coursekit.nodes.robot_localization.measurement_conversion import MeasurementConverter
 from coursekit.nodes.robot_localization.sources import sources
 from coursekit.nodes.running import run
 
@@ -39,9 +39,9 @@ class FilterNode(Node):
         self._begin(kind)
         flat, gravity = given["two_d_mode"], given["gravitational_acceleration"]
         base = given["base_link_frame"]
-        preparing = Preparing(self._frames, given["world_frame"], base, flat=flat, gravity=gravity)
-        self._health = Health(self, given["frequency"]) if given["print_diagnostics"] else None
-        self._ears = Ears(self, preparing, self._estimator, self._sources, self._health)
+        preparing = MeasurementConverter(self._frames, given["world_frame"], base, flat=flat, gravity=gravity)
+        self._health = FilterDiagnostics(self, given["frequency"]) if given["print_diagnostics"] else None
+        self._ears = FilterSubscriptions(self, preparing, self._estimator, self._sources, self._health)
         self._enabled, self._on, self._published_ns, self._last_ns = not given["disabled_at_startup"], True, -1, 0
         self._make_topics()
 

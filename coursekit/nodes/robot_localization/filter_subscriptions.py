@@ -15,9 +15,9 @@ from tf2_ros import TransformException
 
 from coursekit.nav.fusion.estimator import Estimator
 from coursekit.nav.fusion.measurement import Measurement
-from coursekit.nodes.robot_localization.diagnostics import Health
+from coursekit.nodes.robot_localization.diagnostics import FilterDiagnostics
 from coursekit.nodes.robot_localization.geometry import pose_of
-from coursekit.nodes.robot_localization.measurement_conversion import Preparing
+from coursekit.nodes.robot_localization.measurement_conversion import MeasurementConverter
 from coursekit.nodes.robot_localization.sources import Source
 
 if TYPE_CHECKING:
@@ -29,12 +29,13 @@ _KINDS: dict[str, Any] = {
 }  # fmt: skip
 
 
-class Ears:
+class FilterSubscriptions:
     """Subscribes to sources. Messages that go back in time, or are not after `deaf_until_ns`, are ignored with a warning."""
 
     def __init__(
-        self, node: Node, preparing: Preparing, estimator: Estimator, sources: list[Source], health: Health | None
-    ) -> None:
+        self, node: Node, preparing: MeasurementConverter, estimator: Estimator, sources: list[Source],
+        health: FilterDiagnostics | None,
+    ) -> None:  # fmt: skip
         self._node, self._preparing, self._estimator = node, preparing, estimator
         self._last: dict[str, int] = {}
         self.deaf_until_ns, self._health = 0, health

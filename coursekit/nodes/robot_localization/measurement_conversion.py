@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from sensor_msgs.msg import Imu
 
 
-class Preparing:
+class MeasurementConverter:
     """Converts poses, twists and accelerations to measurements; stores earlier poses of differential and relative sources.
 
     The methods raise TransformException if a transform is missing.

@@ -5,14 +5,14 @@ import threading
 
 import pytest
 
-from coursekit.nodes.compiled.program_address import LoopbackDoor, UnixDoor, open_door
+from coursekit.nodes.compiled.program_address import LoopbackAddress, UnixAddress, open_door
 from coursekit.systems import which
 from tests.needs import posix
 
 
 @pytest.fixture
 def door():
-    loopback_door = LoopbackDoor()
+    loopback_door = LoopbackAddress()
     yield loopback_door
     loopback_door.close()
 
@@ -38,12 +38,12 @@ def test_only_who_says_the_token_comes_in(door):
 
 
 def test_doors_have_tokens_of_their_own(door):
-    other = LoopbackDoor()
+    other = LoopbackAddress()
     assert other.address.split(":")[1] != door.address.split(":")[1]
     other.close()
 
 
-@pytest.mark.parametrize("kind", [LoopbackDoor, pytest.param(UnixDoor, marks=posix("there are no sockets of files"))])
+@pytest.mark.parametrize("kind", [LoopbackAddress, pytest.param(UnixAddress, marks=posix("there are no sockets of files"))])
 def test_who_waits_at_a_door_that_is_closed_hears_of_it(kind):
     closing, ended = kind(), threading.Event()
 
@@ -60,5 +60,5 @@ def test_who_waits_at_a_door_that_is_closed_hears_of_it(kind):
 def test_windows_has_ports(monkeypatch):
     monkeypatch.setattr(which, "WINDOWS", True)
     door = open_door()
-    assert isinstance(door, LoopbackDoor)
+    assert isinstance(door, LoopbackAddress)
     door.close()

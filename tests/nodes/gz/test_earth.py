@@ -6,7 +6,7 @@ from sensor_msgs.msg import FluidPressure, MagneticField, NavSatFix
 
 from coursekit.nodes.gazebo.sdf_world import load_sdf
 from coursekit.nodes.gz.bridge_types import carried_by
-from coursekit.sim.spherical_coordinates import Globe, pressure
+from coursekit.sim.spherical_coordinates import SphericalCoordinates, pressure
 from coursekit.urdf import UrdfError
 from tests.nodes.gz.conftest import DRIVE, WORLD
 
@@ -47,7 +47,7 @@ def heard(gz, run, friend, yard, cart):
 def test_a_robot_knows_where_on_the_earth_it_is(heard):
     _, got = heard()
     fixes = got["navsat"]
-    there = Globe(48.1, 11.6, 500.0).fix(0.0, 1.9)
+    there = SphericalCoordinates(48.1, 11.6, 500.0).fix(0.0, 1.9)
     assert fixes[0].latitude == pytest.approx(48.1, abs=1e-6) and fixes[0].altitude == pytest.approx(500.3, abs=0.01)
     assert (fixes[-1].latitude, fixes[-1].longitude) == pytest.approx(there[:2], abs=2e-6)
     assert fixes[-1].header.frame_id == "cart/base_footprint/navsat" and fixes[-1].status.status == 0
@@ -122,5 +122,5 @@ def test_classic_turns_its_world_on_the_earth_by_half_a_circle(tmp_path, newer, 
     """Ten metres along x, for the newer one's and Classic's <heading_deg>."""
     (tmp_path / "w.world").write_text(WORLD.format(plugins=EARTH.replace("<heading_deg>0", f"<heading_deg>{heading}")))
     globe = load_sdf(tmp_path / "w.world", newer=newer).world.globe
-    there = Globe(48.1, 11.6, 500.0).place(*globe.fix(10.0, 0.0))
+    there = SphericalCoordinates(48.1, 11.6, 500.0).place(*globe.fix(10.0, 0.0))
     assert there[:2] == pytest.approx((east, north), abs=1e-6)

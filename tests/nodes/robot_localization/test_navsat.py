@@ -10,7 +10,7 @@ from rclpy.time import Time
 from robot_localization.srv import FromLL, SetDatum, SetUTMZone, ToLL
 from sensor_msgs.msg import NavSatFix
 
-from coursekit.sim.spherical_coordinates import Globe
+from coursekit.sim.spherical_coordinates import SphericalCoordinates
 from tests.nodes.robot_localization.conftest import TICK, rolled
 
 HOME = (48.0, 11.0, 500.0)
@@ -21,7 +21,7 @@ class Outdoors:
     """The robot drives on the Earth: its odometry/filtered says where it is, its receiver sits 0.5 m ahead."""
 
     def __init__(self, robot, heading=0.0):
-        self.robot, self.globe = robot, Globe(*HOME, heading=heading)
+        self.robot, self.globe = robot, SphericalCoordinates(*HOME, heading=heading)
         self.poses, self.fixes = [], []
         node = robot.node
         self.odometry = node.create_publisher(Odometry, "odometry/filtered", 10)

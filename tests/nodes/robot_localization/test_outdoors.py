@@ -13,11 +13,11 @@ from tf2_geometry_msgs import do_transform_point
 from coursekit.cli.parser import run as run_cli
 from coursekit.nav.utm import Utm
 from coursekit.nodes.gazebo.simulators import simulators
-from coursekit.sim.spherical_coordinates import Globe
+from coursekit.sim.spherical_coordinates import SphericalCoordinates
 
 HOME = (55.944831, -3.186998, 80.0)
 HEADING = math.degrees(math.pi / 2 + 0.0429351)  # where the example's yaw_offset and declination have x point to, from east
-GLOBE = Globe(*HOME, heading=HEADING)
+GLOBE = SphericalCoordinates(*HOME, heading=HEADING)
 WORLD = f"""<sdf version="1.6"><world name="park"><spherical_coordinates><surface_model>EARTH_WGS84</surface_model>
 <latitude_deg>{HOME[0]}</latitude_deg><longitude_deg>{HOME[1]}</longitude_deg><elevation>{HOME[2]}</elevation>
 <heading_deg>{180 - HEADING}</heading_deg></spherical_coordinates>

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from .quaternions import quaternion_from_matrix, quaternion_matrix, quaternion_multiply, quaternion_slerp
-from .vectors import EPS, Array, unit_vector, vector_norm
+from .vectors import EPS, Array, Matrix, Vector, unit_vector, vector_norm
 
 
 class Arcball:
@@ -22,7 +22,7 @@ class Arcball:
     3.905835
     """
 
-    def __init__(self, initial: Any = None) -> None:
+    def __init__(self, initial: Vector | Matrix | None = None) -> None:
         self._axis: Any = None
         self._axes: list[Array] | None = None
         self._radius = 1.0
@@ -38,12 +38,12 @@ class Arcball:
             raise ValueError("initial not a quaternion or matrix.")
         self._qnow = self._qpre = self._qdown
 
-    def place(self, center: Any, radius: float) -> None:
+    def place(self, center: Vector, radius: float) -> None:
         """Set the ball's position and radius in the window."""
         self._radius = float(radius)
         self._center = [center[0], center[1]]
 
-    def setaxes(self, *axes: Any) -> None:
+    def setaxes(self, *axes: Vector) -> None:
         """Set the axes of constrained rotation; without axes, any axis is allowed."""
         self._axes = [unit_vector(axis) for axis in axes] or None
 
@@ -55,7 +55,7 @@ class Arcball:
         """Whether the rotation is constrained to the axes."""
         return self._constrain
 
-    def down(self, point: Any) -> None:
+    def down(self, point: Vector) -> None:
         """Start a drag at a point."""
         self._vdown = arcball_map_to_sphere(point, self._center, self._radius)
         self._qdown = self._qpre = self._qnow
@@ -64,7 +64,7 @@ class Arcball:
             self._axis = arcball_nearest_axis(self._vdown, self._axes)
             self._vdown = arcball_constrain_to_axis(self._vdown, self._axis)
 
-    def drag(self, point: Any) -> None:
+    def drag(self, point: Vector) -> None:
         """Rotate the ball for a mouse movement to a point."""
         now = arcball_map_to_sphere(point, self._center, self._radius)
         if self._axis is not None:
@@ -74,7 +74,7 @@ class Arcball:
         if turn @ turn < EPS:
             self._qnow = self._qdown
         else:
-            self._qnow = quaternion_multiply((*turn, self._vdown @ now), self._qdown)
+            self._qnow = quaternion_multiply((*turn, float(self._vdown @ now)), self._qdown)
 
     def next(self, acceleration: float = 0.0) -> None:
         """Continue the rotation of the last drag."""
@@ -86,7 +86,7 @@ class Arcball:
         return quaternion_matrix(self._qnow)
 
 
-def arcball_map_to_sphere(point: Any, center: Any, radius: float) -> Array:
+def arcball_map_to_sphere(point: Vector, center: Vector, radius: float) -> Array:
     """The point of the unit sphere under a point of the window."""
     x, y = (point[0] - center[0]) / radius, (center[1] - point[1]) / radius
     outside = x * x + y * y
@@ -95,7 +95,7 @@ def arcball_map_to_sphere(point: Any, center: Any, radius: float) -> Array:
     return np.array((x, y, math.sqrt(1.0 - outside)))
 
 
-def arcball_constrain_to_axis(point: Any, axis: Any) -> Array:
+def arcball_constrain_to_axis(point: Vector, axis: Vector) -> Array:
     """The nearest point of the sphere that is perpendicular to the axis."""
     a = np.asarray(axis, dtype=np.float64)
     v = np.asarray(point, dtype=np.float64)
@@ -107,7 +107,7 @@ def arcball_constrain_to_axis(point: Any, axis: Any) -> Array:
     return np.array((1.0, 0.0, 0.0)) if a[2] == 1.0 else unit_vector((-a[1], a[0], 0.0))
 
 
-def arcball_nearest_axis(point: Any, axes: Iterable[Any]) -> Any:
+def arcball_nearest_axis(point: Vector, axes: Iterable[Any]) -> Any:
     """The axis whose great circle passes nearest to the point."""
     place = np.asarray(point, dtype=np.float64)
     return max(axes, key=lambda axis: float(arcball_constrain_to_axis(place, axis) @ place), default=None)

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import itertools
 import math
-from typing import Any
 
 import numpy as np
 
-from .vectors import EPS, Array
+from .vectors import EPS, Array, Matrix
 
 Axes = str | tuple[int, int, int, int]
 
@@ -69,7 +68,7 @@ def _about(axis: int, angle: float) -> Array:
     return matrix
 
 
-def euler_from_matrix(matrix: Any, axes: Axes = "sxyz") -> tuple[float, float, float]:
+def euler_from_matrix(matrix: Matrix, axes: Axes = "sxyz") -> tuple[float, float, float]:
     """The three angles of a rotation (3x3 or 4x4); if they are not unique, one is 0."""
     first, parity, repetition, frame = encoding(axes)
     i, j = first, (first + 1 + parity) % 3

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
-from .vectors import Array
+from .vectors import Array, Matrix
 
 
-def rotation_part(matrix: Any) -> Array:
+def rotation_part(matrix: Matrix) -> Array:
     """The rotation in a 3x3 or 4x4 matrix, without scales and shears."""
     return factors(np.asarray(matrix, dtype=np.float64)[:3, :3])[0]
 

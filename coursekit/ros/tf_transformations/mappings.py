@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
-from .vectors import EPS, Array, unit_vector
+from .vectors import EPS, Array, Matrix, Vector, unit_vector
 
 
-def _vector(values: Any) -> Array:
+def _vector(values: Vector) -> Array:
     return np.asarray(values, dtype=np.float64)[:3]
 
 
@@ -21,13 +20,13 @@ def _matrix(linear: Array, move: Array) -> Array:
     return matrix
 
 
-def reflection_matrix(point: Any, normal: Any) -> Array:
+def reflection_matrix(point: Vector, normal: Vector) -> Array:
     """The reflection in the plane through `point` with that normal."""
     n = unit_vector(_vector(normal))
     return _matrix(np.identity(3) - 2.0 * np.outer(n, n), 2.0 * (_vector(point) @ n) * n)
 
 
-def reflection_from_matrix(matrix: Any) -> tuple[Array, Array]:
+def reflection_from_matrix(matrix: Matrix) -> tuple[Array, Array]:
     """The point of the reflection plane nearest to the origin, and the normal of the plane."""
     m = np.asarray(matrix, dtype=np.float64)
     values, vectors = np.linalg.eigh(m[:3, :3])
@@ -36,7 +35,7 @@ def reflection_from_matrix(matrix: Any) -> tuple[Array, Array]:
     return m[:3, 3] / 2.0, vectors[:, 0]
 
 
-def scale_matrix(factor: float, origin: Any = None, direction: Any = None) -> Array:
+def scale_matrix(factor: float, origin: Vector | None = None, direction: Vector | None = None) -> Array:
     """The scaling about `origin`, in all directions or along one."""
     if direction is None:
         linear = np.identity(3) * factor
@@ -47,7 +46,7 @@ def scale_matrix(factor: float, origin: Any = None, direction: Any = None) -> Ar
     return _matrix(linear, centre - linear @ centre)
 
 
-def scale_from_matrix(matrix: Any) -> tuple[float, Array, Array | None]:
+def scale_from_matrix(matrix: Matrix) -> tuple[float, Array, Array | None]:
     """Factor, origin, and direction (None if it scales in all directions)."""
     m = np.asarray(matrix, dtype=np.float64)
     factor = float(np.trace(m[:3, :3])) - 2.0
@@ -60,7 +59,7 @@ def scale_from_matrix(matrix: Any) -> tuple[float, Array, Array | None]:
     return factor, origin, direction
 
 
-def shear_matrix(angle: float, direction: Any, point: Any, normal: Any) -> Array:
+def shear_matrix(angle: float, direction: Vector, point: Vector, normal: Vector) -> Array:
     """The shear by an angle along `direction`, which lies in the plane through `point` with `normal`."""
     d, n = unit_vector(_vector(direction)), unit_vector(_vector(normal))
     if abs(float(d @ n)) > 1e-5:
@@ -69,7 +68,7 @@ def shear_matrix(angle: float, direction: Any, point: Any, normal: Any) -> Array
     return _matrix(np.identity(3) + slope * np.outer(d, n), -slope * (_vector(point) @ n) * d)
 
 
-def shear_from_matrix(matrix: Any) -> tuple[float, Array, Array, Array]:
+def shear_from_matrix(matrix: Matrix) -> tuple[float, Array, Array, Array]:
     """Angle, direction, point and normal of a shear."""
     m = np.asarray(matrix, dtype=np.float64)
     u, sizes, vh = np.linalg.svd(m[:3, :3] - np.identity(3))
@@ -81,7 +80,7 @@ def shear_from_matrix(matrix: Any) -> tuple[float, Array, Array, Array]:
 
 
 def projection_matrix(
-    point: Any, normal: Any, direction: Any = None, perspective: Any = None, pseudo: bool = False
+    point: Vector, normal: Vector, direction: Vector | None = None, perspective: Vector | None = None, pseudo: bool = False
 ) -> Array:
     """The projection onto the plane through `point` with `normal`.
 
@@ -103,7 +102,7 @@ def projection_matrix(
     return matrix
 
 
-def projection_from_matrix(matrix: Any, pseudo: bool = False) -> tuple[Array, Array, Array | None, Array | None, bool]:
+def projection_from_matrix(matrix: Matrix, pseudo: bool = False) -> tuple[Array, Array, Array | None, Array | None, bool]:
     """Point, normal, direction, perspective and pseudo: the arguments of `projection_matrix`."""
     m = np.array(matrix, dtype=np.float64)
     size = float(np.linalg.norm(m[3, :3]))

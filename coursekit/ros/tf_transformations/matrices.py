@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
 from .euler import euler_from_matrix, euler_matrix
 from .factors import factors
 from .quaternions import quaternion_about_axis, quaternion_from_matrix, quaternion_matrix
-from .vectors import Array, vector_norm
+from .vectors import Array, Matrix, Vector, vector_norm
 
 
 def identity_matrix() -> Array:
@@ -18,17 +17,17 @@ def identity_matrix() -> Array:
     return np.identity(4)
 
 
-def translation_matrix(direction: Any) -> Array:
+def translation_matrix(direction: Vector) -> Array:
     """The translation by a vector."""
     return _affine(np.identity(3), direction)
 
 
-def translation_from_matrix(matrix: Any) -> Array:
+def translation_from_matrix(matrix: Matrix) -> Array:
     """The translation vector of a matrix."""
     return np.array(matrix, dtype=np.float64)[:3, 3]
 
 
-def rotation_matrix(angle: float, direction: Any, point: Any = None) -> Array:
+def rotation_matrix(angle: float, direction: Vector, point: Vector | None = None) -> Array:
     """The rotation by an angle about an axis through `point` (the origin by default)."""
     matrix = quaternion_matrix(quaternion_about_axis(angle, direction[:3]))
     if point is not None:
@@ -37,7 +36,7 @@ def rotation_matrix(angle: float, direction: Any, point: Any = None) -> Array:
     return matrix
 
 
-def rotation_from_matrix(matrix: Any) -> tuple[float, Array, Array]:
+def rotation_from_matrix(matrix: Matrix) -> tuple[float, Array, Array]:
     """Angle, axis, and the point of the axis nearest to the origin."""
     m = np.asarray(matrix, dtype=np.float64)
     quaternion = quaternion_from_matrix(m)
@@ -51,8 +50,9 @@ def rotation_from_matrix(matrix: Any) -> tuple[float, Array, Array]:
 
 
 def compose_matrix(
-    scale: Any = None, shear: Any = None, angles: Any = None, translate: Any = None, perspective: Any = None
-) -> Array:
+    scale: Vector | None = None, shear: Vector | None = None, angles: Vector | None = None,
+    translate: Vector | None = None, perspective: Vector | None = None,
+) -> Array:  # fmt: skip
     """A matrix that shears (xy, xz, yz), then scales, rotates (angles about static x, y, z) and translates.
 
     `perspective` is not used, as in ROS 2's package.
@@ -68,14 +68,14 @@ def compose_matrix(
     return matrix
 
 
-def decompose_matrix(matrix: Any) -> tuple[Array, Array, tuple[float, float, float], Array, None]:
+def decompose_matrix(matrix: Matrix) -> tuple[Array, Array, tuple[float, float, float], Array, None]:
     """Scale, shear, angles, translation and None: the arguments of `compose_matrix`."""
     m = np.array(matrix, dtype=np.float64)
     rotation, scale, shear = factors(m[:3, :3])
     return scale, shear, euler_from_matrix(rotation), m[:3, 3], None
 
 
-def orthogonalization_matrix(lengths: Any, angles: Any) -> Array:
+def orthogonalization_matrix(lengths: Vector, angles: Vector) -> Array:
     """The conversion from coordinates of a crystal's cell to orthogonal coordinates; angles in degrees."""
     a, b, c = lengths
     sin_a, sin_b, _ = np.sin(np.radians(angles))
@@ -90,7 +90,7 @@ def orthogonalization_matrix(lengths: Any, angles: Any) -> Array:
     return matrix
 
 
-def superimposition_matrix(v0: Any, v1: Any, scaling: bool = False, usesvd: bool = True) -> Array:
+def superimposition_matrix(v0: Vector, v1: Vector, scaling: bool = False, usesvd: bool = True) -> Array:
     """The rigid motion (with `scaling`, also a scale) that brings points v0 nearest to v1; a point is a column.
 
     It uses Kabsch's method with singular values, or Horn's with a quaternion. Raises ValueError for fewer than three points.
@@ -126,12 +126,12 @@ def _horn(products: Array) -> Array:
     return quaternion_matrix(vectors[:, 3])[:3, :3]
 
 
-def inverse_matrix(matrix: Any) -> Array:
+def inverse_matrix(matrix: Matrix) -> Array:
     """The inverse of a matrix."""
     return np.linalg.inv(matrix)
 
 
-def concatenate_matrices(*matrices: Any) -> Array:
+def concatenate_matrices(*matrices: Matrix) -> Array:
     """The product of matrices; the last one acts first."""
     product = np.identity(4)
     for matrix in matrices:
@@ -139,14 +139,14 @@ def concatenate_matrices(*matrices: Any) -> Array:
     return product
 
 
-def is_same_transform(matrix0: Any, matrix1: Any) -> bool:
+def is_same_transform(matrix0: Matrix, matrix1: Matrix) -> bool:
     """Whether two matrices describe the same transform."""
     a = np.array(matrix0, dtype=np.float64)
     b = np.array(matrix1, dtype=np.float64)
     return bool(np.allclose(a / a[3, 3], b / b[3, 3]))
 
 
-def _affine(linear: Array, move: Any) -> Array:
+def _affine(linear: Array, move: Vector) -> Array:
     matrix = np.identity(4)
     matrix[:3, :3] = linear
     matrix[:3, 3] = np.asarray(move, dtype=np.float64)[:3]

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 import numpy as np
 
 from .euler import Axes, euler_from_matrix, turns
 from .factors import rotation_part
-from .vectors import EPS, Array, unit_vector, vector_norm
+from .vectors import EPS, Array, Matrix, Vector, unit_vector, vector_norm
 
 Quaternion = tuple[float, float, float, float]
 
 
-def quaternion_multiply(quaternion1: Any, quaternion0: Any) -> Quaternion:
+def quaternion_multiply(quaternion1: Vector, quaternion0: Vector) -> Quaternion:
     """The rotation `quaternion0` followed by `quaternion1`.
 
     >>> quaternion_multiply([1, -2, 3, 4], [-5, 6, 7, 8])
@@ -44,7 +43,7 @@ def quaternion_from_euler(ai: float, aj: float, ak: float, axes: Axes = "sxyz") 
     return result
 
 
-def euler_from_quaternion(quaternion: Any, axes: Axes = "sxyz") -> tuple[float, float, float]:
+def euler_from_quaternion(quaternion: Vector, axes: Axes = "sxyz") -> tuple[float, float, float]:
     """The three angles of a quaternion.
 
     >>> round(euler_from_quaternion([0.06146124, 0, 0, 0.99810947])[0], 6)
@@ -53,14 +52,14 @@ def euler_from_quaternion(quaternion: Any, axes: Axes = "sxyz") -> tuple[float, 
     return euler_from_matrix(quaternion_matrix(quaternion), axes)
 
 
-def quaternion_about_axis(angle: float, axis: Any) -> Quaternion:
+def quaternion_about_axis(angle: float, axis: Vector) -> Quaternion:
     """The rotation by `angle` about `axis` (of any length but 0)."""
     x, y, z = (float(part) for part in axis)
     scale = math.sin(angle / 2) / math.sqrt(x * x + y * y + z * z)
     return x * scale, y * scale, z * scale, math.cos(angle / 2)
 
 
-def quaternion_matrix(quaternion: Any) -> Array:
+def quaternion_matrix(quaternion: Vector) -> Array:
     """The 4x4 rotation of a quaternion of any length; a quaternion of zeros gives the identity."""
     x, y, z, w = (float(part) for part in quaternion)
     matrix = np.identity(4)
@@ -76,7 +75,7 @@ def quaternion_matrix(quaternion: Any) -> Array:
     return matrix
 
 
-def quaternion_from_matrix(matrix: Any) -> Quaternion:
+def quaternion_from_matrix(matrix: Matrix) -> Quaternion:
     """The quaternion (w not negative) of the rotation in a matrix (3x3 or 4x4), which may also have scales and shears."""
     m = rotation_part(matrix).tolist()
     squares = [1.0 + m[0][0] - m[1][1] - m[2][2], 1.0 - m[0][0] + m[1][1] - m[2][2]]
@@ -93,19 +92,19 @@ def quaternion_from_matrix(matrix: Any) -> Quaternion:
     return x, y, z, w
 
 
-def quaternion_conjugate(quaternion: Any) -> Array:
+def quaternion_conjugate(quaternion: Vector) -> Array:
     """The quaternion with x, y and z negated."""
     x, y, z, w = quaternion
     return np.array((-x, -y, -z, w), dtype=np.float64)
 
 
-def quaternion_inverse(quaternion: Any) -> Array:
+def quaternion_inverse(quaternion: Vector) -> Array:
     """The inverse of a quaternion."""
     result: Array = quaternion_conjugate(quaternion) / np.dot(quaternion, quaternion)
     return result
 
 
-def quaternion_slerp(quat0: Any, quat1: Any, fraction: float, spin: int = 0, shortestpath: bool = True) -> Array:
+def quaternion_slerp(quat0: Vector, quat1: Vector, fraction: float, spin: int = 0, shortestpath: bool = True) -> Array:
     """Interpolate from `quat0` to `quat1` at constant angular speed; `spin` adds half turns."""
     start: Array = unit_vector(quat0[:4])
     end: Array = unit_vector(quat1[:4])
@@ -124,7 +123,7 @@ def quaternion_slerp(quat0: Any, quat1: Any, fraction: float, spin: int = 0, sho
     return result
 
 
-def random_quaternion(rand: Any = None) -> Array:
+def random_quaternion(rand: Vector | None = None) -> Array:
     """A random unit quaternion, uniform over all rotations; `rand` gives three numbers from 0 to 1."""
     if rand is None:
         rand = np.random.rand(3)
@@ -134,6 +133,6 @@ def random_quaternion(rand: Any = None) -> Array:
     return np.array((math.sin(a) * near, math.cos(a) * near, math.sin(b) * far, math.cos(b) * far))
 
 
-def random_rotation_matrix(rand: Any = None) -> Array:
+def random_rotation_matrix(rand: Vector | None = None) -> Array:
     """A random 4x4 rotation."""
     return quaternion_matrix(random_quaternion(rand))

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 Array = np.ndarray[Any, Any]
+Vector = Sequence[float] | Array
+Matrix = Sequence[Sequence[float]] | Array
 EPS = float(np.finfo(float).eps * 4.0)
 
 
-def vector_norm(data: Any, axis: int | None = None, out: Array | None = None) -> Any:
+def vector_norm(data: Vector, axis: int | None = None, out: Array | None = None) -> Any:
     """The length of a vector; with `axis`, the lengths along it, written to `out` if given.
 
     >>> vector_norm([3.0, 4.0])
@@ -26,7 +29,7 @@ def vector_norm(data: Any, axis: int | None = None, out: Array | None = None) ->
     return np.atleast_1d(np.sqrt(np.sum(values * values, axis=axis)))
 
 
-def unit_vector(data: Any, axis: int | None = None, out: Array | None = None) -> Any:
+def unit_vector(data: Vector, axis: int | None = None, out: Array | None = None) -> Any:
     """The vector divided by its length; with `axis`, along it, written to `out` if given.
 
     >>> unit_vector([0.0, 2.0]).tolist()
@@ -42,6 +45,6 @@ def unit_vector(data: Any, axis: int | None = None, out: Array | None = None) ->
     return None
 
 
-def random_vector(size: Any) -> Array:
+def random_vector(size: int | Sequence[int]) -> Array:
     """Random numbers from 0 up to 1."""
     return np.random.random(size)

@@ -8,7 +8,7 @@ from typing import Any
 
 from rclpy import _rclpy_pybind11 as _rclpy
 from rclpy._node_graph import core_qos
-from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.callback_groups import CallbackGroup, ReentrantCallbackGroup
 from rclpy.client import Client
 from rclpy.clock import Clock
 from rclpy.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks
@@ -106,7 +106,7 @@ class NodeEntities:
         topic: str,
         qos_profile: QoSProfile | int,
         *,
-        callback_group: Any = None,
+        callback_group: CallbackGroup | None = None,
         event_callbacks: PublisherEventCallbacks | None = None,
         qos_overriding_options: QoSOverridingOptions | None = None,
         publisher_class: type[Publisher] = Publisher,
@@ -142,7 +142,7 @@ class NodeEntities:
         callback: Callable[..., Any],
         qos_profile: QoSProfile | int,
         *,
-        callback_group: Any = None,
+        callback_group: CallbackGroup | None = None,
         event_callbacks: SubscriptionEventCallbacks | None = None,
         qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool = False,
@@ -185,7 +185,7 @@ class NodeEntities:
         srv_name: str,
         *,
         qos_profile: QoSProfile = qos_profile_services_default,
-        callback_group: Any = None,
+        callback_group: CallbackGroup | None = None,
     ) -> Client:
         """Create a service client.
 
@@ -209,7 +209,7 @@ class NodeEntities:
         callback: Callable[[Any, Any], Any],
         *,
         qos_profile: QoSProfile = qos_profile_services_default,
-        callback_group: Any = None,
+        callback_group: CallbackGroup | None = None,
     ) -> Service:
         """Create a service; `callback(request, response)` fills and returns the response.
 
@@ -235,7 +235,7 @@ class NodeEntities:
         self,
         timer_period_sec: float,
         callback: Callable[..., Any] | None,
-        callback_group: Any = None,
+        callback_group: CallbackGroup | None = None,
         clock: Clock | None = None,
         autostart: bool = True,
     ) -> Timer:
@@ -254,7 +254,9 @@ class NodeEntities:
         timer._begin_period()
         return timer
 
-    def create_guard_condition(self, callback: Callable[[], Any], callback_group: Any = None) -> GuardCondition:
+    def create_guard_condition(
+        self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None
+    ) -> GuardCondition:
         """Create a guard condition; its callback runs when it is triggered.
 
         >>> guard = node.create_guard_condition(lambda: print("triggered"))

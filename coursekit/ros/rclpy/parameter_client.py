@@ -21,6 +21,7 @@ from rclpy.qos import QoSProfile, qos_profile_services_default
 from rclpy.task import Future
 
 if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
     from rclpy.node import Node
 
 Done = Callable[[Future], None]
@@ -48,7 +49,7 @@ class AsyncParameterClient:
         node: Node,
         remote_node_name: str,
         qos_profile: QoSProfile = qos_profile_services_default,
-        callback_group: Any = None,
+        callback_group: CallbackGroup | None = None,
     ) -> None:
         self.node = node
         self.remote_node_name = remote_node_name

@@ -11,6 +11,7 @@ from coursekit.rcl import names
 from rclpy.qos import QoSProfile, qos_profile_parameter_events
 
 if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
     from rclpy.node import Node
 
 
@@ -48,7 +49,7 @@ class ParameterEventHandler:
         self,
         node: Node,
         qos_profile: QoSProfile = qos_profile_parameter_events,
-        callback_group: Any = None,
+        callback_group: CallbackGroup | None = None,
         event_callbacks: Any = None,
         qos_overriding_options: Any = None,
         raw: bool = False,

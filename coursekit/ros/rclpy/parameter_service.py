@@ -54,14 +54,16 @@ class ParameterService:
             raise ReferenceError("the node of this parameter service is gone")
         return node
 
-    def _describe(self, request: Any, response: Any) -> Any:
+    def _describe(
+        self, request: DescribeParameters.Request, response: DescribeParameters.Response
+    ) -> DescribeParameters.Response:
         try:
             response.descriptors = self.node.describe_parameters(request.names)
         except ParameterNotDeclaredException:
             response.descriptors = []
         return response
 
-    def _get(self, request: Any, response: Any) -> Any:
+    def _get(self, request: GetParameters.Request, response: GetParameters.Response) -> GetParameters.Response:
         try:
             parameters = self.node.get_parameters(request.names)
             response.values = [parameter.get_parameter_value() for parameter in parameters]
@@ -69,14 +71,14 @@ class ParameterService:
             response.values = []
         return response
 
-    def _types(self, request: Any, response: Any) -> Any:
+    def _types(self, request: GetParameterTypes.Request, response: GetParameterTypes.Response) -> GetParameterTypes.Response:
         try:
             response.types = self.node.get_parameter_types(request.names)
         except ParameterNotDeclaredException:
             response.types = []
         return response
 
-    def _list(self, request: Any, response: Any) -> Any:
+    def _list(self, request: ListParameters.Request, response: ListParameters.Response) -> ListParameters.Response:
         names = [
             name for name in self.node._rclpy_listed_names() if is_listed(name, list(request.prefixes), request.depth)
         ]
@@ -85,12 +87,14 @@ class ParameterService:
         response.result.prefixes = list(dict.fromkeys(prefix for prefix in prefixes if prefix))
         return response
 
-    def _set(self, request: Any, response: Any) -> Any:
+    def _set(self, request: SetParameters.Request, response: SetParameters.Response) -> SetParameters.Response:
         for message in request.parameters:
             response.results.append(self._apply(self.node.set_parameters_atomically, [message]))
         return response
 
-    def _set_atomically(self, request: Any, response: Any) -> Any:
+    def _set_atomically(
+        self, request: SetParametersAtomically.Request, response: SetParametersAtomically.Response
+    ) -> SetParametersAtomically.Response:
         response.result = self._apply(self.node.set_parameters_atomically, request.parameters)
         return response
 

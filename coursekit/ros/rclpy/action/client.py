@@ -22,6 +22,7 @@ from rclpy.type_support import check_for_type_support
 from rclpy.waitable import NumberOfEntities, Waitable
 
 if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
     from rclpy.node import Node
 
 __getattr__ = lender(__name__)  # names that programs import from here
@@ -46,7 +47,7 @@ class ActionClient(Waitable):
         action_type: Any,
         action_name: str,
         *,
-        callback_group: Any = None,
+        callback_group: CallbackGroup | None = None,
         goal_service_qos_profile: QoSProfile = qos_profile_services_default,
         result_service_qos_profile: QoSProfile = qos_profile_services_default,
         cancel_service_qos_profile: QoSProfile = qos_profile_services_default,

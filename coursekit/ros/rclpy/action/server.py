@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 import traceback
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from action_msgs.msg import GoalInfo, GoalStatus, GoalStatusArray
 from action_msgs.srv import CancelGoal
@@ -29,6 +29,10 @@ from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile
 from rclpy.task import Future
 from rclpy.type_support import check_for_type_support
 from rclpy.waitable import NumberOfEntities, Waitable
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
+    from rclpy.node import Node
 
 
 class ActionServer(Waitable):
@@ -57,12 +61,12 @@ class ActionServer(Waitable):
 
     def __init__(
         self,
-        node: Any,
+        node: Node,
         action_type: Any,
         action_name: str,
         execute_callback: Callable[[ServerGoalHandle], Any],
         *,
-        callback_group: Any = None,
+        callback_group: CallbackGroup | None = None,
         goal_callback: Callable[[Any], Any] = default_goal_callback,
         handle_accepted_callback: Callable[[ServerGoalHandle], Any] = default_handle_accepted_callback,
         cancel_callback: Callable[[ServerGoalHandle], Any] = default_cancel_callback,
@@ -103,7 +107,7 @@ class ActionServer(Waitable):
 
     def _serve(self, type_: Any, name: str, answer: Callable[..., Any], qos: QoSProfile) -> None:
         """Create a service; `answer(service, request, header)` may respond to a request at any time."""
-        service = self._node.create_service(
+        service: Any = self._node.create_service(
             type_, name, _unused, qos_profile=qos, callback_group=self.callback_group
         )
         service._answer = lambda request, header: answer(service, request, header)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import traceback
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from lifecycle_msgs.msg import TransitionEvent
 
@@ -14,6 +14,9 @@ from rclpy.lifecycle.services import LifecycleServices, event_of
 from rclpy.lifecycle.state_machine import LifecycleState, StateMachine
 from rclpy.lifecycle.state_machine import TransitionCallbackReturnType as TransitionCallbackReturn
 from rclpy.node import Node
+
+if TYPE_CHECKING:
+    from rclpy.callback_groups import CallbackGroup
 
 _CALLBACKS = {
     10: "on_configure",
@@ -28,7 +31,7 @@ _CALLBACKS = {
 class LifecycleNodeMixin(ManagedEntity):
     """A managed node: its callbacks pass each transition on to its managed entities."""
 
-    def __init__(self, *, enable_communication_interface: bool = True, callback_group: Any = None) -> None:
+    def __init__(self, *, enable_communication_interface: bool = True, callback_group: CallbackGroup | None = None) -> None:
         if not isinstance(enable_communication_interface, bool):
             raise TypeError("enable_communication_interface must be a bool")
         self._managed_entities: list[ManagedEntity] = []
@@ -37,7 +40,7 @@ class LifecycleNodeMixin(ManagedEntity):
         self._state_machine = StateMachine(self._rclpy_tell)
         group = callback_group or node.default_callback_group
         if enable_communication_interface:
-            LifecycleServices(self, self._state_machine, self._rclpy_change_if_possible, group)
+            LifecycleServices(node, self._state_machine, self._rclpy_change_if_possible, group)
 
     def _rclpy_tell(self, start: int, goal: int) -> None:
         self._transition_event_publisher.publish(event_of(start, goal))

@@ -15,6 +15,7 @@ from rclpy.lifecycle.state_machine import TransitionCallbackReturnType as Transi
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
+    from rclpy.node import Node
 
 ChangeById = Callable[[int], TransitionCallbackReturn]
 
@@ -38,10 +39,10 @@ def _description(each: state_machine.Transition) -> TransitionDescription:
 class LifecycleServices:
     """The services of one node; they act on its state machine through `change`."""
 
-    def __init__(self, node: Any, machine: StateMachine, change: ChangeById, callback_group: CallbackGroup) -> None:
+    def __init__(self, node: Node, machine: StateMachine, change: ChangeById, callback_group: CallbackGroup) -> None:
         self._machine = machine
         self._change = change
-        offers = [
+        offers: list[tuple[type[Any], str, Callable[[Any, Any], Any]]] = [
             (ChangeState, "~/change_state", self._change_state),
             (GetState, "~/get_state", self._get_state),
             (GetAvailableStates, "~/get_available_states", self._available_states),
@@ -54,7 +55,7 @@ class LifecycleServices:
             setattr(node, f"_{word}", service)
             setattr(machine, word, service.handle)
 
-    def _change_state(self, request: Any, response: Any) -> Any:
+    def _change_state(self, request: ChangeState.Request, response: ChangeState.Response) -> ChangeState.Response:
         """Make the requested transition: the label selects it if there is one, otherwise the id."""
         wanted = request.transition
         try:
@@ -65,18 +66,24 @@ class LifecycleServices:
             response.success = False
         return response
 
-    def _get_state(self, request: Any, response: Any) -> Any:
+    def _get_state(self, request: GetState.Request, response: GetState.Response) -> GetState.Response:
         response.current_state = _state(self._machine.current_state[0])
         return response
 
-    def _available_states(self, request: Any, response: Any) -> Any:
+    def _available_states(
+        self, request: GetAvailableStates.Request, response: GetAvailableStates.Response
+    ) -> GetAvailableStates.Response:
         response.available_states = [_state(state_id) for state_id in STATES]
         return response
 
-    def _available_transitions(self, request: Any, response: Any) -> Any:
+    def _available_transitions(
+        self, request: GetAvailableTransitions.Request, response: GetAvailableTransitions.Response
+    ) -> GetAvailableTransitions.Response:
         response.available_transitions = [_description(each) for each in self._machine.available_transitions]
         return response
 
-    def _transition_graph(self, request: Any, response: Any) -> Any:
+    def _transition_graph(
+        self, request: GetAvailableTransitions.Request, response: GetAvailableTransitions.Response
+    ) -> GetAvailableTransitions.Response:
         response.available_transitions = [_description(each) for each in self._machine.transition_graph]
         return response

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from coursekit.bag.errors import BagError
 from coursekit.bag.metadata_file import load_settings
 from coursekit.bag.storage import SUFFIXES
+from coursekit.files import read_bytes
 
 from . import ask
 
@@ -60,6 +61,15 @@ def existing_path(value: str) -> str:
         exists = False
     if not exists:
         raise argparse.ArgumentTypeError(f"Bag path '{value}' does not exist!")
+    return value
+
+
+def readable_file(value: str) -> str:
+    """Validate a file that must be readable, in the words of Humble's argparse.FileType."""
+    try:
+        read_bytes(value)
+    except OSError as error:
+        raise argparse.ArgumentTypeError(f"can't open '{value}': {error}") from None
     return value
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .bag_arguments import (
@@ -11,7 +10,7 @@ from .bag_arguments import (
     not_negative_int,
     positive_float,
     qos_overrides,
-    refuse,
+    readable_file,
     refusing,
 )
 
@@ -40,6 +39,7 @@ def _add_choice(parser: ArgumentParser) -> None:
     )
     parser.add_argument(
         "--qos-profile-overrides-path",
+        type=readable_file,
         help="Path to a yaml file defining overrides of the QoS profile for specific topics.",
     )
     parser.add_argument(
@@ -49,7 +49,9 @@ def _add_choice(parser: ArgumentParser) -> None:
         default=[],
         help='list of topics to be remapped: in the form "old_topic1:=new_topic1 old_topic2:=new_topic2 etc."',
     )
-    parser.add_argument("--storage-config-file", help="Path to a yaml file defining storage specific configurations.")
+    parser.add_argument(
+        "--storage-config-file", type=readable_file, help="Path to a yaml file defining storage specific configurations."
+    )
     parser.add_argument(
         "--read-ahead-queue-size",
         type=int,
@@ -122,8 +124,6 @@ def main(args: Namespace) -> int:
     from rosbag2_py import Player, StorageOptions
 
     config = args.storage_config_file or ""
-    if config and not Path(config).is_file():
-        raise refuse(f"File '{config}' does not exist!")
     storage = StorageOptions(uri=args.bag_path, storage_id=args.storage, storage_config_uri=config)
     options = _play_options(args)
     Player(args.log_level).play(storage, options)

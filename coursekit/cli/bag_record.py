@@ -11,7 +11,7 @@ from coursekit.bag.storage import DEFAULT_STORAGE_ID, SUFFIXES
 from coursekit.processes.session import current
 
 from . import ask
-from .bag_arguments import qos_overrides, refuse, refusing
+from .bag_arguments import qos_overrides, readable_file, refuse, refusing
 
 if TYPE_CHECKING:
     from argparse import Namespace
@@ -90,7 +90,7 @@ def _add_output(parser: Any) -> None:
         "corresponding settings in the config passed with --storage-config-file.",
     )
     parser.add_argument(
-        "--storage-config-file", help="Path to a yaml file defining storage specific configurations."
+        "--storage-config-file", type=readable_file, help="Path to a yaml file defining storage specific configurations."
     )
 
 
@@ -111,6 +111,7 @@ def _add_discovery(parser: Any) -> None:
     parser.add_argument("--ignore-leaf-topics", action="store_true", help="Ignore topics without a publisher.")
     parser.add_argument(
         "--qos-profile-overrides-path",
+        type=readable_file,
         help="Path to a yaml file defining overrides of the QoS profile for specific topics.",
     )
 
@@ -232,8 +233,6 @@ def _check(args: Namespace) -> None:
 def _storage_options(args: Namespace, uri: str) -> Any:
     from rosbag2_py import StorageOptions
 
-    if args.storage_config_file and not Path(args.storage_config_file).is_file():
-        raise refuse(f"File '{args.storage_config_file}' does not exist!")
     return StorageOptions(
         uri=uri,
         storage_id=args.storage,

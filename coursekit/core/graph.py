@@ -41,6 +41,11 @@ class GraphNode:
         """For example '/robot1/camera'."""
         return f"{self.namespace.rstrip('/')}/{self.name}"
 
+    @property
+    def logger_name(self) -> str:
+        """For example 'robot1.camera'."""
+        return self.full_name.strip("/").replace("/", ".")
+
     def publisher(self, name: str, msg_type: Any, qos: Qos) -> Publisher:
         """Create a publisher and match it with the existing subscriptions."""
         return self.graph.add_publisher(Publisher(self.graph, self, name, msg_type, qos))

@@ -19,7 +19,7 @@ _CAUSES = (
     (r"AssertionError: The '\w+' field must be of type '(?:int|float|str|bool)'", OTHER_TYPE),
     (r"AttributeError: '\w+' object has no attribute '_(?:default_callback_group|parameter_overrides|logger)'", NO_BASE),
     (r"NotImplementedError", STUB),
-    (r".*has no attribute 'successful'", NO_RESULT),
+    (r".*(?:has no attribute 'successful'|Callback returned an invalid type)", NO_RESULT),
     (r"TypeError \(line", NO_RESPONSE),
     (r"TypeError: cannot unpack non-iterable|ValueError: (?:not enough|too many) values to unpack", UNPACKED),
     (r".*\.load\(\)\)$", NOT_LOADED),

@@ -93,6 +93,16 @@ def test_a_file_is_loaded(served, tmp_path):
     assert [p.value for p in node.get_parameters(["a", "b.c"])] == [8, 3.5]
 
 
+@pytest.mark.humble_only("a later client leaves out the values of other nodes")
+@pytest.mark.parametrize("way", ["load_parameter_file", "load_parameter_file_atomically"])
+def test_a_file_is_loaded_whole_whichever_nodes_it_names(served, tmp_path, way):
+    world, node, client = served
+    file = tmp_path / "p.yaml"
+    file.write_text("/somebody:\n  ros__parameters: {a: 8}\n/else:\n  ros__parameters: {b: {c: 3.5}}\n")
+    world.result(getattr(client, way)(str(file)))
+    assert [p.value for p in node.get_parameters(["a", "b.c"])] == [8, 3.5]
+
+
 def test_callbacks_get_the_future(served):
     world, _, client = served
     seen = []

@@ -162,6 +162,21 @@ def test_a_callback_may_refuse_a_declaration(node):
         node.declare_parameter("speed", 1)
 
 
+@pytest.mark.parametrize("answer", [None, True, 1])
+def test_a_callback_that_gives_no_result_back_refuses(node, answer):
+    node.declare_parameter("speed", 1)
+    node.add_on_set_parameters_callback(lambda parameters: answer)
+    with pytest.warns(UserWarning, match="Callback returned an invalid type"):
+        result = node.set_parameters([Parameter("speed", value=9)])[0]
+    assert (result.successful, result.reason) == (False, "Callback returned an invalid type")
+    assert node.get_parameter("speed").value == 1
+
+
+def test_what_cannot_be_called_is_no_callback(node):
+    with pytest.raises(TypeError, match="must be callable"):
+        node.add_on_set_parameters_callback("judge")
+
+
 def test_atomically_means_all_or_none(node):
     node.declare_parameters("", [("a", 1), ("b", 2)])
     result = node.set_parameters_atomically([Parameter("a", value=5), Parameter("b", value="text")])

@@ -19,6 +19,13 @@ def test_a_request_gets_its_response(world):
     assert response == SetBool.Response(success=True, message="on")
 
 
+def test_both_ends_name_the_logger_of_their_node(world):
+    node = world.node("ends", namespace="/of/parts")
+    service = node.create_service(Trigger, "switch", echo)
+    client = node.create_client(Trigger, "switch")
+    assert (service.logger_name, client.logger_name) == ("of.parts.ends", "of.parts.ends")
+
+
 def test_every_request_gets_its_own_response(world):
     node = world.node()
     node.create_service(SetBool, "switch", echo)

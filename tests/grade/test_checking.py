@@ -67,8 +67,16 @@ def test_of_a_service_s_callback_that_gives_nothing_back_the_return_is_told():
     assert "return response" in said.cause
 
 
-def test_of_a_callback_that_judges_and_gives_no_result_back_the_result_is_told():
-    said = verdict(TRACE.replace("NameError: no spin", "AttributeError: 'NoneType' object has no attribute 'successful'"))
+@pytest.mark.parametrize(
+    "error",
+    [
+        "AttributeError: 'NoneType' object has no attribute 'successful'",
+        "rclpy.exceptions.InvalidParameterValueException: ('Invalid parameter value (1) for parameter. "
+        "Reason: Callback returned an invalid type', 'a')",
+    ],
+)
+def test_of_a_callback_that_judges_and_gives_no_result_back_the_result_is_told(error):
+    said = verdict(TRACE.replace("NameError: no spin", error))
     assert "SetParametersResult" in said.cause
 
 

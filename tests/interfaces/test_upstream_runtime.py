@@ -9,6 +9,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
+import test_msgs.srv
 from ament_index_python.cli import main, resource_name_completer, resource_type_completer
 from rosidl_parser.definition import NamespacedType, UnboundedSequence
 from rosidl_runtime_py import (
@@ -22,6 +23,7 @@ from rosidl_runtime_py.convert import _convert_value
 from rosidl_runtime_py.import_message import import_message_from_namespaced_type
 from test_msgs import message_fixtures
 from test_msgs.msg import Empty
+from test_msgs.service_fixtures import get_test_srv
 
 from coursekit.interfaces import cdr
 
@@ -43,6 +45,21 @@ def test_fixtures_differ_from_each_other() -> None:
     for name in ("basic_types", "strings", "nested", "unbounded_sequences", "bounded_sequences"):
         messages = getattr(message_fixtures, f"get_msg_{name}")()
         assert len({str(message) for message in messages}) == len(messages) > 1
+
+
+@pytest.mark.parametrize("name", ["Empty", "BasicTypes", "Arrays"])
+def test_requests_and_responses_for_tests_can_be_sent_and_told_apart(name: str) -> None:
+    pairs = get_test_srv(name)
+    for message in [part for pair in pairs for part in pair]:
+        assert cdr.deserialize(cdr.serialize(message), type(message)) == message
+    kind = getattr(test_msgs.srv, name)
+    assert all(isinstance(request, kind.Request) and isinstance(reply, kind.Response) for request, reply in pairs)
+    assert len({str(request) for request, _ in pairs}) == len({str(reply) for _, reply in pairs}) == len(pairs)
+
+
+def test_a_service_without_fixtures_is_refused() -> None:
+    with pytest.raises(NotImplementedError, match="'Nothing'"):
+        get_test_srv("Nothing")
 
 
 @pytest.mark.parametrize(

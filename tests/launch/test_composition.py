@@ -17,6 +17,7 @@ from launch_ros.actions import (
 )
 from launch_ros.actions.load_composable_nodes import get_composable_node_load_request
 from launch_ros.descriptions import ComposableNode, ParameterFile
+from rclpy.parameter import parameter_value_to_python
 
 LOADED = "[INFO] [launch_ros.actions.load_composable_nodes]: Loaded node "
 FAILED = "[ERROR] [launch_ros.actions.load_composable_nodes]: Failed to load node "
@@ -119,6 +120,14 @@ def test_a_request_holds_what_the_description_and_the_scope_say(context: LaunchC
     assert [(argument.name, argument.value.bool_value) for argument in request.extra_arguments] == [
         ("use_intra_process_comms", True)
     ]
+
+
+def test_a_file_without_node_names_has_the_components_parameters(context: LaunchContext, tmp_path) -> None:
+    file = tmp_path / "plain.yaml"
+    file.write_text("some: 42\ntext: Hello\ngains: {p: 1.5, many: [1, 2]}\n")
+    request = get_composable_node_load_request(talker_named("tom", parameters=[file]), context)
+    values = [(parameter.name, parameter_value_to_python(parameter.value)) for parameter in request.parameters]
+    assert values == [("some", 42), ("text", "Hello"), ("gains.p", 1.5), ("gains.many", [1, 2])]
 
 
 def test_a_component_without_name_leaves_both_to_the_program(context: LaunchContext) -> None:

@@ -26,6 +26,7 @@ from launch.substitutions import (
     NotSubstitution,
     OrSubstitution,
     PathJoinSubstitution,
+    PathSubstitution,
     PythonExpression,
     StringJoinSubstitution,
     SubstitutionFailure,
@@ -34,6 +35,7 @@ from launch.substitutions import (
     ThisLaunchFileDir,
 )
 from launch.utilities import perform_substitutions
+from launch_ros.substitutions import FindPackageShare
 
 from tests.needs import posix
 from tests.paths.workspace import HOSTILE
@@ -72,6 +74,25 @@ def test_paths_are_joined_and_parts_may_be_lists(context: LaunchContext) -> None
     path = PathJoinSubstitution(["/a", "b", [LaunchConfiguration("robot"), ".urdf"]])
     assert path.perform(context) == os.path.join("/a", "b", "r2.urdf")
     assert StringJoinSubstitution(["a", "b"], delimiter="-").perform(context) == "a-b"
+
+
+def test_a_slash_extends_a_path(context: LaunchContext, tmp_path) -> None:
+    context.launch_configurations.update(base="/a", robot="r2")
+    base = PathSubstitution(LaunchConfiguration("base"))
+    file = base / "b" / [LaunchConfiguration("robot"), ".urdf"]
+    assert file.perform(context) == os.path.join("/a", "b", "r2.urdf")
+    assert (base / "c").perform(context) == os.path.join("/a", "c")  # the base stays what it was
+    assert PathSubstitution(["/a", "b"]).perform(context) == os.path.join("/a", "b")
+    assert (PathJoinSubstitution(["/a", "b"]) / "c").perform(context) == os.path.join("/a", "b", "c")
+    assert (base / "/c").perform(context) == os.path.join("/a", "/c")
+
+
+def test_a_slash_extends_the_folders_of_a_launch_and_of_a_package(context: LaunchContext, tmp_path) -> None:
+    context.extend_locals({"current_launch_file_directory": "/a"})
+    assert (ThisLaunchFileDir() / "b" / "c.py").perform(context) == os.path.join("/a", "b", "c.py")
+    assert (LaunchLogDir() / "x.log").perform(context) == os.path.join(LaunchLogDir().perform(context), "x.log")
+    share = FindPackageShare("urdf_tutorial")
+    assert (share / "urdf").perform(context) == os.path.join(share.perform(context), "urdf")
 
 
 @posix("there is no sh, env, nor an end by a signal")

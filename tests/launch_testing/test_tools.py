@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import time
 import unittest
 from functools import partial
 
@@ -149,6 +150,16 @@ def test_tests_wait_for_topics(results, session) -> None:
         def test_comes(self):
             with WaitForTopics([("chatter", String)], timeout=5.0) as waiting:
                 assert waiting.topics_received() == {"chatter"}
+                assert waiting.received_messages("chatter")[0].data.startswith("Hello World: ")
+                with self.assertRaisesRegex(KeyError, "'silence' is not one of the topics .*chatter"):
+                    waiting.received_messages("silence")
+
+        def test_the_last_messages_are_kept(self):
+            with WaitForTopics([("chatter", String)], timeout=5.0, messages_received_buffer_length=2) as waiting:
+                time.sleep(4)
+                kept = [message.data for message in waiting.received_messages("chatter")]
+            number = int(kept[-1].split()[-1])
+            assert number > 2 and kept == [f"Hello World: {number - 1}", f"Hello World: {number}"]
 
         def test_is_missing(self):
             topics = [("chatter", String), ("silence", String)]

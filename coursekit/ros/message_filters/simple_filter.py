@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable
 from typing import Any
 
@@ -16,12 +17,17 @@ class SimpleFilter:
 
     def __init__(self) -> None:
         self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
+        self._numbers = itertools.count()
 
     def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:
         """Call `cb(*messages, *args)` for each output; return the number of the connection."""
-        connection = len(self.callbacks)
+        connection = next(self._numbers)
         self.callbacks[connection] = (cb, args)
         return connection
+
+    def unregisterCallback(self, conn: int) -> None:
+        """End the connection of this number, if there is one."""
+        self.callbacks.pop(conn, None)
 
     def signalMessage(self, *msg: Any) -> None:
         """Pass messages on."""
@@ -64,8 +70,7 @@ class Subscriber(SimpleFilter):
 def stamp_of(msg: Any, allow_headerless: bool, logger: str, what: str) -> Time | None:
     """A message's time: its header's, or now if that is allowed; None (and a warning) otherwise."""
     if hasattr(msg, "header") and hasattr(msg.header, "stamp"):
-        stamp = msg.header.stamp
-        return stamp if hasattr(stamp, "nanoseconds") else Time.from_msg(stamp)
+        return time_of(msg.header.stamp)
     if allow_headerless:
         return ROSClock().now()
     log = rclpy.logging.get_logger(logger)
@@ -75,3 +80,10 @@ def stamp_of(msg: Any, allow_headerless: bool, logger: str, what: str) -> Time |
         "auto assign ROSTIME to headerless messages once enabling constructor option of 'allow_headerless'."
     )
     return None
+
+
+def time_of(stamp: Any) -> Time:
+    """Return a stamp as Time. It may be rclpy's Time, a message, or a plain number of nanoseconds."""
+    if isinstance(stamp, int):
+        return Time(nanoseconds=stamp)
+    return stamp if hasattr(stamp, "nanoseconds") else Time.from_msg(stamp)

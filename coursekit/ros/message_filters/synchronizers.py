@@ -10,7 +10,7 @@ from typing import Any
 from rclpy.duration import Duration
 from rclpy.time import Time
 
-from .simple_filter import SimpleFilter, stamp_of
+from .simple_filter import SimpleFilter, stamp_of, time_of
 
 Queue = dict[int, Any]
 """Messages by their stamp in nanoseconds."""
@@ -40,7 +40,7 @@ class TimeSynchronizer(SimpleFilter):
         """Add a message of one filter."""
         stamp = msg.header.stamp
         with self.lock:
-            self._keep(my_queue, _time(stamp), msg)
+            self._keep(my_queue, time_of(stamp), msg)
             for common in sorted(set.intersection(*(set(queue) for queue in self.queues))):
                 self._release([common] * len(self.queues))
 
@@ -114,10 +114,3 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
             if together and all(stamp in queue for queue, stamp in zip(self.queues, stamps, strict=True)):
                 self._release(stamps)
                 return
-
-
-def _time(stamp: Any) -> Time:
-    """Return a stamp as Time. It may be rclpy's Time, a message, or a plain number of nanoseconds."""
-    if isinstance(stamp, int):
-        return Time(nanoseconds=stamp)
-    return stamp if hasattr(stamp, "nanoseconds") else Time.from_msg(stamp)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from typing import Any
 
@@ -80,6 +81,9 @@ class ParameterSetting:
                 return result
         for callback in list(self._parameters_callbacks):
             result = callback(parameters)
+            if not isinstance(result, SetParametersResult):
+                warnings.warn("Callback returned an invalid type, it should return SetParameterResult.", stacklevel=1)
+                return SetParametersResult(successful=False, reason="Callback returned an invalid type")
             if not result.successful:
                 return result
         self._rclpy_store(parameters, declares)
@@ -171,6 +175,8 @@ class ParameterSetting:
         >>> node.set_parameters([rclpy.parameter.Parameter("speed", value=9.0)])[0].reason
         'too fast'
         """
+        if not callable(callback):
+            raise TypeError("Callback must be callable, got {}", type(callback))
         self._parameters_callbacks.insert(0, callback)
 
     def remove_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], SetParametersResult]) -> None:

@@ -129,6 +129,12 @@ class Client:
         with self.__client:
             return self.__client.name
 
+    @property
+    def logger_name(self) -> str:
+        """The name of its node's logger."""
+        with self.__client:
+            return str(self.__client.core.node.logger_name)
+
     def destroy(self) -> None:
         """Use `Node.destroy_client` instead."""
         self.__client.destroy_when_not_in_use()

@@ -217,7 +217,7 @@ class _EventCallbacks:
         for name, event_type in self._names:
             callback = getattr(self, name)
             if callback is None and name == "incompatible_qos" and self.use_default_callbacks:
-                logger_name = handle.core.node.full_name.strip("/").replace("/", ".")
+                logger_name = handle.core.node.logger_name
                 callback = _warn(logger_name, self._warning.replace("TOPIC", topic_name))
             if callback is not None:
                 handlers.append(

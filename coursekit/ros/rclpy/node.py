@@ -150,9 +150,9 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         name = self._rclpy_arguments.node_name(node_name)
         namespace = self._rclpy_arguments.node_namespace(node_name, namespace)
         handle = self._context.handle
-        self._rclpy_graph_node = handle.graph.add_node(name, namespace, current_process(), handle)
-        logger_name = self._rclpy_graph_node.full_name.strip("/").replace("/", ".")
-        self._rclpy_handle = _rclpy.NodeHandle(self._rclpy_graph_node, self._rclpy_resolve, logger_name)
+        node = handle.graph.add_node(name, namespace, current_process(), handle)
+        self._rclpy_graph_node = node
+        self._rclpy_handle = _rclpy.NodeHandle(node, self._rclpy_resolve, node.logger_name)
         node_made(name, given, handle.domain_id)
 
     def _rclpy_read_arguments(self, cli_args: list[str] | None, use_global: bool) -> Any:

@@ -131,18 +131,16 @@ class AsyncParameterClient:
     def load_parameter_file(
         self, parameter_file: str, use_wildcard: bool = False, callback: Done | None = None
     ) -> Future:
-        """Set the node's parameters from a YAML file, each separately."""
-        return self.set_parameters(self._read(parameter_file, use_wildcard), callback)
+        """Set the parameters in a YAML file, each separately; the file's node names do not matter."""
+        read = parameter_dict_from_yaml_file(parameter_file, use_wildcard)
+        return self.set_parameters(list(read.values()), callback)
 
     def load_parameter_file_atomically(
         self, parameter_file: str, use_wildcard: bool = False, callback: Done | None = None
     ) -> Future:
-        """Set the node's parameters from a YAML file, all or none."""
-        return self.set_parameters_atomically(self._read(parameter_file, use_wildcard), callback)
-
-    def _read(self, parameter_file: str, use_wildcard: bool) -> list[ParameterMsg]:
-        read = parameter_dict_from_yaml_file(parameter_file, use_wildcard, [self.remote_node_name])
-        return list(read.values())
+        """Set the parameters in a YAML file, all or none; the file's node names do not matter."""
+        read = parameter_dict_from_yaml_file(parameter_file, use_wildcard)
+        return self.set_parameters_atomically(list(read.values()), callback)
 
 
 def _ask(client: Any, request: Any, callback: Done | None) -> Future:

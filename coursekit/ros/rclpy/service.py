@@ -52,6 +52,12 @@ class Service:
         with self.__service:
             return self.__service.name
 
+    @property
+    def logger_name(self) -> str:
+        """The name of its node's logger."""
+        with self.__service:
+            return str(self.__service.core.node.logger_name)
+
     def destroy(self) -> None:
         """Use `Node.destroy_service` instead."""
         self.__service.destroy_when_not_in_use()

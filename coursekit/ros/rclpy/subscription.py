@@ -86,7 +86,7 @@ class Subscription:
     @property
     def logger_name(self) -> str:
         """The name of its node's logger."""
-        return self._core.node.full_name.strip("/").replace("/", ".")
+        return self._core.node.logger_name
 
     def destroy(self) -> None:
         """Use `Node.destroy_subscription` instead."""

@@ -222,9 +222,7 @@ def test_without_a_name_the_folder_has_the_sessions_time(
         ("-a --use-sim-time --no-discovery", "--use-sim-time and --no-discovery both set"),
         ("-a -b 5", "Invalid bag splitting size given. Please provide a value greater than 86016."),
         ("-e '('", "--regex '(' is no regular expression"),
-        ("-a --qos-profile-overrides-path nowhere.yaml", "No such file or directory: 'nowhere.yaml'"),
         ("-a --qos-profile-overrides-path bad.yaml", "Unexpected key `colour` for QoS profile."),
-        ("-a --storage-config-file nowhere.yaml", "File 'nowhere.yaml' does not exist!"),
         ("-a -p 0", "--polling-interval must be at least 1 ms"),
     ],
 )
@@ -278,3 +276,13 @@ def test_a_disk_that_is_full_ends_the_recording_and_loses_nothing_before(
     assert ros2("bag reindex talk").wait(5) == 0
     kept = [int(message.data[8:17]) for message in all_of("talk")]
     assert kept == list(range(len(kept))) and len(kept) > 20
+
+
+@pytest.mark.parametrize("line", ["record -a", "play ."])
+@pytest.mark.parametrize("option", ["--qos-profile-overrides-path", "--storage-config-file"])
+def test_a_settings_file_that_is_not_there_is_an_error_of_usage(ros2: Callable[[str], Any], line: str, option: str) -> None:
+    process = ros2(f"bag {line} {option} nowhere.yaml")
+    assert process.wait(5) == 2
+    expected = f"ros2 bag {line.split()[0]}: error: argument {option}: can't open 'nowhere.yaml': "
+    assert process.output.splitlines()[-1] == f"{expected}[Errno 2] No such file or directory: 'nowhere.yaml'"
+    assert not list(Path().iterdir())

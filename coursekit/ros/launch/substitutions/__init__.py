@@ -18,7 +18,7 @@ from .if_else_substitution import IfElseSubstitution
 from .launch_configuration import LaunchConfiguration
 from .launch_log_dir import LaunchLogDir
 from .local_substitution import LocalSubstitution
-from .path_join_substitution import PathJoinSubstitution, StringJoinSubstitution
+from .path_join_substitution import PathJoinSubstitution, PathSubstitution, StringJoinSubstitution
 from .python_expression import PythonExpression
 from .substitution_failure import SubstitutionFailure
 from .text_substitution import TextSubstitution
@@ -42,6 +42,7 @@ __all__ = [
     "NotSubstitution",
     "OrSubstitution",
     "PathJoinSubstitution",
+    "PathSubstitution",
     "PythonExpression",
     "StringJoinSubstitution",
     "SubstitutionFailure",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ..frontend.expose import expose_substitution
+from .path_join_substitution import Extensible
 from .text_substitution import TextSubstitution
 
 if TYPE_CHECKING:
@@ -13,7 +14,7 @@ if TYPE_CHECKING:
 
 @expose_substitution("launch_log_dir")
 @expose_substitution("log_dir")
-class LaunchLogDir(TextSubstitution):
+class LaunchLogDir(Extensible, TextSubstitution):
     """The absolute folder of this launch's log files. As in Humble, `$(log_dir)` is plain text as soon as it is parsed."""
 
     def __init__(self) -> None:

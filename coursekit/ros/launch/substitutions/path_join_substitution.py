@@ -14,7 +14,14 @@ if TYPE_CHECKING:
     from ..launch_context import LaunchContext
 
 
-class PathJoinSubstitution(Substitution):
+class Extensible(Substitution):
+    """A path that `/` extends, as in pathlib."""
+
+    def __truediv__(self, part: SomeSubstitutionsType) -> PathJoinSubstitution:
+        return PathJoinSubstitution([self, part])
+
+
+class PathJoinSubstitution(Extensible):
     """A path joined from parts; each may be text, a substitution, or a list of both.
 
     >>> from launch import LaunchContext
@@ -41,6 +48,22 @@ class PathJoinSubstitution(Substitution):
         """Return the joined path."""
         parts = [perform_substitutions(context, part) for part in self.__parts]
         return os.path.join(*parts) if parts else ""
+
+    def __truediv__(self, part: SomeSubstitutionsType) -> PathJoinSubstitution:
+        return PathJoinSubstitution([*self.__parts, part])
+
+
+class PathSubstitution(PathJoinSubstitution):
+    """The beginning of a path that `/` extends.
+
+    >>> from launch import LaunchContext
+    >>> path = (PathSubstitution('a') / 'b' / 'c.yaml').perform(LaunchContext())
+    >>> path == os.path.join('a', 'b', 'c.yaml')
+    True
+    """
+
+    def __init__(self, path: SomeSubstitutionsType) -> None:
+        super().__init__(normalize_to_list_of_substitutions(path))
 
 
 class StringJoinSubstitution(Substitution):

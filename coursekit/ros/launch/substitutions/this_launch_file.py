@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from ..frontend.expose import expose_substitution
 from ..substitution import Substitution
+from .path_join_substitution import Extensible
 from .substitution_failure import SubstitutionFailure
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ class ThisLaunchFile(Substitution):
 
 
 @expose_substitution("dirname")
-class ThisLaunchFileDir(Substitution):
+class ThisLaunchFileDir(Extensible):
     """The absolute folder of this launch file."""
 
     def describe(self) -> str:

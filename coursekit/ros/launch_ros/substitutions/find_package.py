@@ -10,10 +10,11 @@ from launch.frontend import expose_substitution
 from launch.launch_context import LaunchContext
 from launch.some_substitutions_type import SomeSubstitutionsType
 from launch.substitution import Substitution
+from launch.substitutions.path_join_substitution import Extensible
 from launch.utilities import normalize_to_list_of_substitutions, perform_substitutions
 
 
-class FindPackage(Substitution):
+class FindPackage(Extensible):
     """A folder of a package; a subclass determines which."""
 
     def __init__(self, package: SomeSubstitutionsType) -> None:

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import yaml
 from launch.launch_context import LaunchContext
 
+from coursekit.files import read_text
+
 from ..parameter_descriptions import Parameter
 from ..parameters_type import EvaluatedParameters
+from .evaluate_parameters import evaluate_parameter_dict
+from .normalize_parameters import normalize_parameter_dict
 
 
 def to_parameters_list(
@@ -16,7 +21,8 @@ def to_parameters_list(
 ) -> list[Any]:
     """Return evaluated parameters as rclpy.parameter.Parameter objects, in order; of equal names the last one applies.
 
-    Files are read as a node reads them, with their wildcards and node names.
+    Files are read as a node reads them, with their wildcards and node names. A file without `ros__parameters` has
+    only names and values, and applies to every node.
     """
     import rclpy.parameter
 
@@ -27,15 +33,28 @@ def to_parameters_list(
         elif isinstance(parameter, dict):
             values += parameter.items()
         else:
-            from coursekit.rcl.arguments import parse_ros_arguments
-
             full_name = f"{(namespace or '').rstrip('/')}/{node_name or ''}"
-            arguments = parse_ros_arguments(["--ros-args", "--params-file", str(parameter)])
-            values += arguments.parameters_for(full_name).items()
+            values += _values_in_file(context, str(parameter), full_name).items()
     return [
         rclpy.parameter.Parameter(name, value=list(value) if isinstance(value, tuple) else value)
         for name, value in values
     ]
+
+
+def _values_in_file(context: LaunchContext, path: str, full_name: str) -> Mapping[str, Any]:
+    from coursekit.rcl.arguments import parse_ros_arguments
+
+    try:
+        tree = yaml.safe_load(read_text(path))
+    except (OSError, ValueError, yaml.YAMLError):
+        tree = None  # the reader of node names says what is wrong
+    if isinstance(tree, dict) and not _has_node_names(tree):
+        return evaluate_parameter_dict(context, normalize_parameter_dict(tree))
+    return parse_ros_arguments(["--ros-args", "--params-file", path]).parameters_for(full_name)
+
+
+def _has_node_names(tree: Mapping[str, Any]) -> bool:
+    return "ros__parameters" in tree or any(_has_node_names(part) for part in tree.values() if isinstance(part, dict))
 
 
 def yaml_inline(value: Any) -> str:

@@ -72,7 +72,8 @@ _LENT = {
         "ParameterImmutableException ParameterNotDeclaredException ParameterType ParameterUninitializedException "
         "ParameterValue PublisherEventCallbacks QoSOverridingOptions Rate ReentrantCallbackGroup S_TO_NS "
         "SetParametersResult SubscriptionEventCallbacks TopicEndpointInfo Waitable check_is_valid_msg_type "
-        f"check_is_valid_srv_type qos_profile_services_default validate_parameter_name {_SERVICE_TYPES}"
+        "check_is_valid_srv_type expand_topic_name qos_profile_services_default validate_full_topic_name "
+        f"validate_parameter_name validate_topic_name {_SERVICE_TYPES}"
     ),
     "rclpy.publisher": "CallbackGroup MsgType PublisherEventCallbacks QoSEventHandler QoSProfile",
     "rclpy.service": f"CallbackGroup QoSProfile {_SERVICE_TYPES}",

@@ -9,12 +9,11 @@ from rcl_interfaces.msg import Log, ParameterDescriptor, ParameterEvent
 
 from coursekit.processes.components import take_for_first_node
 from coursekit.processes.process import current_process
-from coursekit.rcl import names
-from coursekit.rcl.arguments import RosArgumentsError, UnknownRosArguments, merge, parse_ros_arguments
 from rclpy import _rclpy_pybind11 as _rclpy
 from rclpy._lent import lender
 from rclpy._node_entities import NodeEntities
 from rclpy._node_graph import NodeGraph, core_qos
+from rclpy._node_names import NodeNames
 from rclpy._node_parameters import NodeParameters
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
@@ -29,7 +28,6 @@ from rclpy.exceptions import (
     InvalidTopicNameException,
     NotInitializedException,
 )
-from rclpy.expand_topic_name import expand_topic_name
 from rclpy.guard_condition import GuardCondition
 from rclpy.impl.rcl_log import node_made
 from rclpy.impl.rcutils_logger import add_rosout, remove_rosout
@@ -47,10 +45,8 @@ from rclpy.subscription import Subscription
 from rclpy.time_source import TimeSource
 from rclpy.timer import Timer
 from rclpy.utilities import get_default_context
-from rclpy.validate_full_topic_name import validate_full_topic_name
 from rclpy.validate_namespace import validate_namespace
 from rclpy.validate_node_name import validate_node_name
-from rclpy.validate_topic_name import validate_topic_name
 
 __getattr__ = lender(__name__)  # names that programs import from here
 
@@ -62,7 +58,7 @@ _ROSOUT_QOS = QoSProfile(
 )
 
 
-class Node(NodeEntities, NodeParameters, NodeGraph):
+class Node(NodeEntities, NodeNames, NodeParameters, NodeGraph):
     """A participant of the ROS graph.
 
     Its private names begin with `_rclpy_`, except those that Humble's nodes also have. A program's node inherits them, and
@@ -155,18 +151,6 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         self._rclpy_handle = _rclpy.NodeHandle(node, self._rclpy_resolve, node.logger_name)
         node_made(name, given, handle.domain_id)
 
-    def _rclpy_read_arguments(self, cli_args: list[str] | None, use_global: bool) -> Any:
-        try:
-            own = parse_ros_arguments(cli_args or [])
-        except UnknownRosArguments as error:
-            raise _rclpy.UnknownROSArgsError(str(error)) from None
-        except RosArgumentsError as error:
-            raise _rclpy.RCLInvalidROSArgsError(f"Failed to parse ROS arguments: {error}") from None
-        return merge(own, self._context.handle.arguments) if use_global else own
-
-    def _rclpy_remap(self, full_name: str, kind: str) -> str:
-        return self._rclpy_arguments.remap(kind, full_name, self._rclpy_graph_node.name, self._rclpy_graph_node.namespace)
-
     def _rclpy_start_rosout(self) -> None:
         handle = _rclpy.Publisher(self._rclpy_handle, Log, "/rosout", core_qos(_ROSOUT_QOS))
         self._rclpy_rosout = handle.core
@@ -230,18 +214,6 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
         """The node's context."""
         return self._context
 
-    def get_name(self) -> str:
-        """The name, for example 'camera'."""
-        return self.handle.get_node_name()
-
-    def get_namespace(self) -> str:
-        """The namespace, for example '/robot1'."""
-        return self.handle.get_namespace()
-
-    def get_fully_qualified_name(self) -> str:
-        """Namespace and name, for example '/robot1/camera'."""
-        return self.handle.get_fully_qualified_name()
-
     def get_clock(self) -> Clock:
         """The node's clock: ROS time.
 
@@ -256,37 +228,6 @@ class Node(NodeEntities, NodeParameters, NodeGraph):
     def get_logger(self) -> Any:
         """The node's logger."""
         return self._logger
-
-    # -- names
-
-    def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
-        """The full name of a topic, after remapping.
-
-        >>> node.resolve_topic_name("scan"), node.resolve_topic_name("~/pose")
-        ('/scan', '/robot/pose')
-        """
-        return self._rclpy_resolve(topic, "topic", only_expand)
-
-    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
-        """The full name of a service, after remapping."""
-        return self._rclpy_resolve(service, "service", only_expand)
-
-    def _rclpy_resolve(self, name: str, kind: str, only_expand: bool = False) -> str:
-        try:
-            full = names.expand(name, self.get_name(), self.get_namespace())
-        except names.InvalidName as error:
-            raise _rclpy.RCLError(f"failed to resolve name: {error.message}") from None
-        resolved = full if only_expand else self._rclpy_remap(full, kind)
-        if reason := names.validate_full_topic_name(resolved):
-            raise _rclpy.RCLError(f"failed to resolve name: {reason[0]}")
-        return resolved
-
-    def _rclpy_checked(self, name: str, kind: str) -> str:
-        """The full name, after the checks in ROS's order."""
-        validate_topic_name(name, is_service=kind == "service")
-        full = expand_topic_name(name, self.get_name(), self.get_namespace())
-        validate_full_topic_name(full, is_service=kind == "service")
-        return full
 
     # -- leaving
 

@@ -43,8 +43,8 @@ WaitSet::WaitSet(
   for (auto & guard : guards) {
     add_guard_condition(guard);
   }
-  for (auto & timer : timers) {
-    add_timer(timer);
+  for (auto & timer : timers) {  // which another set may have too, as in Humble
+    add(timers_, timer, "timer");
   }
   for (auto & entry : waitables) {
     add_waitable(entry.waitable, entry.associated_entity);

@@ -55,6 +55,7 @@ FORWARDED = {
     "rcpputils/env.hpp": "get_env",
     "rmw/types.h": "qos_policy_kind.h time.h",
     "rcl/wait.h": "client.h event.h guard_condition.h service.h subscription.h timer.h",
+    "rcl/init_options.h": "init.h",
     "rclcpp_action/types.hpp": (
         "qos /rcl_action/rcl_action.h /rcl_action/types.h /rcl_action/action_client.h /rcl_action/action_server.h"
     ),

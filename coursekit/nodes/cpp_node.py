@@ -29,6 +29,14 @@ class CppNode(Node):
     def _rclpy_listed_names(self) -> list[str]:
         return sorted(super()._rclpy_listed_names())  # rclcpp keeps them in a std::map
 
+    def _rclpy_store(self, parameters: list[Parameter], declares: bool) -> None:
+        gone = [one for one in parameters if declares or not self._is_unset(one)]  # what was not set stays declared
+        super()._rclpy_store(gone, declares)
+
+    def _is_unset(self, given: Parameter) -> bool:
+        old = self._parameters.get(given.name)
+        return given.type_ == Parameter.Type.NOT_SET and old is not None and old.type_ == Parameter.Type.NOT_SET
+
     def _rclpy_check(
         self, parameter: Parameter, descriptor: ParameterDescriptor | None, check_read_only: bool
     ) -> SetParametersResult:

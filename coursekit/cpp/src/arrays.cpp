@@ -67,11 +67,8 @@ rcutils_ret_t resize(Array * array, size_t capacity)
 template<class Array>
 rcutils_ret_t fini(Array * array)
 {
-  if (array && !array->buffer) {
-    return RCUTILS_RET_OK;
-  }
   const rcutils_ret_t usable_ = usable(array);
-  if (usable_ == RCUTILS_RET_OK) {
+  if (usable_ == RCUTILS_RET_OK && array->buffer) {
     if (is_own(array)) {
       array->allocator.deallocate(array->buffer, array->allocator.state);
     }

@@ -184,7 +184,7 @@ bool Context::sleep_for(const std::chrono::nanoseconds & duration)
 }
 contexts::DefaultContext::SharedPtr contexts::get_global_default_context()
 {
-  static auto * context = new DefaultContext::SharedPtr(std::make_shared<DefaultContext>());
+  static auto * context = new DefaultContext::SharedPtr(new DefaultContext(0));
   return *context;
 }
 
@@ -262,28 +262,46 @@ bool sleep_for(const std::chrono::nanoseconds & duration, Context::SharedPtr con
 
 // -- clocks
 
-bool Clock::simulated() const {return type_ == RCL_ROS_TIME && node_ && coursekit::simulated_time();}
+bool Clock::simulated() const {return handle_.type == RCL_ROS_TIME && node_ && coursekit::simulated_time();}
 bool Clock::ros_time_is_active() const
 {
-  return simulated() && ask("ros_time_active", Packer{}.i(node_)).i();
+  return handle_.overridden || (simulated() && ask("ros_time_active", Packer{}.i(node_)).i());
 }
 Time Clock::now() const
 {
-  if (simulated()) {
-    return Time(ask("ros_now", Packer{}.i(node_)).i(), type_);
+  if (handle_.overridden) {
+    return Time(handle_.time, handle_.type);
   }
-  return Time(type_ == RCL_STEADY_TIME ? coursekit::steady_now() : coursekit::system_now(), type_);
+  if (simulated()) {
+    return Time(ask("ros_now", Packer{}.i(node_)).i(), handle_.type);
+  }
+  return Time(handle_.type == RCL_STEADY_TIME ? coursekit::steady_now() : coursekit::system_now(), handle_.type);
 }
 bool Clock::sleep_until(Time until, Context::SharedPtr context)
 {
-  if (until.get_clock_type() != type_) {
+  if (until.get_clock_type() != handle_.type) {
     throw std::runtime_error("until's clock type does not match this clock's type");
   }
   return sleep_for(until - now(), context);
 }
+bool Clock::sleep_by_override(const Time & until, const Context::SharedPtr & context) const
+{
+  while (handle_.overridden && now() < until) {
+    if (!context->sleep_for(std::chrono::milliseconds(1))) {
+      return false;
+    }
+  }
+  return handle_.overridden;
+}
 bool Clock::sleep_for(Duration duration, Context::SharedPtr context)
 {
-  if (simulated()) {
+  if (!context || !context->is_valid()) {
+    throw std::runtime_error("context cannot be slept with because it's invalid");
+  }
+  if (handle_.overridden) {
+    return sleep_by_override(now() + duration, context);
+  }
+  if (handle_.type == RCL_ROS_TIME && node_) {  // also where it does not follow /clock yet: who sleeps wakes when it does
     return ask("ros_sleep", Packer{}.i(node_).i(duration.nanoseconds())).i();
   }
   return context->sleep_for(std::chrono::nanoseconds(duration.nanoseconds()));
@@ -305,7 +323,7 @@ JumpHandler::SharedPtr Clock::create_jump_callback(
   JumpHandler::pre_callback_t pre, JumpHandler::post_callback_t post, const rcl_jump_threshold_t & threshold)
 {
   auto made = std::make_shared<JumpHandler>(std::move(pre), std::move(post), threshold);
-  if (type_ != RCL_ROS_TIME || !node_) {
+  if (handle_.type != RCL_ROS_TIME || !node_) {
     return made;
   }
   std::weak_ptr<JumpHandler> weak = made;
@@ -365,6 +383,10 @@ bool log_enabled(const Logger & logger, int level)
 }
 void Logger::set_level(Level level)
 {
+  const int severity = static_cast<int>(level);
+  if (severity < 0 || severity > static_cast<int>(Level::Fatal) || severity % 10) {
+    throw exceptions::RCLInvalidArgument("Invalid parameter: no level has the number " + std::to_string(severity));
+  }
   ask("log_level", Packer{}.s(*name_).i(static_cast<int64_t>(level)));
   forget_log_levels();
 }

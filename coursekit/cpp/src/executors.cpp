@@ -76,7 +76,7 @@ Executor::CallbackGroups Executor::get_automatically_added_callback_groups_from_
   for (auto & node : nodes_) {
     node->for_each_callback_group(
       [&](CallbackGroup::SharedPtr one) {
-        if (one->automatically_add_to_executor_with_node()) {
+        if (one->automatically_add_to_executor_with_node() && !one->get_associated_with_executor_atomic()) {
           all.push_back(one);
         }
       });

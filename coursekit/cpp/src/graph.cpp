@@ -7,6 +7,9 @@ using node_interfaces::NodeBaseInterface;
 
 NodeBaseInterface::~NodeBaseInterface()
 {
+  if (clock) {
+    clock->follow(0);  // it may outlive its node
+  }
   if (id) {
     coursekit::note("drop", Packer{}.i(id));
   }
@@ -127,6 +130,9 @@ NodeBaseInterface::NamesAndTypes NodeBaseInterface::get_subscriber_names_and_typ
 }
 std::vector<TopicEndpointInfo> NodeBaseInterface::endpoints(const char * what, const std::string & topic, bool no_mangle) const
 {
+  if (!no_mangle) {
+    expand_topic_or_service_name(topic, name, space);  // throws where it is no name of a topic
+  }
   Unpacker answer = ask(what, Packer{}.i(id).s(topic).i(no_mangle));
   std::vector<TopicEndpointInfo> all;
   for (int64_t count = answer.i(); count > 0; --count) {

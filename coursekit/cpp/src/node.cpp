@@ -269,6 +269,7 @@ NodeFace::NodeFace(const NodeFace & other, const std::string & sub_namespace)
     refuse("a sub-namespace should not have a leading /");
   }
   sub_namespace_ = other.sub_namespace_.empty() ? sub_namespace : other.sub_namespace_ + "/" + sub_namespace;
+  expand_topic_or_service_name("name", get_name(), get_effective_namespace());  // throws InvalidNamespaceError
 }
 std::string NodeFace::extended(const std::string & name) const
 {

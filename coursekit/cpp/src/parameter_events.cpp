@@ -47,29 +47,29 @@ ParameterCallbackHandle::SharedPtr ParameterEventHandler::add_parameter_callback
   handle->parameter_name = name;
   handle->node_name = full_name(node_name);
   handle->callback = std::move(callback);
-  of_parameters_.push_front(handle);
+  parameter_callbacks_.push_front(handle);
   return handle;
 }
 void ParameterEventHandler::remove_parameter_callback(ParameterCallbackHandle::SharedPtr handle)
 {
-  remove_handle(of_parameters_, handle);
+  remove_handle(parameter_callbacks_, handle);
 }
 ParameterEventCallbackHandle::SharedPtr ParameterEventHandler::add_parameter_event_callback(ParameterEventCallbackType callback)
 {
   auto handle = std::make_shared<ParameterEventCallbackHandle>();
   handle->callback = std::move(callback);
-  of_events_.push_front(handle);
+  event_callbacks_.push_front(handle);
   return handle;
 }
 void ParameterEventHandler::remove_parameter_event_callback(ParameterEventCallbackHandle::SharedPtr handle)
 {
-  remove_handle(of_events_, handle);
+  remove_handle(event_callbacks_, handle);
 }
 
 bool ParameterEventHandler::get_parameter_from_event(
   const Event & event, Parameter & parameter, const std::string & name, const std::string & node_name)
 {
-  if (!node_name.empty() && event.node != node_name) {
+  if (event.node != node_name) {
     return false;
   }
   for (auto & found : get_parameters_from_event(event)) {
@@ -84,10 +84,15 @@ Parameter ParameterEventHandler::get_parameter_from_event(
   const Event & event, const std::string & name, const std::string & node_name)
 {
   Parameter parameter;
-  if (!get_parameter_from_event(event, parameter, name, node_name)) {
-    throw std::runtime_error("Parameter '" + name + "' of node '" + node_name + "' is not part of parameter event");
+  if (get_parameter_from_event(event, parameter, name, node_name)) {
+    return parameter;
   }
-  return parameter;
+  if (event.node == node_name) {
+    return Parameter(name, PARAMETER_NOT_SET);
+  }
+  throw std::runtime_error(
+          "The node name '" + node_name + "' of parameter '" + name + "' doesn't match the node name '" + event.node +
+          "' in parameter event");
 }
 std::vector<Parameter> ParameterEventHandler::get_parameters_from_event(const Event & event)
 {
@@ -100,9 +105,9 @@ std::vector<Parameter> ParameterEventHandler::get_parameters_from_event(const Ev
   return all;
 }
 
-void ParameterEventHandler::hear(const Event & event)
+void ParameterEventHandler::event_callback(const Event & event)
 {
-  auto told = of_parameters_;  // a callback may remove itself
+  auto told = parameter_callbacks_;  // a callback may remove itself
   for (auto & weak : told) {
     auto handle = weak.lock();
     Parameter parameter;
@@ -110,7 +115,7 @@ void ParameterEventHandler::hear(const Event & event)
       handle->callback(parameter);
     }
   }
-  auto whole = of_events_;
+  auto whole = event_callbacks_;
   for (auto & weak : whole) {
     if (auto handle = weak.lock()) {
       handle->callback(event);

@@ -16,12 +16,23 @@ const ParameterValue & NodeBaseInterface::declare_parameter(
   if (name.empty()) {
     throw exceptions::InvalidParametersException("parameter name must not be empty");
   }
+  if (default_value.get_type() == PARAMETER_NOT_SET && !descriptor.dynamic_typing) {
+    throw exceptions::InvalidParameterTypeException(
+            name, "cannot declare a statically typed parameter with an uninitialized value");
+  }
   Packer with = Packer{}.i(id).s(name).i(0).m(default_value.to_value_msg()).m(descriptor).i(ignore_override);
   return declared_[name] = ParameterValue(ask("declare", with).m<rcl_interfaces::msg::ParameterValue>());
 }
 const ParameterValue & NodeBaseInterface::declare_parameter(
   const std::string & name, ParameterType type, const ParameterDescriptor & descriptor, bool ignore_override)
 {
+  if (type == PARAMETER_NOT_SET) {
+    throw std::invalid_argument("declare_parameter(): the provided parameter type cannot be rclcpp::PARAMETER_NOT_SET");
+  }
+  if (descriptor.dynamic_typing) {
+    throw std::invalid_argument(
+            "declare_parameter(): cannot declare parameter of specific type and pass descriptor with `dynamic_typing=true`");
+  }
   Packer with = Packer{}.i(id).s(name).i(type).m(rcl_interfaces::msg::ParameterValue()).m(descriptor).i(ignore_override);
   return declared_[name] = ParameterValue(ask("declare", with).m<rcl_interfaces::msg::ParameterValue>());
 }
@@ -37,7 +48,16 @@ ParameterMap detail::parameter_file(const std::string & path, const std::string 
   }
   return map;
 }
-void NodeBaseInterface::undeclare_parameter(const std::string & name) {ask("undeclare", Packer{}.i(id).s(name));}
+void NodeBaseInterface::undeclare_parameter(const std::string & name)
+{
+  if (has_parameter(name)) {
+    auto descriptor = describe_parameter(name);
+    if (!descriptor.read_only && !descriptor.dynamic_typing) {
+      throw exceptions::InvalidParameterTypeException(name, "cannot undeclare an statically typed parameter");
+    }
+  }
+  ask("undeclare", Packer{}.i(id).s(name));
+}
 bool NodeBaseInterface::has_parameter(const std::string & name) const
 {
   return ask("has_parameter", Packer{}.i(id).s(name)).i();
@@ -68,7 +88,8 @@ bool NodeBaseInterface::get_parameters_by_prefix(const std::string & prefix, std
 {
   std::string start = prefix.empty() ? "" : prefix + ".";
   bool any = false;
-  for (auto & name : list_parameters({prefix}, 0).names) {
+  const auto prefixes = prefix.empty() ? std::vector<std::string>() : std::vector<std::string>{prefix};
+  for (auto & name : list_parameters(prefixes, 0).names) {
     if (name.compare(0, start.size(), start) == 0) {
       Parameter found(name);
       get_parameter(name, found);
@@ -102,7 +123,9 @@ std::vector<SetParametersResult> NodeBaseInterface::set(const std::vector<Parame
 }
 ParameterDescriptor NodeBaseInterface::describe_parameter(const std::string & name) const
 {
-  return ask("describe_parameter", Packer{}.i(id).s(name)).m<ParameterDescriptor>();
+  auto descriptor = ask("describe_parameter", Packer{}.i(id).s(name)).m<ParameterDescriptor>();
+  descriptor.name = name;  // of one that is not declared, where that is allowed, there is nothing else
+  return descriptor;
 }
 std::vector<ParameterDescriptor> NodeBaseInterface::describe_parameters(const std::vector<std::string> & names) const
 {
@@ -117,7 +140,10 @@ std::vector<uint8_t> NodeBaseInterface::get_parameter_types(const std::vector<st
   std::vector<uint8_t> types;
   for (auto & name : names) {
     Parameter found;
-    types.push_back(get_parameter(name, found) ? found.get_type() : PARAMETER_NOT_SET);
+    if (!get_parameter(name, found)) {
+      describe_parameter(name);  // throws where it must be declared
+    }
+    types.push_back(found.get_type());
   }
   return types;
 }
@@ -229,6 +255,9 @@ std::string qos_policy_name_from_kind(rmw_qos_policy_kind_t kind)
     case RMW_QOS_POLICY_RELIABILITY: return "RELIABILITY_QOS_POLICY";
     case RMW_QOS_POLICY_HISTORY: return "HISTORY_QOS_POLICY";
     case RMW_QOS_POLICY_LIFESPAN: return "LIFESPAN_QOS_POLICY";
+    case RMW_QOS_POLICY_DEPTH: return "DEPTH_QOS_POLICY";
+    case RMW_QOS_POLICY_LIVELINESS_LEASE_DURATION: return "LIVELINESS_LEASE_DURATION_QOS_POLICY";
+    case RMW_QOS_POLICY_AVOID_ROS_NAMESPACE_CONVENTIONS: return "AVOID_ROS_NAMESPACE_CONVENTIONS_QOS_POLICY";
     default: return "INVALID_QOS_POLICY";
   }
 }

@@ -4,6 +4,7 @@
 
 #include "rclcpp/rclcpp.hpp"
 #include "rclcpp/typesupport_helpers.hpp"
+#include "rcpputils/asserts.hpp"
 #include "rmw/rmw.h"
 
 namespace rclcpp
@@ -27,9 +28,7 @@ bool makes_bytes(const rosidl_message_type_support_t * type_support)
 }
 const coursekit::MessageType & type_of(const rosidl_message_type_support_t * type_support)
 {
-  if (!type_support) {
-    throw std::invalid_argument("Typesupport is nullpointer.");
-  }
+  rcpputils::check_true(type_support, "Typesupport is nullpointer.");
   if (!makes_bytes(type_support)) {
     throw std::runtime_error(std::string("no bytes are made by ") + type_support->typesupport_identifier);
   }
@@ -38,9 +37,7 @@ const coursekit::MessageType & type_of(const rosidl_message_type_support_t * typ
 template<class T>
 void need(const T * given, const char * what)
 {
-  if (!given) {
-    throw std::invalid_argument(std::string(what) + " is nullpointer.");
-  }
+  rcpputils::check_true(given, std::string(what) + " is nullpointer.");
 }
 /// A type that the session knows, by its name; RCLError where it knows none.
 const coursekit::MessageType & type_called(const std::string & name)
@@ -73,6 +70,8 @@ void SerializationBase::serialize_message(const void * message, SerializedMessag
 void SerializationBase::deserialize_message(const SerializedMessage * from, void * message) const
 {
   need(from, "Serialized message");
+  rcpputils::check_true(from->capacity() != 0, "Wrongly initialized. Serialized message has a capacity of zero.");
+  rcpputils::check_true(from->size() != 0, "Wrongly initialized. Serialized message has a size of zero.");
   need(message, "ROS message");
   known(type_).from_bytes(from->bytes(), message);
 }

@@ -119,7 +119,12 @@ namespace
 constexpr tf2::Duration LOOKS_EACH = std::chrono::milliseconds(10);
 }  // namespace
 Buffer::Buffer(rclcpp::Clock::SharedPtr clock, tf2::Duration cache_time, rclcpp::Node::SharedPtr node)
-: BufferCore(cache_time, node ? node->get_node_base_interface()->id : 0), clock_(std::move(clock)) {}
+: BufferCore(cache_time, node ? node->get_node_base_interface()->id : 0), clock_(std::move(clock))
+{
+  if (!clock_) {
+    throw std::invalid_argument("clock must be a valid instance");
+  }
+}
 geometry_msgs::msg::TransformStamped Buffer::lookupTransform(
   const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout) const
 {

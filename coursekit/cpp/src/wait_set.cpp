@@ -23,8 +23,14 @@ void claim(const std::shared_ptr<T> & one, const char * what)
 
 WaitSet::WaitSet(
   const Subscriptions & subscriptions, const Guards & guards, const Timers & timers, const Clients & clients,
-  const Services & services, const std::vector<WaitableEntry> & waitables)
+  const Services & services, const std::vector<WaitableEntry> & waitables, Context::SharedPtr context)
 {
+  if (!context) {
+    throw std::invalid_argument("context is nullptr");
+  }
+  if (!context->is_valid()) {
+    throw exceptions::RCLInvalidArgument("failed to create wait set: the given context is not valid");
+  }
   for (auto & client : clients) {
     add_client(client);
   }
@@ -37,8 +43,8 @@ WaitSet::WaitSet(
   for (auto & guard : guards) {
     add_guard_condition(guard);
   }
-  for (auto & timer : timers) {
-    add_timer(timer);
+  for (auto & timer : timers) {  // which another set may have too, as in Humble
+    add(timers_, timer, "timer");
   }
   for (auto & entry : waitables) {
     add_waitable(entry.waitable, entry.associated_entity);
@@ -46,6 +52,9 @@ WaitSet::WaitSet(
 }
 WaitSet::~WaitSet()
 {
+  for (auto & timer : timers_) {
+    timer->exchange_in_use_by_wait_set_state(false);
+  }
   for (auto & guard : guards_) {
     guard->exchange_in_use_by_wait_set_state(false);
   }
@@ -76,8 +85,16 @@ void WaitSet::remove_subscription(SubscriptionBase::SharedPtr subscription, Subs
     }
   }
 }
-void WaitSet::add_timer(TimerBase::SharedPtr timer) {add(timers_, timer, "timer");}
-void WaitSet::remove_timer(TimerBase::SharedPtr timer) {remove(timers_, timer, "timer");}
+void WaitSet::add_timer(TimerBase::SharedPtr timer)
+{
+  claim(timer, "timer");
+  add(timers_, timer, "timer");
+}
+void WaitSet::remove_timer(TimerBase::SharedPtr timer)
+{
+  remove(timers_, timer, "timer");
+  timer->exchange_in_use_by_wait_set_state(false);
+}
 void WaitSet::add_client(ClientBase::SharedPtr client) {add(clients_, client, "client");}
 void WaitSet::remove_client(ClientBase::SharedPtr client) {remove(clients_, client, "client");}
 void WaitSet::add_service(ServiceBase::SharedPtr service) {add(services_, service, "service");}
@@ -118,6 +135,9 @@ void WaitSet::add(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T
 template<class T>
 void WaitSet::remove(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what)
 {
+  if (!one) {
+    throw std::invalid_argument(std::string(what) + " is nullptr");
+  }
   std::lock_guard<std::mutex> hold(lock_);
   auto found = std::find(all.begin(), all.end(), one);
   if (found == all.end()) {

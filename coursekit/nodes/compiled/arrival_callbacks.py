@@ -64,11 +64,17 @@ class Listener:
         self.logger: str = node.get_logger().name
         self.handlers: dict[int, int] = {}
         """The program's callbacks: for arrivals, and for those within the program."""
+        self.untold: dict[int, int] = {}
+        """How many arrivals of a kind no callback has been told of."""
 
     def __call__(self, came: Any) -> None:
         kind = self.kind_of(came)
-        handler = None if kind is None else self.handlers.get(kind)
-        if handler is not None:
+        if kind is None:
+            return
+        handler = self.handlers.get(kind)
+        if handler is None:
+            self.untold[kind] = self.untold.get(kind, 0) + 1
+        else:
             self._host.news.tell(handler, 1, self.logger)
 
     def kind_of(self, came: Any) -> int | None:
@@ -98,12 +104,14 @@ def do_on_new(host: Host, _channel: Channel, frame: Unpacker) -> None:
     listener = source.listener
     if not isinstance(listener, Listener):
         listener = source.listener = Listener(host, node, entity)
+        listener.untold = {kind: _waiting(source, listener, kind) for kind in (_ITSELF, _IN_PROGRAM)}
     listened = kind if kind == _IN_PROGRAM else _ITSELF
     listener.handlers.pop(listened, None)
     if handler:
         listener.handlers[listened] = handler
-        if waiting := _waiting(source, listener, listened):
-            host.news.tell(handler, waiting, listener.logger)
+        untold = min(listener.untold.pop(listened, 0), _waiting(source, listener, listened))
+        if untold:
+            host.news.tell(handler, untold, listener.logger)
 
 
 def _source_of(thing: Any, kind: int) -> tuple[Any, Any, Source]:

@@ -13,7 +13,7 @@ _WORD = re.compile(
     re.VERBOSE,
 )
 _COMPARE: dict[str, Callable[[Any, Any], Any]] = {"=": eq, "<>": ne, "!=": ne, "<": lt, "<=": le, ">": gt, ">=": ge}
-_KEYWORDS = {"AND", "OR", "NOT", "BETWEEN", "LIKE", "TRUE", "FALSE"}
+_KEYWORDS = {"AND", "OR", "NOT", "BETWEEN", "LIKE", "MATCH", "TRUE", "FALSE"}
 _LIMIT = 100
 """The maximum number of parameters of one expression in DDS."""
 Test = Callable[[Any], bool]
@@ -103,6 +103,9 @@ class _Reader:
         if self._next_is("LIKE"):
             pattern = self._value()
             return lambda message: _like(left(message), pattern(message)) != denied
+        if self._next_is("MATCH"):
+            expression = self._value()
+            return lambda message: _match(left(message), expression(message)) != denied
         kind, word = self._take()
         if denied or kind != "sign" or word not in _COMPARE:
             raise FilterError(f"'{word}' is no comparison.")
@@ -170,3 +173,11 @@ def _like(text: str, pattern: str) -> bool:
     """Whether a text matches a pattern, in which % matches any characters and _ one character."""
     parts = [".*" if letter in "%*" else "." if letter in "_?" else re.escape(letter) for letter in pattern]
     return re.fullmatch("".join(parts), text, re.DOTALL) is not None
+
+
+def _match(text: str, expression: str) -> bool:
+    """Whether a regular expression describes the whole text; False where it is none."""
+    try:
+        return re.fullmatch(expression, text) is not None
+    except re.error:
+        return False

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import SetParametersResult
 from rclpy.duration import Duration
-from rclpy.qos import QoSPolicyKind, QoSProfile
+from rclpy.qos import QoSHistoryPolicy, QoSPolicyKind, QoSProfile
 from rclpy.qos_event import PublisherEventCallbacks, SubscriptionEventCallbacks
 from rclpy.qos_overriding_options import QoSOverridingOptions
 
@@ -33,6 +33,8 @@ def profile(frame: Unpacker, end: str = "") -> QoSProfile:
     history, depth, reliability, durability, deadline, lifespan, liveliness, lease = (frame.integer() for _ in range(8))
     if end and liveliness == _MANUAL_BY_NODE:
         raise RCLError(f"could not create {end}: create_{end}() failed setting topic QoS, at {_PLACES[end]}")
+    if history == QoSHistoryPolicy.KEEP_LAST and not depth:
+        history = QoSHistoryPolicy.SYSTEM_DEFAULT  # as rmw takes it; rclpy would warn of what C++ does not write
     return QoSProfile(
         history=history,
         depth=depth,

@@ -28,7 +28,7 @@ class Clock
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Clock)
   explicit Clock(rcl_clock_type_t type = RCL_SYSTEM_TIME, int64_t node = 0)
-  : type_(type), node_(node) {}
+  : node_(node) {handle_.type = type;}
   Time now() const;
   bool sleep_until(Time until, Context::SharedPtr context = contexts::get_global_default_context());
   bool sleep_for(Duration duration, Context::SharedPtr context = contexts::get_global_default_context());
@@ -44,16 +44,20 @@ public:
   JumpHandler::SharedPtr create_jump_callback(
     JumpHandler::pre_callback_t pre_callback, JumpHandler::post_callback_t post_callback,
     const rcl_jump_threshold_t & threshold);
-  rcl_clock_type_t get_clock_type() const noexcept {return type_;}
+  rcl_clock_type_t get_clock_type() const noexcept {return handle_.type;}
   /// The node whose time this is, by its number at the session; 0 for none.
   int64_t node() const {return node_;}
   void follow(int64_t node) {node_ = node;}
   /// To be held while a jump callback is made or ends, so that none runs meanwhile.
   std::mutex & get_clock_mutex() noexcept {return lock_;}
 
+  rcl_clock_t * get_clock_handle() noexcept {return &handle_;}
+
 private:
   bool simulated() const;
-  rcl_clock_type_t type_;
+  /// Sleep by the time that the program gives.
+  bool sleep_by_override(const Time & until, const Context::SharedPtr & context) const;
+  rcl_clock_t handle_;
   std::atomic<int64_t> node_;
   std::mutex lock_;
 };

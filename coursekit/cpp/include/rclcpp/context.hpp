@@ -9,6 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "rcl/init_options.h"
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/macros.hpp"
 #include "rcutils/allocator.h"
@@ -28,14 +29,26 @@ public:
   InitOptions() = default;
   explicit InitOptions(const rcl_allocator_t &) {}
   bool shutdown_on_signal = true;
-  InitOptions & auto_initialize_logging(bool) {return *this;}
-  bool auto_initialize_logging() const {return true;}
+  InitOptions & auto_initialize_logging(bool initialize)
+  {
+    auto_initialize_logging_ = initialize;
+    return *this;
+  }
+  bool auto_initialize_logging() const {return auto_initialize_logging_;}
   void set_domain_id(size_t id) {domain_id_ = static_cast<int64_t>(id);}
-  size_t get_domain_id() const {return domain_id_ < 0 ? 0 : static_cast<size_t>(domain_id_);}
+  /// The domain that was set; RCL_DEFAULT_DOMAIN_ID where none was.
+  size_t get_domain_id() const {return domain_id_ < 0 ? RCL_DEFAULT_DOMAIN_ID : static_cast<size_t>(domain_id_);}
   void use_default_domain_id() {domain_id_ = -1;}
+  const rcl_init_options_t * get_rcl_init_options() const
+  {
+    rcl_.impl = this;
+    return &rcl_;
+  }
 
 private:
   int64_t domain_id_ = -1;
+  bool auto_initialize_logging_ = true;
+  mutable rcl_init_options_t rcl_{nullptr};
   friend class Context;
 };
 
@@ -102,13 +115,20 @@ private:
 
 namespace contexts
 {
+class DefaultContext;
+/// The one that init() starts.
+std::shared_ptr<DefaultContext> get_global_default_context();
+/// Of its kind a program may make others, which have nothing in common with that one.
 class DefaultContext : public Context
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(DefaultContext)
-  DefaultContext()
-  : Context(0) {}
+  DefaultContext() = default;
+
+private:
+  friend SharedPtr get_global_default_context();
+  explicit DefaultContext(int64_t number)
+  : Context(number) {}
 };
-DefaultContext::SharedPtr get_global_default_context();
 }  // namespace contexts
 }  // namespace rclcpp

@@ -78,12 +78,15 @@ TimerBase::SharedPtr create_timer(
 {
   return create_timer(base, clock, period, std::forward<F>(callback), group);
 }
-template<class Rep, class Period, class F, class N>
+template<class Rep, class Period, class F>
 TimerBase::SharedPtr create_wall_timer(
-  std::chrono::duration<Rep, Period> period, F callback, CallbackGroup::SharedPtr group, N && node, ...)
+  std::chrono::duration<Rep, Period> period, F callback, CallbackGroup::SharedPtr group,
+  node_interfaces::NodeBaseInterface * node, node_interfaces::NodeTimersInterface * timers)
 {
-  auto nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(period);
-  return detail::timer(*base_of(node), nanoseconds, std::move(callback), group, nullptr);
+  if (!node || !timers) {
+    throw std::invalid_argument(node ? "input node_timers cannot be null" : "input node_base cannot be null");
+  }
+  return detail::timer(*node, detail::timer_period(period), std::move(callback), group, nullptr);
 }
 
 // -- services

@@ -12,6 +12,7 @@ namespace rclcpp
 {
 namespace detail
 {
+constexpr int64_t MOST_NANOSECONDS = std::numeric_limits<int64_t>::max();
 /// A sum; std::overflow_error or std::underflow_error where it does not fit, with what was done in the text.
 inline int64_t added(int64_t left, int64_t right, const char * what)
 {
@@ -24,16 +25,24 @@ inline int64_t added(int64_t left, int64_t right, const char * what)
   }
   throw std::underflow_error(std::string(what) + " to int64_t underflow");
 }
-inline int64_t subtracted(int64_t left, int64_t right)
+inline int64_t subtracted(int64_t left, int64_t right, const char * what = "time subtraction leads")
 {
   int64_t rest;
   if (!__builtin_sub_overflow(left, right, &rest)) {
     return rest;
   }
   if (right < 0) {
-    throw std::overflow_error("time subtraction leads to int64_t overflow");
+    throw std::overflow_error(std::string(what) + " to int64_t overflow");
   }
-  throw std::underflow_error("time subtraction leads to int64_t underflow");
+  throw std::underflow_error(std::string(what) + " to int64_t underflow");
+}
+/// A sum or difference of durations: the least number, which has no opposite, counts as too little.
+inline int64_t checked_duration(int64_t nanoseconds, const char * what)
+{
+  if (nanoseconds < -MOST_NANOSECONDS) {
+    throw std::underflow_error(std::string(what) + " to int64_t underflow");
+  }
+  return nanoseconds;
 }
 }  // namespace detail
 
@@ -62,13 +71,14 @@ public:
   }
   static Duration from_rmw_time(rmw_time_t time)
   {
-    constexpr int64_t most = std::numeric_limits<int64_t>::max();
-    if (time.sec > static_cast<uint64_t>(most / 1000000000)) {
-      return from_nanoseconds(most);
+    constexpr uint64_t most = detail::MOST_NANOSECONDS;
+    if (time.sec > most / 1000000000 || time.nsec > most - time.sec * 1000000000) {
+      return from_nanoseconds(detail::MOST_NANOSECONDS);
     }
     return from_nanoseconds(static_cast<int64_t>(time.sec * 1000000000 + time.nsec));
   }
-  static Duration max() {return from_nanoseconds(std::numeric_limits<int64_t>::max());}
+  /// The longest that a message can tell.
+  static Duration max() {return Duration(std::numeric_limits<int32_t>::max(), 999999999);}
 
   rcl_duration_value_t nanoseconds() const {return ns_;}
   double seconds() const {return ns_ / 1e9;}
@@ -81,17 +91,27 @@ public:
     }
     return {static_cast<uint64_t>(ns_ / 1000000000), static_cast<uint64_t>(ns_ % 1000000000)};
   }
+  /// Where it does not fit it becomes the longest or the most negative that a message can tell.
   operator builtin_interfaces::msg::Duration() const
   {
     builtin_interfaces::msg::Duration message;
+    if (ns_ / 1000000000 > std::numeric_limits<int32_t>::max()) {
+      message.sec = std::numeric_limits<int32_t>::max();
+      message.nanosec = std::numeric_limits<uint32_t>::max();
+      return message;
+    }
+    if (ns_ / 1000000000 <= std::numeric_limits<int32_t>::min()) {
+      message.sec = std::numeric_limits<int32_t>::min();
+      return message;
+    }
     int64_t rest = ns_ % 1000000000;
     message.sec = static_cast<int32_t>(ns_ / 1000000000 - (rest < 0));
     message.nanosec = static_cast<uint32_t>(rest < 0 ? rest + 1000000000 : rest);
     return message;
   }
 
-  Duration operator+(const Duration & other) const {return from_nanoseconds(detail::added(ns_, other.ns_, "addition leads"));}
-  Duration operator-(const Duration & other) const {return from_nanoseconds(detail::added(ns_, -other.ns_, "duration subtraction leads"));}
+  Duration operator+(const Duration & other) const {return sum(detail::added, other, "addition leads");}
+  Duration operator-(const Duration & other) const {return sum(detail::subtracted, other, "duration subtraction leads");}
   Duration operator*(double factor) const
   {
     if (!(factor > -1e300 && factor < 1e300)) {
@@ -118,6 +138,11 @@ public:
   bool operator>=(const Duration & other) const {return ns_ >= other.ns_;}
 
 private:
+  template<class F>
+  Duration sum(F f, const Duration & other, const char * what) const
+  {
+    return from_nanoseconds(detail::checked_duration(f(ns_, other.ns_, what), what));
+  }
   int64_t ns_ = 0;
 };
 }  // namespace rclcpp

@@ -101,15 +101,13 @@ public:
   TimerBase::SharedPtr create_wall_timer(
     std::chrono::duration<Rep, Period> period, F callback, CallbackGroup::SharedPtr group = nullptr)
   {
-    return detail::timer(
-      *base_, std::chrono::duration_cast<std::chrono::nanoseconds>(period), std::move(callback), group, nullptr);
+    return detail::timer(*base_, detail::timer_period(period), std::move(callback), group, nullptr);
   }
   template<class Rep, class Period, class F>
   TimerBase::SharedPtr create_timer(
     std::chrono::duration<Rep, Period> period, F callback, CallbackGroup::SharedPtr group = nullptr)
   {
-    return detail::timer(
-      *base_, std::chrono::duration_cast<std::chrono::nanoseconds>(period), std::move(callback), group, base_->clock);
+    return detail::timer(*base_, detail::timer_period(period), std::move(callback), group, base_->clock);
   }
 
   // -- services
@@ -325,11 +323,18 @@ protected:
   : NodeFace(other, sub_namespace) {}
 };
 
-/// The node, given as itself or as any kind of pointer to it.
+namespace detail
+{
+template<class N, class = void>
+struct HasBaseInterface : std::false_type {};
+template<class N>
+struct HasBaseInterface<N, std::void_t<decltype(std::declval<N &>().get_node_base_interface())>> : std::true_type {};
+}  // namespace detail
+/// The node, given as itself or as any kind of pointer to it; also a program's own class that has a node's interfaces.
 template<class N>
 auto & node_of(N && node)
 {
-  if constexpr (std::is_base_of_v<NodeFace, std::decay_t<N>>) {
+  if constexpr (detail::HasBaseInterface<std::decay_t<N>>::value) {
     return node;
   } else {
     return *node;

@@ -1,5 +1,6 @@
 // Options of nodes.
 #pragma once
+#include "rcl/node_options.h"
 #include "rclcpp/parameter.hpp"
 #include "rclcpp/publisher_options.hpp"
 #include "rclcpp/utilities.hpp"
@@ -11,7 +12,8 @@ class NodeOptions
 {
 public:
   NodeOptions() = default;
-  explicit NodeOptions(const rcl_allocator_t &) {}
+  NodeOptions(const rcl_allocator_t & allocator)  // NOLINT: implicit, as Humble's
+  : allocator_(allocator) {}
 #define COURSEKIT_OPTION(Type, name, default_value) \
   NodeOptions & name(const Type & value) {name ## _ = value; return *this;} \
   const Type & name() const {return name ## _;} \
@@ -46,9 +48,15 @@ public:
     context_ = context;
     return *this;
   }
+  const rcl_node_options_t * get_rcl_node_options() const
+  {
+    rcl_ = {allocator_, use_global_arguments_, enable_rosout_, rosout_qos_.get_rmw_qos_profile()};
+    return &rcl_;
+  }
   Context::SharedPtr context() const {return context_ ? context_ : contexts::get_global_default_context();}
 
 private:
+  mutable rcl_node_options_t rcl_{};
   Context::SharedPtr context_;
 };
 }  // namespace rclcpp

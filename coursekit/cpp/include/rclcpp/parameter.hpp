@@ -35,20 +35,31 @@ public:
   const std::string & get_name() const {return name_;}
   const ParameterValue & get_parameter_value() const {return value_;}
   rcl_interfaces::msg::ParameterValue get_value_message() const {return value_.to_value_msg();}
+  /// The value as a T, or the parameter or its value themselves; a wrong type throws InvalidParameterTypeException.
   template<class T>
-  decltype(auto) get_value() const {return checked([this]() -> decltype(auto) {return value_.get<T>();});}
+  decltype(auto) get_value() const
+  {
+    if constexpr (std::is_same_v<T, Parameter>) {
+      return static_cast<const Parameter &>(*this);
+    } else if constexpr (std::is_same_v<T, ParameterValue>) {
+      return get_parameter_value();
+    } else {
+      return checked([this]() -> decltype(auto) {return value_.get<T>();});
+    }
+  }
+  /// The same by the type's number; a wrong one throws ParameterTypeException, as with all below.
   template<ParameterType type>
-  decltype(auto) get_value() const {return checked([this]() -> decltype(auto) {return value_.get<type>();});}
+  decltype(auto) get_value() const {return value_.get<type>();}
 
-  bool as_bool() const {return get_value<bool>();}
-  int64_t as_int() const {return get_value<int64_t>();}
-  double as_double() const {return get_value<double>();}
-  const std::string & as_string() const {return get_value<std::string>();}
-  const std::vector<uint8_t> & as_byte_array() const {return get_value<std::vector<uint8_t>>();}
-  const std::vector<bool> & as_bool_array() const {return get_value<std::vector<bool>>();}
-  const std::vector<int64_t> & as_integer_array() const {return get_value<std::vector<int64_t>>();}
-  const std::vector<double> & as_double_array() const {return get_value<std::vector<double>>();}
-  const std::vector<std::string> & as_string_array() const {return get_value<std::vector<std::string>>();}
+  bool as_bool() const {return value_.get<bool>();}
+  int64_t as_int() const {return value_.get<int64_t>();}
+  double as_double() const {return value_.get<double>();}
+  const std::string & as_string() const {return value_.get<std::string>();}
+  const std::vector<uint8_t> & as_byte_array() const {return value_.get<std::vector<uint8_t>>();}
+  const std::vector<bool> & as_bool_array() const {return value_.get<std::vector<bool>>();}
+  const std::vector<int64_t> & as_integer_array() const {return value_.get<std::vector<int64_t>>();}
+  const std::vector<double> & as_double_array() const {return value_.get<std::vector<double>>();}
+  const std::vector<std::string> & as_string_array() const {return value_.get<std::vector<std::string>>();}
   std::string value_to_string() const {return to_string(value_);}
 
   static Parameter from_parameter_msg(const rcl_interfaces::msg::Parameter & message)

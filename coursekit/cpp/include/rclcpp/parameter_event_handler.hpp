@@ -32,7 +32,8 @@ public:
   explicit ParameterEventHandler(N && node, const QoS & qos = QoS(KeepAll()).reliable())
   : base_(base_of(node))
   {
-    subscription_ = node_of(node).template create_subscription<Event>("/parameter_events", qos, [this](const Event & e) {hear(e);});
+    subscription_ = node_of(node).template create_subscription<Event>(
+      "/parameter_events", qos, [this](const Event & event) {event_callback(event);});
   }
   /// Call back when that parameter changes, of this node where none is named; until the handle is gone.
   ParameterCallbackHandle::SharedPtr add_parameter_callback(
@@ -46,13 +47,16 @@ public:
   static Parameter get_parameter_from_event(const Event & event, const std::string & name, const std::string & node_name = "");
   static std::vector<Parameter> get_parameters_from_event(const Event & event);
 
+protected:
+  /// Call back those whom an event is about; the last that was added is called first.
+  void event_callback(const Event & event);
+  std::list<ParameterCallbackHandle::WeakPtr> parameter_callbacks_;
+  std::list<ParameterEventCallbackHandle::WeakPtr> event_callbacks_;
+
 private:
-  void hear(const Event & event);
   std::string full_name(const std::string & name) const;
 
   node_interfaces::NodeBaseInterface::SharedPtr base_;
   Subscription<Event>::SharedPtr subscription_;
-  std::list<std::weak_ptr<ParameterCallbackHandle>> of_parameters_;
-  std::list<std::weak_ptr<ParameterEventCallbackHandle>> of_events_;
 };
 }  // namespace rclcpp

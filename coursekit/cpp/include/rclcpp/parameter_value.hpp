@@ -49,7 +49,8 @@ COURSEKIT_PARAMETER_KIND(std::vector<double>, PARAMETER_DOUBLE_ARRAY, double_arr
 COURSEKIT_PARAMETER_KIND(std::vector<float>, PARAMETER_DOUBLE_ARRAY, double_array_value)
 COURSEKIT_PARAMETER_KIND(std::vector<std::string>, PARAMETER_STRING_ARRAY, string_array_value)
 template<class T>
-struct ParameterKind<T, std::enable_if_t<std::is_integral_v<T> && !std::is_same_v<T, bool>>>
+struct ParameterKind<T, std::enable_if_t<
+    (std::is_integral_v<T> && !std::is_same_v<T, bool>) || (std::is_enum_v<T> && std::is_convertible_v<T, int64_t>)>>
 {
   COURSEKIT_PARAMETER(PARAMETER_INTEGER, integer_value)
 };

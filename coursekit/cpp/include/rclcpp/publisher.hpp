@@ -4,6 +4,7 @@
 #include <chrono>
 #include <iterator>
 
+#include "rclcpp/allocator/allocator_common.hpp"
 #include "rclcpp/intra_process.hpp"
 #include "rclcpp/logging.hpp"
 #include "rclcpp/network_flow_endpoint.hpp"
@@ -85,8 +86,13 @@ public:
     RCLCPP_INFO_ONCE(
       get_logger("rclcpp"), "Currently used middleware can't loan messages. Local allocator will be used.");
   }
-  template<class P>
-  LoanedMessage(const P &, std::allocator<M>)
+  LoanedMessage(const PublisherBase &, std::allocator<M>)
+  : LoanedMessage() {}
+  template<class MessageAllocator>
+  LoanedMessage(const PublisherBase &, std::shared_ptr<MessageAllocator>)
+  : LoanedMessage() {}
+  template<class MessageAllocator>
+  LoanedMessage(const PublisherBase *, std::shared_ptr<MessageAllocator>)
   : LoanedMessage() {}
   bool is_valid() const {return message_ != nullptr;}
   M & get() const {return *message_;}
@@ -106,6 +112,7 @@ public:
   using ROSMessageType = MessageOf<T>;
   using MessageUniquePtr = std::unique_ptr<ROSMessageType>;
   using MessageSharedPtr = std::shared_ptr<const ROSMessageType>;
+  using ROSMessageTypeAllocator = typename allocator::AllocRebind<ROSMessageType, Allocator>::allocator_type;
   Publisher() = default;
   /// One that publishes as soon as a node takes it in, with NodeTopicsInterface::add_publisher().
   Publisher(
@@ -132,13 +139,23 @@ public:
   void publish(std::unique_ptr<M, Deleter> message) {publish(*message);}
   template<class M, class = std::enable_if_t<is_adapted<T> && std::is_same_v<M, ROSMessageType>>>
   void publish(const M & message) {send(coursekit::to_cdr(message));}
-  void publish(const SerializedMessage & message) {send(message.bytes());}
+  void publish(const SerializedMessage & message) {publish(message.get_rcl_serialized_message());}
   void publish(const rcl_serialized_message_t & message)
   {
+    if (intra_process) {
+      throw std::runtime_error("storing serialized messages in intra process is not supported yet");
+    }
     send(std::string(reinterpret_cast<const char *>(message.buffer), message.buffer_length));
   }
-  void publish(LoanedMessage<PublishedType> && message) {publish(message.release());}
+  void publish(LoanedMessage<PublishedType> && message)
+  {
+    if (!message.is_valid()) {
+      throw std::runtime_error("loaned message is not valid");
+    }
+    publish(message.release());
+  }
   LoanedMessage<PublishedType> borrow_loaned_message() {return {};}
+  std::shared_ptr<ROSMessageTypeAllocator> get_allocator() const {return std::make_shared<ROSMessageTypeAllocator>();}
   size_t get_intra_process_subscription_count() const override
   {
     return intra_process ? rclcpp::intra_process::inboxes(name, typeid(PublishedType)).size() : 0;

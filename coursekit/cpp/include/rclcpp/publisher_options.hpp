@@ -26,6 +26,7 @@ struct PublisherOptionsWithAllocator : PublisherOptionsBase
   PublisherOptionsWithAllocator() = default;
   PublisherOptionsWithAllocator(const PublisherOptionsBase & base)  // NOLINT
   : PublisherOptionsBase(base) {}
+  std::shared_ptr<Allocator> get_allocator() const {return allocator ? allocator : std::make_shared<Allocator>();}
   std::shared_ptr<Allocator> allocator;
 };
 using PublisherOptions = PublisherOptionsWithAllocator<>;
@@ -61,6 +62,7 @@ struct SubscriptionOptionsWithAllocator : SubscriptionOptionsBase
   SubscriptionOptionsWithAllocator() = default;
   SubscriptionOptionsWithAllocator(const SubscriptionOptionsBase & base)  // NOLINT
   : SubscriptionOptionsBase(base) {}
+  std::shared_ptr<Allocator> get_allocator() const {return allocator ? allocator : std::make_shared<Allocator>();}
   std::shared_ptr<Allocator> allocator;
 };
 using SubscriptionOptions = SubscriptionOptionsWithAllocator<>;

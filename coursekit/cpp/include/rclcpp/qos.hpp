@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "coursekit/frame.hpp"
+#include "rcl/logging_rosout.h"
 #include "rclcpp/duration.hpp"
 #include "rmw/qos_string_conversions.h"
 #include "rmw/types.h"
@@ -26,7 +27,14 @@ struct QoSInitialization
   size_t depth;
   QoSInitialization(rmw_qos_history_policy_t history, size_t depth_)
   : history_policy(history), depth(depth_) {}
-  static QoSInitialization from_rmw(const rmw_qos_profile_t & profile) {return {profile.history, profile.depth};}
+  /// Anything but all messages is a number of the last ones.
+  static QoSInitialization from_rmw(const rmw_qos_profile_t & profile)
+  {
+    if (profile.history == RMW_QOS_POLICY_HISTORY_KEEP_ALL) {
+      return {RMW_QOS_POLICY_HISTORY_KEEP_ALL, 0};
+    }
+    return {RMW_QOS_POLICY_HISTORY_KEEP_LAST, profile.depth};
+  }
 };
 struct KeepAll : QoSInitialization
 {
@@ -117,7 +125,8 @@ inline bool operator==(const QoS & left, const QoS & right)
   auto & b = right.get_rmw_qos_profile();
   return a.history == b.history && a.depth == b.depth && a.reliability == b.reliability &&
          a.durability == b.durability && a.deadline == b.deadline && a.lifespan == b.lifespan &&
-         a.liveliness == b.liveliness && a.liveliness_lease_duration == b.liveliness_lease_duration;
+         a.liveliness == b.liveliness && a.liveliness_lease_duration == b.liveliness_lease_duration &&
+         a.avoid_ros_namespace_conventions == b.avoid_ros_namespace_conventions;
 }
 inline bool operator!=(const QoS & left, const QoS & right) {return !(left == right);}
 

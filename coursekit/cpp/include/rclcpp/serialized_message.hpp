@@ -13,43 +13,78 @@ public:
   RCLCPP_SMART_PTR_DEFINITIONS(SerializedMessage)
   explicit SerializedMessage(size_t capacity = 0) {reserve(capacity);}
   explicit SerializedMessage(std::string bytes)
-  : bytes_(std::move(bytes)) {look();}
+  : bytes_(std::move(bytes)) {look(bytes_.size());}
   explicit SerializedMessage(const rcl_serialized_message_t & other)
-  : SerializedMessage(std::string(reinterpret_cast<const char *>(other.buffer), other.buffer_length)) {}
+  : SerializedMessage(other.buffer_capacity)
+  {
+    if (other.buffer_length) {
+      memcpy(view_.buffer, other.buffer, other.buffer_length);
+    }
+    view_.buffer_length = other.buffer_length;
+  }
+  /// Take a message of C's over: it is empty afterwards.
+  explicit SerializedMessage(rcl_serialized_message_t && other)
+  : SerializedMessage(static_cast<const rcl_serialized_message_t &>(other))
+  {
+    (void)rmw_serialized_message_fini(&other);
+    other = rmw_get_zero_initialized_serialized_message();
+  }
   SerializedMessage(const SerializedMessage & other)
-  : bytes_(other.bytes()) {look();}
+  : bytes_(other.bytes_) {look(other.size());}
+  SerializedMessage(SerializedMessage && other) noexcept {take(other);}
   SerializedMessage & operator=(const SerializedMessage & other)
   {
-    bytes_ = other.bytes();
-    look();
+    bytes_ = other.bytes_;
+    look(other.size());
     return *this;
   }
+  SerializedMessage & operator=(SerializedMessage && other) noexcept
+  {
+    take(other);
+    return *this;
+  }
+  SerializedMessage & operator=(const rcl_serialized_message_t & other) {return *this = SerializedMessage(other);}
+  SerializedMessage & operator=(rcl_serialized_message_t && other) {return *this = SerializedMessage(std::move(other));}
   rcl_serialized_message_t & get_rcl_serialized_message() {return view_;}
   const rcl_serialized_message_t & get_rcl_serialized_message() const {return view_;}
   /// Hand the bytes over: whoever gets them ends them.
   rcl_serialized_message_t release_rcl_serialized_message()
   {
-    rcl_serialized_message_t given{static_cast<uint8_t *>(malloc(size() ? size() : 1)), size(), size(),
-      rcutils_get_default_allocator()};
-    memcpy(given.buffer, view_.buffer, size());
+    const rcutils_allocator_t allocator = rcutils_get_default_allocator();
+    rcl_serialized_message_t given{static_cast<uint8_t *>(malloc(capacity() ? capacity() : 1)), size(), capacity(), allocator};
+    memcpy(given.buffer, bytes_.data(), capacity());
     bytes_.clear();
-    look();
+    look(0);
     return given;
   }
   size_t size() const {return view_.buffer_length;}
   size_t capacity() const {return view_.buffer_capacity;}
   void reserve(size_t capacity)
   {
-    size_t length = view_.buffer_length;
     bytes_.resize(std::max(capacity, bytes_.size()));
-    look();
-    view_.buffer_length = length;
+    look(size());
   }
   /// The bytes as they are now, also where a program wrote into the buffer.
-  std::string bytes() const {return std::string(reinterpret_cast<const char *>(view_.buffer), view_.buffer_length);}
+  std::string bytes() const
+  {
+    return view_.buffer ? std::string(reinterpret_cast<const char *>(view_.buffer), view_.buffer_length) : std::string();
+  }
 
 private:
-  void look() {view_ = {reinterpret_cast<uint8_t *>(bytes_.data()), bytes_.size(), bytes_.size(), allocator()};}
+  /// Show C's functions the bytes, of which so many are the message's.
+  void look(size_t length)
+  {
+    auto buffer = bytes_.empty() ? nullptr : reinterpret_cast<uint8_t *>(bytes_.data());
+    view_ = {buffer, length, bytes_.size(), allocator()};
+  }
+  void take(SerializedMessage & other)
+  {
+    const size_t length = other.size();
+    bytes_ = std::move(other.bytes_);
+    other.bytes_.clear();
+    other.look(0);
+    look(length);
+  }
   /// C's functions let the bytes grow where they are.
   rcutils_allocator_t allocator()
   {

@@ -70,6 +70,8 @@ public:
   }
   /// Run the callback with a message that was taken.
   virtual void handle_message(std::shared_ptr<void> & message, const MessageInfo & info) = 0;
+  /// The same with a message that a middleware lends: it stays as it is, and the callback gets a copy.
+  virtual void handle_loaned_message(void * message, const MessageInfo & info) = 0;
   virtual std::shared_ptr<void> create_message() = 0;
   virtual void return_message(std::shared_ptr<void> & message) {message.reset();}
   virtual std::shared_ptr<SerializedMessage> create_serialized_message() {return std::make_shared<SerializedMessage>();}
@@ -163,8 +165,14 @@ public:
   }
   void handle_message(std::shared_ptr<void> & message, const MessageInfo & info) override
   {
-    dispatch(coursekit::to_cdr(*std::static_pointer_cast<ROSMessageType>(message)), info);
+    handle_loaned_message(message.get(), info);
   }
+  void handle_loaned_message(void * message, const MessageInfo & info) override
+  {
+    dispatch(coursekit::to_cdr(*static_cast<ROSMessageType *>(message)), info);
+  }
+  /// Whether the callback may share a message with others.
+  bool use_take_shared_method() const {return !owns;}
   /// Have messages lent by a strategy of the program's.
   void take_messages_from(typename MessageMemoryStrategyType::SharedPtr strategy) {strategy_ = std::move(strategy);}
   void take_messages_from() {}
@@ -234,6 +242,10 @@ public:
   void handle_message(std::shared_ptr<void> & message, const MessageInfo & info) override
   {
     dispatch(std::static_pointer_cast<SerializedMessage>(message)->bytes(), info);
+  }
+  void handle_loaned_message(void *, const MessageInfo &) override
+  {
+    throw std::runtime_error("handle_loaned_message is not implemented for GenericSubscription");
   }
 
 private:

@@ -59,6 +59,12 @@ public:
     Clock::SharedPtr by, std::chrono::nanoseconds every, F && then,
     Context::SharedPtr = contexts::get_global_default_context())
   {
+    if (every.count() < 0) {
+      throw exceptions::RCLInvalidArgument("Couldn't initialize rcl timer handle: timer period must be non-negative");
+    }
+    if (by && by->get_clock_type() == RCL_CLOCK_UNINITIALIZED) {
+      throw exceptions::RCLError("Couldn't initialize rcl timer handle: clock is not initialized");
+    }
     clock = std::move(by);
     period = every;
     call_back<F>(std::move(then));
@@ -72,6 +78,22 @@ public:
   WallTimer(std::chrono::nanoseconds every, F && then, Context::SharedPtr = contexts::get_global_default_context())
   : GenericTimer<F>(nullptr, every, std::move(then)) {}
 };
+namespace detail
+{
+/// A timer's period; throws std::invalid_argument where it is negative or longer than nanoseconds can tell.
+template<class Rep, class Period>
+std::chrono::nanoseconds timer_period(std::chrono::duration<Rep, Period> period)
+{
+  using Span = std::chrono::duration<Rep, Period>;
+  if (period < Span::zero()) {
+    throw std::invalid_argument("timer period cannot be negative");
+  }
+  if (std::chrono::duration<double, std::nano>(period) > std::chrono::nanoseconds::max() - Span(1)) {
+    throw std::invalid_argument("timer period must be less than std::chrono::nanoseconds::max()");
+  }
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(period);
+}
+}  // namespace detail
 using VoidCallbackType = std::function<void ()>;
 using TimerCallbackType = std::function<void (TimerBase &)>;
 }  // namespace rclcpp

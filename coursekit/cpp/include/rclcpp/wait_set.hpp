@@ -71,7 +71,8 @@ public:
   using Services = std::vector<ServiceBase::SharedPtr>;
   explicit WaitSet(
     const Subscriptions & subscriptions = {}, const Guards & guards = {}, const Timers & timers = {},
-    const Clients & clients = {}, const Services & services = {}, const std::vector<WaitableEntry> & waitables = {});
+    const Clients & clients = {}, const Services & services = {}, const std::vector<WaitableEntry> & waitables = {},
+    Context::SharedPtr context = contexts::get_global_default_context());
   ~WaitSet();
   WaitSet(const WaitSet &) = delete;
 
@@ -135,8 +136,9 @@ public:
   RCLCPP_SMART_PTR_DEFINITIONS(ThreadSafeWaitSet)
   explicit ThreadSafeWaitSet(
     const Subscriptions & subscriptions = {}, const Guards & guards = {}, const Timers & timers = {},
-    const Clients & clients = {}, const Services & services = {}, const std::vector<WaitableEntry> & waitables = {})
-  : WaitSet(subscriptions, guards, timers, clients, services, waitables)
+    const Clients & clients = {}, const Services & services = {}, const std::vector<WaitableEntry> & waitables = {},
+    Context::SharedPtr context = contexts::get_global_default_context())
+  : WaitSet(subscriptions, guards, timers, clients, services, waitables, std::move(context))
   {
     allow_changes();
   }
@@ -154,10 +156,12 @@ public:
     const std::array<TimerBase::SharedPtr, NTimers> & timers = {},
     const std::array<ClientBase::SharedPtr, NClients> & clients = {},
     const std::array<ServiceBase::SharedPtr, NServices> & services = {},
-    const std::array<WaitableEntry, NWaitables> & waitables = {})
+    const std::array<WaitableEntry, NWaitables> & waitables = {},
+    Context::SharedPtr context = contexts::get_global_default_context())
   : WaitSet(
       {subscriptions.begin(), subscriptions.end()}, {guards.begin(), guards.end()}, {timers.begin(), timers.end()},
-      {clients.begin(), clients.end()}, {services.begin(), services.end()}, {waitables.begin(), waitables.end()}) {}
+      {clients.begin(), clients.end()}, {services.begin(), services.end()}, {waitables.begin(), waitables.end()},
+      std::move(context)) {}
 
   // Nothing comes to it, and nothing leaves it: a program that tries does not compile, here as on a robot.
   template<class ... T> void add_subscription(T && ...) = delete;

@@ -17,7 +17,12 @@ public:
   using typename Base::PublishedType;
 
   template<class Deleter>
-  void publish(std::unique_ptr<PublishedType, Deleter> message) {publish(*message);}
+  void publish(std::unique_ptr<PublishedType, Deleter> message)
+  {
+    if (may_speak()) {
+      Base::publish(std::move(message));
+    }
+  }
   void publish(const PublishedType & message)
   {
     if (may_speak()) {

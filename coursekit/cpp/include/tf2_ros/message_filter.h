@@ -10,7 +10,7 @@ namespace tf2_ros
 {
 namespace filter_failure_reasons
 {
-enum FilterFailureReason {Unknown, OutTheBack, EmptyFrameID, NoTransformFound, QueueFull};
+enum FilterFailureReason {Unknown, OutTheBack, EmptyFrameID, NoTransformFound, QueueFull, FilterFailureReasonCount};
 }  // namespace filter_failure_reasons
 using FilterFailureReason = filter_failure_reasons::FilterFailureReason;
 
@@ -25,8 +25,10 @@ inline std::string get_filter_failure_reason_string(FilterFailureReason reason)
       return "did not find a valid transform, this usually happens at startup ...";
     case filter_failure_reasons::QueueFull:
       return "discarding message because the queue is full";
-    default:
+    case filter_failure_reasons::Unknown:
       return "Unknown";
+    default:
+      return "Invalid Failure Reason";
   }
 }
 

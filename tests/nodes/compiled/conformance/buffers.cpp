@@ -64,6 +64,7 @@ int main(int argc, char ** argv)
   tf2::toMsg(place, point);
   check("a point with its frame", point.header.frame_id == "base" && near(point.point.z, 3));
 
+  throws<std::invalid_argument>("a buffer needs a clock", [] {tf2_ros::Buffer(nullptr);});
   tf2_ros::Buffer buffer(node->get_clock());
   buffer.setTransform(transform, "test", true);
   tf2::BufferCore & base = buffer;

@@ -60,6 +60,19 @@ int main(int argc, char ** argv)
   check("callbacks in order", order == std::vector<std::string>({"before", "after"}));
   check("not ok after it", !rclcpp::ok());
 
+  auto like_it = std::make_shared<rclcpp::contexts::DefaultContext>();
+  like_it->init(0, nullptr);
+  check("another of the default's kind is its own", rclcpp::ok(like_it) && !rclcpp::ok());
+  rclcpp::shutdown(like_it);
+  rclcpp::InitOptions fresh;
+  equal("no domain is set", fresh.get_domain_id(), static_cast<size_t>(RCL_DEFAULT_DOMAIN_ID));
+  fresh.set_domain_id(7);
+  equal("one is", fresh.get_domain_id(), 7u);
+  check("logging begins with it", fresh.auto_initialize_logging());
+  check("or not", !fresh.auto_initialize_logging(false).auto_initialize_logging());
+  const rclcpp::InitOptions copied = options;
+  check("C's functions see each", copied.get_rcl_init_options()->impl != fresh.get_rcl_init_options()->impl);
+
   char name[] = "program", ros[] = "--ros-args", r[] = "-r", rule[] = "a:=b", end[] = "--", mine[] = "mine";
   char * words[] = {name, ros, r, rule, end, mine, nullptr};
   auto rest = rclcpp::init_and_remove_ros_arguments(6, words);

@@ -211,6 +211,14 @@ int main(int argc, char ** argv)
   auto own = apart->create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive, false);
   check("a group may stay apart", !own->automatically_add_to_executor_with_node());
   int with_node = 0, with_group = 0;
+  auto both = apart->create_callback_group(rclcpp::CallbackGroupType::MutuallyExclusive);
+  rclcpp::executors::SingleThreadedExecutor with_one, with_all;
+  with_one.add_callback_group(both, apart->get_node_base_interface());
+  with_all.add_node(apart);
+  equal("a group that an executor has does not come with its node",
+    with_all.get_automatically_added_callback_groups_from_nodes().size(), 1u);
+  with_all.remove_node(apart);
+  with_one.remove_callback_group(both);
   auto usual = apart->create_wall_timer(10ms, [&] {++with_node;});
   auto special = apart->create_wall_timer(10ms, [&] {++with_group;}, own);
   check("the node's executor leaves it alone", spin_until(apart, [&] {return with_node > 3;}) && with_group == 0);

@@ -49,5 +49,6 @@ int main(int argc, char ** argv)
   node->wait_for_graph_change(event, 1s);
   equal("its end changes it too", event->check_and_clear(), true);
   equal("and it is gone", node->count_publishers("/news"), 0u);
+  throws<rclcpp::exceptions::InvalidTopicNameError>("who publishes on no topic", [&] {node->get_publishers_info_by_topic("13");});
   rclcpp::shutdown();
 }

@@ -11,6 +11,8 @@ int main(int argc, char ** argv)
   logger.set_level(rclcpp::Logger::Level::Debug);
   check("a level is set", logger.get_effective_level() == rclcpp::Logger::Level::Debug);
   check("children have it", logger.get_child("arm").get_effective_level() == rclcpp::Logger::Level::Debug);
+  throws<rclcpp::exceptions::RCLInvalidArgument>(
+    "no level has that number", [&] {logger.set_level(static_cast<rclcpp::Logger::Level>(99));});
   int level = 0;
   equal("a level by its name", rcutils_logging_severity_level_from_string("warn", rcl_get_default_allocator(), &level), RCUTILS_RET_OK);
   equal("it is", level, static_cast<int>(RCUTILS_LOG_SEVERITY_WARN));

@@ -5,6 +5,14 @@
 using std_msgs::msg::String;
 using std_srvs::srv::Trigger;
 
+/// A class that has some of a node's interfaces, and is none.
+struct Half
+{
+  rclcpp::node_interfaces::NodeBaseInterface::SharedPtr get_node_base_interface() {return node->get_node_base_interface();}
+  rclcpp::node_interfaces::NodeTimersInterface::SharedPtr get_node_timers_interface() {return node->get_node_timers_interface();}
+  rclcpp::Node::SharedPtr node;
+};
+
 int main(int argc, char ** argv)
 {
   rclcpp::init(argc, argv);
@@ -46,6 +54,16 @@ int main(int argc, char ** argv)
   equal("overrides are declared by themselves", rclcpp::Node("auto", automatic).get_parameter("given").as_int(), 7);
   equal("undeclared parameters are allowed where asked for",
     rclcpp::Node("free", rclcpp::NodeOptions().allow_undeclared_parameters(true)).set_parameter({"new", 1}).successful, true);
+  Half half{node};
+  auto of_half = rclcpp::create_timer(half, node->get_clock(), rclcpp::Duration(1h), [] {});
+  equal("what has a node's interfaces will do", rclcpp::node_interfaces::get_node_base_interface(half), node->get_node_base_interface());
+  auto * handle = node->get_node_base_interface()->get_rcl_node_handle();
+  equal("a logger of C's node", std::string(rclcpp::get_node_logger(handle).get_name()), node->get_logger().get_name());
+  equal("of none", std::string(rclcpp::get_node_logger(nullptr).get_name()), "rclcpp");
+  rclcpp::NodeOptions plain = rcl_get_default_allocator();
+  plain.use_global_arguments(false).enable_rosout(false);
+  const rcl_node_options_t * seen = plain.get_rcl_node_options();
+  check("C's functions see its options", !seen->use_global_arguments && !seen->enable_rosout);
 
   auto sub_node = node->create_sub_node("arm");
   equal("sub-node's sub-namespace", sub_node->get_sub_namespace(), "arm");
@@ -56,6 +74,7 @@ int main(int argc, char ** argv)
   equal("sub-node of a sub-node", sub_node->create_sub_node("hand")->get_effective_namespace(), "/lab/arm/hand");
   equal("sub-node is the same node", std::string(sub_node->get_fully_qualified_name()), "/lab/probe");
   throws<rclcpp::exceptions::NameValidationError>("empty sub-namespace", [&] {node->create_sub_node("");});
+  throws<rclcpp::exceptions::InvalidNamespaceError>("no sub-namespace", [&] {node->create_sub_node("no arm?");});
   throws<rclcpp::exceptions::NameValidationError>("absolute sub-namespace", [&] {node->create_sub_node("/arm");});
   equal("private name", std::string(node->create_publisher<String>("~/state", 1)->get_topic_name()), "/lab/probe/state");
 

@@ -58,7 +58,17 @@ int main(int argc, char ** argv)
   equal("without a type", static_cast<int>(below.at("width").get_type()), static_cast<int>(rclcpp::PARAMETER_NOT_SET));
   equal("words of what has no value", said([&] {node->get_parameter("later");}), "parameter 'later' is not initialized");
   throws<errors::InvalidParametersException>("no name", [&] {node->declare_parameter("", 1);});
-  throws<errors::InvalidParameterTypeException>("another type", [&] {node->get_parameter("count").as_string();});
+  throws<errors::InvalidParameterTypeException>("another type", [&] {node->get_parameter("count").get_value<std::string>();});
+  throws<rclcpp::ParameterTypeException>("another type by its name", [&] {node->get_parameter("count").as_string();});
+  throws<rclcpp::ParameterTypeException>(
+    "another type by its number", [&] {node->get_parameter("count").get_value<rclcpp::PARAMETER_STRING>();});
+  rclcpp::ParameterValue whole;
+  check("the value itself", node->get_parameter("count", whole) && whole == node->get_parameter("count").get_parameter_value());
+  equal("a parameter as itself", node->get_parameter("count").get_value<rclcpp::Parameter>().get_name(), "count");
+  std::map<std::string, rclcpp::Parameter> named;
+  check("parameters by the rest of their names", node->get_parameters("", named) && named.at("count").get_name() == "count");
+  enum Level {LOW, HIGH};
+  equal("an enumerator is a number", rclcpp::Parameter("level", HIGH).as_int(), 1);
   throws<errors::ParameterNotDeclaredException>("set what is not declared", [&] {node->set_parameter({"nothing", 1});});
   equal("words for it", said([&] {node->set_parameter({"nothing", 1});}),
     "parameter 'nothing' cannot be set because it was not declared");
@@ -94,6 +104,20 @@ int main(int argc, char ** argv)
   node->declare_parameter("dynamic", rclcpp::ParameterValue(1), dynamic);
   check("dynamic typing", node->set_parameter({"dynamic", "text"}).successful);
   equal("described", node->describe_parameter("ranged").integer_range.at(0).to_value, 10);
+  throws<errors::InvalidParameterTypeException>("one of a fixed type stays", [&] {node->undeclare_parameter("count");});
+  throws<errors::InvalidParameterTypeException>(
+    "neither type nor value", [&] {node->declare_parameter("none", rclcpp::ParameterValue());});
+  throws<std::invalid_argument>("no type", [&] {node->declare_parameter("none", rclcpp::PARAMETER_NOT_SET);});
+  ParameterDescriptor any_type;
+  any_type.dynamic_typing = true;
+  throws<std::invalid_argument>("one type and any", [&] {node->declare_parameter("none", rclcpp::PARAMETER_BOOL, any_type);});
+  node->declare_parameter("unset", rclcpp::ParameterValue(), any_type);
+  check("unset stays declared", node->set_parameter(rclcpp::Parameter("unset")).successful && node->has_parameter("unset"));
+  throws<errors::ParameterNotDeclaredException>(
+    "the type of what is not declared", [&] {node->get_parameter_types({"count", "nowhere"});});
+  auto tolerant = rclcpp::Node::make_shared("tolerant", rclcpp::NodeOptions().allow_undeclared_parameters(true));
+  equal("it has none where that is allowed", tolerant->get_parameter_types({"none"}).at(0), rclcpp::PARAMETER_NOT_SET);
+  equal("and a name", tolerant->describe_parameter("none").name, "none");
   throws<errors::ParameterImmutableException>("a read-only one stays", [&] {node->undeclare_parameter("fixed");});
   node->undeclare_parameter("dynamic");
   check("undeclared", !node->has_parameter("dynamic"));
@@ -157,8 +181,30 @@ int main(int argc, char ** argv)
   equal("a handler hears of a change", changed, 12);
   equal("a parameter as JSON", std::to_string(rclcpp::Parameter("a", 1)), "{\"name\": \"a\", \"type\": \"integer\", \"value\": \"1\"}");
   auto news = std::make_shared<rcl_interfaces::msg::ParameterEvent>();
+  news->node = "/told";
   news->new_parameters = {rclcpp::Parameter("a", 1).to_parameter_msg(), rclcpp::Parameter("b", 2).to_parameter_msg()};
   news->deleted_parameters = {rclcpp::Parameter("a", 3).to_parameter_msg()};
+  using Handler = rclcpp::ParameterEventHandler;
+  equal("a parameter of an event", Handler::get_parameter_from_event(*news, "b", "/told").as_int(), 2);
+  equal("one that it does not have", Handler::get_parameter_from_event(*news, "c", "/told").get_name(), "c");
+  throws<std::runtime_error>("an event of another node", [&] {Handler::get_parameter_from_event(*news, "b", "/other");});
+  rclcpp::Parameter taken;
+  check("a node must be named", !Handler::get_parameter_from_event(*news, taken, "b"));
+  struct Inside : Handler
+  {
+    using Handler::Handler;
+    using Handler::event_callback;
+    size_t all() const {return parameter_callbacks_.size() + event_callbacks_.size();}
+  } inside(asker);
+  {
+    auto one = inside.add_parameter_callback("b", [&](const rclcpp::Parameter & p) {taken = p;}, "/told");
+    auto any = inside.add_parameter_event_callback([](const rcl_interfaces::msg::ParameterEvent &) {});
+    inside.event_callback(*news);
+    check("a class of its own sees a handler's inside", taken.as_int() == 2 && inside.all() == 2);
+    inside.remove_parameter_callback(one);
+    inside.remove_parameter_event_callback(any);
+    equal("nothing is left in it", inside.all(), 0u);
+  }
   using Filter = rclcpp::ParameterEventsFilter;
   Filter about_a(news, {"a"}, {Filter::EventType::NEW, Filter::EventType::CHANGED});
   equal("events about a name", about_a.get_events().size(), 1u);

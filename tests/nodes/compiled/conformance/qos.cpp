@@ -82,6 +82,14 @@ int main(int argc, char ** argv)
       "at ./src/rcl/publisher.c:116");
   }
 
+  equal("the system's is a number of messages, too", static_cast<int>(rclcpp::SystemDefaultsQoS().history()),
+    static_cast<int>(rclcpp::HistoryPolicy::KeepLast));
+  equal("words for a depth", rclcpp::qos_policy_name_from_kind(RMW_QOS_POLICY_DEPTH), "DEPTH_QOS_POLICY");
+  rclcpp::QoS bare(10);
+  check("names as they are make another profile", bare.avoid_ros_namespace_conventions(true) != rclcpp::QoS(10));
+  check("that of /rosout", rclcpp::RosoutQoS() == rclcpp::QoS(
+      rclcpp::QoSInitialization::from_rmw(rcl_qos_profile_rosout_default), rcl_qos_profile_rosout_default));
+
   // overridden by parameters
   rclcpp::NodeOptions overriding;
   overriding.parameter_overrides({{"qos_overrides./told.publisher.depth", 42}});

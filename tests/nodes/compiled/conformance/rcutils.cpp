@@ -55,6 +55,8 @@ static void allocators()
   for (char * one : {text, made, other, path}) {
     own.deallocate(one, own.state);
   }
+  auto nothing = rcutils_get_zero_initialized_uint8_array();
+  equal("what was never begun is not ended", rcutils_uint8_array_fini(&nothing), RCUTILS_RET_INVALID_ARGUMENT);
   auto parts = rcutils_get_zero_initialized_string_array();
   (void)rcutils_split("a/b/c", '/', own, &parts);
   auto bytes = rcutils_get_zero_initialized_uint8_array();

@@ -2,6 +2,7 @@
 
 #include "check.hpp"
 #include "nav_msgs/msg/odometry.hpp"
+#include "rcpputils/asserts.hpp"
 #include "std_msgs/msg/string.hpp"
 
 using std_msgs::msg::String;
@@ -61,6 +62,28 @@ int main(int argc, char ** argv)
     }());
 
   // adapted types
+  // bytes change hands
+  rclcpp::SerializedMessage hello(13);
+  memcpy(hello.get_rcl_serialized_message().buffer, "Hello World", 12);
+  hello.get_rcl_serialized_message().buffer_length = 12;
+  rclcpp::SerializedMessage twin(hello);
+  check("a copy has as much room", twin.capacity() == 13 && twin.size() == 12);
+  rclcpp::SerializedMessage moved(std::move(hello));
+  check("what is moved away is empty", hello.size() == 0 && hello.capacity() == 0 && !hello.get_rcl_serialized_message().buffer);
+  check("and is elsewhere", moved.capacity() == 13 && std::string(moved.bytes().data()) == "Hello World");
+  rcl_serialized_message_t handed = moved.release_rcl_serialized_message();
+  check("released with its room", handed.buffer_capacity == 13 && handed.buffer_length == 12 && moved.capacity() == 0);
+  twin = handed;
+  moved = std::move(handed);
+  check("C's are copied and moved", twin.capacity() == 13 && moved.size() == 12 && !handed.buffer);
+  twin = std::move(moved);
+  check("by assignment", twin.size() == 12 && moved.capacity() == 0);
+  throws<std::length_error>("no room", [] {rclcpp::SerializedMessage(static_cast<size_t>(-1));});
+  rclcpp::Serialization<String> strings;
+  String filled;
+  throws<rcpputils::IllegalStateException>("bytes of nothing", [&] {strings.deserialize_message(&moved, &filled);});
+  throws<rcpputils::IllegalStateException>("bytes to nowhere", [&] {strings.serialize_message(&filled, nullptr);});
+
   auto node = rclcpp::Node::make_shared("adapted");
   using Adapted = rclcpp::TypeAdapter<Word, String>;
   check("an adapter in words", std::is_same_v<rclcpp::adapt_type<Word>::as<String>, Adapted>);

@@ -36,6 +36,20 @@ int main(int argc, char ** argv)
   check("a timer of the node's clock", spin_until(node, [&] {return ros == 2;}));
   check("is not steady", !of_clock->is_steady());
   of_clock.reset();
+  auto base = node->get_node_base_interface();
+  auto timers = node->get_node_timers_interface();
+  auto wall = [&](auto period, auto * of, auto * by) {return rclcpp::create_wall_timer(period, [] {}, nullptr, of, by);};
+  decltype(base.get()) none = nullptr;
+  throws<std::invalid_argument>("a timer without a node", [&] {wall(1ms, none, timers.get());});
+  throws<std::invalid_argument>("or without who has it", [&] {wall(1ms, base.get(), none);});
+  throws<std::invalid_argument>("before now", [&] {wall(-1ms, base.get(), timers.get());});
+  throws<std::invalid_argument>("longer than time is", [&] {wall(std::chrono::hours::max(), base.get(), timers.get());});
+  throws<std::invalid_argument>("nor of a node", [&] {node->create_wall_timer(std::chrono::hours::max(), [] {});});
+  using Timer = rclcpp::GenericTimer<void (*)()>;
+  auto steady = std::make_shared<rclcpp::Clock>(RCL_STEADY_TIME);
+  throws<rclcpp::exceptions::RCLInvalidArgument>("one by hand before now", [&] {Timer(steady, -1ms, [] {});});
+  throws<rclcpp::exceptions::RCLError>(
+    "or by no clock", [] {Timer(std::make_shared<rclcpp::Clock>(RCL_CLOCK_UNINITIALIZED), 1ms, [] {});});
   int late = 0;
   auto slow = node->create_wall_timer(20ms, [&] {++late;});
   rclcpp::sleep_for(110ms);

@@ -16,7 +16,7 @@ int main(int argc, char ** argv)
   throws<std::runtime_error>("two clocks are not compared", [&] {(void)(time < rclcpp::Time(message));});
   throws<std::runtime_error>("nor subtracted", [&] {(void)(time - rclcpp::Time(message));});
   throws<std::runtime_error>("no negative time", [] {rclcpp::Time(-1, 0);});
-  throws<std::overflow_error>("no overflow", [] {(void)(rclcpp::Time::max() + rclcpp::Duration::max());});
+  throws<std::overflow_error>("no overflow", [] {(void)(rclcpp::Time(std::numeric_limits<int64_t>::max()) + rclcpp::Duration(1ns));});
   equal("before the beginning", (rclcpp::Time(1, 0) - rclcpp::Duration(2, 0)).nanoseconds(), -1000000000);
   equal("as message it has whole seconds", builtin_interfaces::msg::Time(rclcpp::Time(-500000000LL)).nanosec, 500000000u);
   throws<std::underflow_error>("no underflow", [] {(void)(rclcpp::Time(std::numeric_limits<int64_t>::min()) - rclcpp::Duration(1, 0));});
@@ -27,8 +27,17 @@ int main(int argc, char ** argv)
   equal("negative duration's nanoseconds", builtin_interfaces::msg::Duration(rclcpp::Duration(-500ms)).nanosec, 500000000u);
   equal("negative duration's seconds", builtin_interfaces::msg::Duration(rclcpp::Duration(-500ms)).sec, -1);
   equal("a duration times a number", (rclcpp::Duration(1, 0) * 2.5).seconds(), 2.5);
-  throws<std::overflow_error>("too long", [] {(void)(rclcpp::Duration::max() + rclcpp::Duration(1, 0));});
+  throws<std::overflow_error>("too long", [] {(void)(rclcpp::Duration::max() * 5.0);});
   throws<std::runtime_error>("no negative rmw time", [] {rclcpp::Duration(-1s).to_rmw_time();});
+
+  equal("the longest duration", rclcpp::Duration::max().nanoseconds(), 2147483647999999999);
+  const auto longest = rclcpp::Duration::from_nanoseconds(std::numeric_limits<int64_t>::max());
+  equal("a message has no longer seconds", builtin_interfaces::msg::Duration(longest).sec, std::numeric_limits<int32_t>::max());
+  const builtin_interfaces::msg::Duration least = rclcpp::Duration::from_nanoseconds(-longest.nanoseconds());
+  check("nor more negative ones", least.sec == std::numeric_limits<int32_t>::min() && least.nanosec == 0);
+  check("rmw has", longest.to_rmw_time().sec == 9223372036u && rclcpp::Duration::from_rmw_time({9223372036u, 854775807u}) == longest);
+  check("what is longer yet", rclcpp::Duration::from_rmw_time({1u, std::numeric_limits<uint64_t>::max()}) == longest);
+  throws<std::underflow_error>("too short", [&] {(void)(rclcpp::Duration(-1ns) - longest);});
 
   rclcpp::Clock steady(RCL_STEADY_TIME), system(RCL_SYSTEM_TIME), ros(RCL_ROS_TIME);
   auto before = steady.now();
@@ -69,5 +78,29 @@ int main(int argc, char ** argv)
   throws<std::invalid_argument>(
     "only ROS time follows", [&] {source.attachClock(std::make_shared<rclcpp::Clock>(RCL_STEADY_TIME));});
   equal("a point in time of C's", rclcpp::Time(rcl_time_point_t{7, RCL_ROS_TIME}).nanoseconds(), 7);
+
+  // time that a program gives a clock itself
+  rclcpp::Clock own(RCL_ROS_TIME);
+  rcl_clock_t * handle = own.get_clock_handle();
+  check("a clock is taken over", rcl_enable_ros_time_override(handle) == RCL_RET_OK && own.ros_time_is_active());
+  check("and set", rcl_set_ros_time_override(handle, 1337) == RCL_RET_OK && own.now() == rclcpp::Time(int64_t{1337}, RCL_ROS_TIME));
+  bool came = false;
+  std::thread sleeper([&] {came = own.sleep_until(rclcpp::Time(int64_t{2000}, RCL_ROS_TIME));});
+  rclcpp::sleep_for(20ms);
+  check("it stands still", own.now().nanoseconds() == 1337 && !came);
+  rcl_set_ros_time_override(handle, 2000);
+  sleeper.join();
+  check("who sleeps wakes when it is time", came);
+  check("it is given back", rcl_disable_ros_time_override(handle) == RCL_RET_OK && own.now().seconds() > 1000);
+  check("only of ROS time", rcl_enable_ros_time_override(steady.get_clock_handle()) != RCL_RET_OK);
+  auto turned = rclcpp::Node::make_shared("turned");
+  bool slept = true;
+  std::thread interrupted([&] {slept = turned->get_clock()->sleep_for(1h);});
+  rclcpp::sleep_for(50ms);
+  turned->set_parameter({"use_sim_time", true});
+  interrupted.join();
+  check("who sleeps wakes where time becomes another", !slept);
+  throws<std::runtime_error>("no sleep without a context", [&] {steady.sleep_for(1ms, nullptr);});
+  throws<std::runtime_error>("nor with one that has not begun", [&] {steady.sleep_for(1ms, std::make_shared<rclcpp::Context>());});
   rclcpp::shutdown();
 }

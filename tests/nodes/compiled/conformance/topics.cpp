@@ -3,6 +3,7 @@
 #include "sensor_msgs/msg/image.hpp"
 #include "statistics_msgs/msg/metrics_message.hpp"
 #include "std_msgs/msg/int32.hpp"
+#include "std_msgs/msg/string.hpp"
 
 using std_msgs::msg::Int32;
 using statistics_msgs::msg::MetricsMessage;
@@ -27,6 +28,16 @@ int main(int argc, char ** argv)
   check("a loan is valid", loan.is_valid());
   loan.get().data = 8;
   publisher->publish(std::move(loan));
+  check("a loan that is gone is not", !loan.is_valid());
+  throws<std::runtime_error>("nor published", [&] {publisher->publish(std::move(loan));});
+  rclcpp::LoanedMessage<Int32> by_hand(*publisher, std::allocator<Int32>());
+  rclcpp::LoanedMessage<Int32> by_its_allocator(*publisher, publisher->get_allocator());
+  std::unique_ptr<Int32, std::function<void (Int32 *)>> released = by_its_allocator.release();
+  check("loans by hand", by_hand.is_valid() && !by_its_allocator.is_valid() && released);
+  rclcpp::PublisherOptions staying;
+  staying.use_intra_process_comm = rclcpp::IntraProcessSetting::Enable;
+  throws<std::runtime_error>(
+    "bytes do not stay in the program", [&] {node->create_publisher<Int32>("kept", 1, staying)->publish(rclcpp::SerializedMessage());});
   rclcpp::Serialization<Int32> serialization;
   Int32 nine;
   nine.data = 9;
@@ -86,6 +97,17 @@ int main(int argc, char ** argv)
   to_filter->publish(Int32().set__data(25));
   spin_until(node, [&] {return heard.size() == 3;});
   equal("the new filter holds", heard.back(), 25);
+  int words = 0;
+  options.content_filter_options.filter_expression = "data MATCH 'go+d' OR data NOT MATCH %0";
+  options.content_filter_options.expression_parameters = {"'.*d'"};
+  auto matching = node->create_subscription<std_msgs::msg::String>(
+    "word", 10, [&](const std_msgs::msg::String &) {++words;}, options);
+  auto speaker = node->create_publisher<std_msgs::msg::String>("word", 10);
+  for (auto word : {"bad", "goood", "fine"}) {
+    speaker->publish(std_msgs::msg::String().set__data(word));
+  }
+  spin_until(node, [&] {return words == 2;});
+  equal("a filter by regular expressions", words, 2);
   throws<rclcpp::exceptions::RCLError>("a bad filter", [&] {filtered->set_content_filter("data >> 3");});
 
   // statistics

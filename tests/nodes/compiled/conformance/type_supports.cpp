@@ -2,6 +2,7 @@
 #include "check.hpp"
 #include "rclcpp/get_message_type_support_handle.hpp"
 #include "rclcpp/typesupport_helpers.hpp"
+#include "rcpputils/asserts.hpp"
 #include "rmw/rmw.h"
 #include "std_msgs/msg/string.hpp"
 
@@ -35,8 +36,8 @@ int main(int argc, char ** argv)
   read.data.clear();
   by_support.deserialize_message(&packed, &read);
   equal("there and back", read.data, "hello");
-  throws<std::invalid_argument>("no support", [] {rclcpp::SerializationBase(nullptr);});
-  throws<std::invalid_argument>("no message", [&] {by_support.serialize_message(nullptr, &packed);});
+  throws<rcpputils::IllegalStateException>("no support", [] {rclcpp::SerializationBase(nullptr);});
+  throws<rcpputils::IllegalStateException>("no message", [&] {by_support.serialize_message(nullptr, &packed);});
 
   rclcpp::SerializedMessage grown;
   auto & within = grown.get_rcl_serialized_message();

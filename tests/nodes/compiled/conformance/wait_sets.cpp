@@ -24,8 +24,15 @@ int main(int argc, char ** argv)
   set.add_subscription(first);
   set.add_subscription(second);
   throws<std::runtime_error>("added twice", [&] {set.add_subscription(first);});
+  throws<std::invalid_argument>("nothing removed", [&] {set.remove_guard_condition(nullptr);});
   throws<std::invalid_argument>("nothing added", [&] {set.add_subscription(nullptr);});
   check("nothing comes", set.wait(20ms).kind() == Kind::Timeout);
+  auto context = rclcpp::contexts::get_global_default_context();
+  auto unused = std::make_shared<rclcpp::GuardCondition>(context);
+  check("a set of a context", rclcpp::WaitSet({}, {unused}, {}, {}, {}, {}, context).wait(1ms).kind() == Kind::Timeout);
+  throws<std::invalid_argument>("of none", [&] {rclcpp::WaitSet({}, {}, {}, {}, {}, {}, nullptr);});
+  throws<rclcpp::exceptions::RCLInvalidArgument>(
+    "of one that has not begun", [&] {rclcpp::ThreadSafeWaitSet({}, {}, {}, {}, {}, {}, std::make_shared<rclcpp::Context>());});
   guard->trigger();
   auto result = set.wait(1s);
   check("a guard condition ends the wait", result.kind() == Kind::Ready);
@@ -73,6 +80,7 @@ int main(int argc, char ** argv)
   check("to which nothing can be added", TakesTimers<rclcpp::WaitSet>::value && !TakesTimers<Fixed>::value);
   rclcpp::ThreadSafeWaitSet safe;
   safe.add_timer(timer);
+  throws<std::runtime_error>("a timer of two sets", [&] {rclcpp::WaitSet().add_timer(timer);});
   check("one for several threads", safe.wait(1s).kind() == Kind::Ready);
   rclcpp::ThreadSafeWaitSet grows;
   auto late = std::make_shared<rclcpp::GuardCondition>();

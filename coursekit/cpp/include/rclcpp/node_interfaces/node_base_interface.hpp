@@ -172,3 +172,22 @@ using NodeTimeSourceInterface = NodeBaseInterface;
 using NodeTopicsInterface = NodeBaseInterface;
 using NodeWaitablesInterface = NodeBaseInterface;
 }  // namespace rclcpp::node_interfaces
+namespace rclcpp
+{
+/// The logger of a node of C's functions; rclcpp's own where there is none.
+inline Logger get_node_logger(const node_interfaces::NodeBaseInterface * node)
+{
+  return node ? node->get_logger() : get_logger("rclcpp");
+}
+/// Whether a subscription tells statistics about its topic, by its options and its node's.
+namespace detail
+{
+template<class Options>
+bool resolve_enable_topic_statistics(const Options & options, const node_interfaces::NodeBaseInterface & node)
+{
+  using State = decltype(options.topic_stats_options.state);
+  return options.topic_stats_options.state == State::Enable ||
+         (options.topic_stats_options.state == State::NodeDefault && node.get_enable_topic_statistics_default());
+}
+}  // namespace detail
+}  // namespace rclcpp

@@ -9,7 +9,7 @@ from coursekit.grade.exercise import find
 from coursekit.grade.mark import mark
 from coursekit.grade.sandbox import Limits
 from coursekit.grade.submissions import Submission
-from tests.needs import ON_WINDOWS
+from tests.needs import ON_WINDOWS, in_wine
 
 from .attacks import DESERVE, ESCAPE, FOLDERS, NAMELESS, NEEDS_BUBBLEWRAP, NOTEBOOKS, ONLY_POSIX, RIGHT
 
@@ -32,7 +32,7 @@ def grade(folder, answer, **changed):
     folder.mkdir(exist_ok=True)
     (folder / "names.ipynb").write_text(json.dumps({**cells(answer), **changed}))
     exercise = {"ch02.q1": find("ch02.q1")}
-    limits = Limits(seconds=12, memory=1 << 30, processes=60, folder=100 << 20, cell=2.0, call=2.0)
+    limits = Limits(seconds=60 if in_wine() else 12, memory=1 << 30, processes=60, folder=100 << 20, cell=2.0, call=2.0)
     return mark(Submission(folder.name, folder), {"names.ipynb": cells("")}, exercise, limits)
 
 

@@ -23,8 +23,10 @@ class CppNode(Node):
             self.declare_parameter(name, value, ParameterDescriptor(read_only=True))
         self.create_subscription(ParameterEvent, "/parameter_events", lambda _event: None, qos_profile_parameter_events)
 
-    def _rclpy_reason(self, error: Exception) -> str:
-        return undeclared(error) if isinstance(error, ParameterNotDeclaredException) else super()._rclpy_reason(error)
+    def _rclpy_reason(self, error: Exception, together: bool = False) -> str:
+        if not isinstance(error, ParameterNotDeclaredException):
+            return super()._rclpy_reason(error)
+        return "One or more parameters were not declared before setting" if together else undeclared(error)
 
     def _rclpy_listed_names(self) -> list[str]:
         return sorted(super()._rclpy_listed_names())  # rclcpp keeps them in a std::map

@@ -3,7 +3,7 @@
 import pytest
 import rclpy
 from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
-from rcl_interfaces.srv import SetParameters
+from rcl_interfaces.srv import SetParameters, SetParametersAtomically
 from rclpy.parameter import Parameter
 
 from coursekit.nodes.cpp_node import CppNode
@@ -57,12 +57,21 @@ def test_it_refuses_parameters_in_the_words_of_rclcpp(node, name, value, reason)
     assert (result.successful, result.reason) == (False, reason)
 
 
-def test_its_service_says_in_those_words_that_a_parameter_is_not_declared(node):
-    client = node.create_client(SetParameters, "/node/set_parameters")
-    asked = client.call_async(SetParameters.Request(parameters=[Parameter("sped", value=1).to_parameter_msg()]))
+UNDECLARED = {
+    SetParameters: "parameter 'sped' cannot be set because it was not declared",
+    SetParametersAtomically: "One or more parameters were not declared before setting",
+}
+
+
+@pytest.mark.parametrize("kind", UNDECLARED, ids=lambda kind: kind.__name__)
+def test_its_services_say_in_those_words_that_a_parameter_is_not_declared(node, kind):
+    name = {SetParameters: "set_parameters", SetParametersAtomically: "set_parameters_atomically"}[kind]
+    client = node.create_client(kind, f"/node/{name}")
+    asked = client.call_async(kind.Request(parameters=[Parameter("sped", value=1).to_parameter_msg()]))
     rclpy.spin_until_future_complete(node, asked, timeout_sec=5.0)
-    result = asked.result().results[0]
-    assert (result.successful, result.reason) == (False, "parameter 'sped' cannot be set because it was not declared")
+    answer = asked.result()
+    result = answer.results[0] if kind is SetParameters else answer.result
+    assert (result.successful, result.reason) == (False, UNDECLARED[kind])
 
 
 @pytest.mark.parametrize(

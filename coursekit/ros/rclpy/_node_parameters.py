@@ -127,8 +127,8 @@ class NodeParameters(ParameterSetting):
         """The names of all parameters in the order in which they are listed."""
         return list(self._parameters)
 
-    def _rclpy_reason(self, error: Exception) -> str:
-        """What the node's service says of an exception."""
+    def _rclpy_reason(self, error: Exception, together: bool = False) -> str:
+        """What the node's services say of an exception; `together` for set_parameters_atomically."""
         return str(error)
 
     # -- reading

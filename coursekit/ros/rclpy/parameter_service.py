@@ -95,14 +95,14 @@ class ParameterService:
     def _set_atomically(
         self, request: SetParametersAtomically.Request, response: SetParametersAtomically.Response
     ) -> SetParametersAtomically.Response:
-        response.result = self._apply(self.node.set_parameters_atomically, request.parameters)
+        response.result = self._apply(self.node.set_parameters_atomically, request.parameters, together=True)
         return response
 
-    def _apply(self, setter: Callable[[list[Parameter]], Any], messages: Any) -> Any:
+    def _apply(self, setter: Callable[[list[Parameter]], Any], messages: Any, together: bool = False) -> Any:
         try:
             return setter([Parameter.from_parameter_msg(message) for message in messages])
         except (ParameterNotDeclaredException, ValueError) as error:
-            return SetParametersResult(successful=False, reason=self.node._rclpy_reason(error))
+            return SetParametersResult(successful=False, reason=self.node._rclpy_reason(error, together))
 
 
 def is_listed(name: str, prefixes: list[str], depth: int) -> bool:

@@ -84,9 +84,9 @@ bool BufferCore::_frameExists(const std::string & name) const
 }
 bool BufferCore::setTransform(const geometry_msgs::msg::TransformStamped & transform, const std::string & authority, bool is_static)
 {
-  asked("tf_set", Packer{}.i(id).s(authority).i(is_static).m(transform));
+  const bool taken = asked("tf_set", Packer{}.i(id).s(authority).i(is_static).m(transform)).i() != 0;
   transform_was_set();
-  return true;
+  return taken;
 }
 void BufferCore::clear() {asked("tf_clear", Packer{}.i(id));}
 std::string BufferCore::allFramesAsString() const {return asked("tf_text", Packer{}.i(id)).s();}

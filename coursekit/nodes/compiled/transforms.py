@@ -87,11 +87,10 @@ def do_tf_server(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     return packed(host.keep(BufferServer(buffer, node, name, Duration(nanoseconds=frame.integer()))))
 
 
-def do_tf_set(host: Host, _channel: Channel, frame: Unpacker) -> None:
-    """Set a transform in a buffer."""
+def do_tf_set(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Set a transform in a buffer; return whether it was taken."""
     buffer, authority, is_static = host.things[frame.integer()], frame.text(), frame.integer()
-    put = buffer.set_transform_static if is_static else buffer.set_transform
-    put(frame.message(TransformStamped), authority)
+    return packed(int(buffer._set(frame.message(TransformStamped), authority, bool(is_static))))
 
 
 def do_tf_clear(host: Host, _channel: Channel, frame: Unpacker) -> None:

@@ -44,15 +44,18 @@ class BufferCore:
 
     def set_transform(self, transform: TransformStamped, authority: str) -> None:
         """Add a transform. If it is invalid, it is ignored and the reason is printed."""
-        header = transform.header
-        pose = pose_of(transform.transform, _MEMBERS)
-        stamp = nanoseconds(header.stamp)
-        self._frames.set(header.frame_id, transform.child_frame_id, stamp, pose, authority)
+        self._set(transform, authority)
 
     def set_transform_static(self, transform: TransformStamped, authority: str) -> None:
         """Add a transform that holds for all times."""
-        pose = pose_of(transform.transform, _TYPES)
-        self._frames.set(transform.header.frame_id, transform.child_frame_id, 0, pose, authority, static=True)
+        self._set(transform, authority, True)
+
+    def _set(self, transform: TransformStamped, authority: str, static: bool = False) -> bool:
+        """Add a transform. Returns whether it was taken, as tf2's setTransform does in C++."""
+        header = transform.header
+        pose = pose_of(transform.transform, _TYPES if static else _MEMBERS)
+        stamp = 0 if static else nanoseconds(header.stamp)
+        return self._frames.set(header.frame_id, transform.child_frame_id, stamp, pose, authority, static=static)
 
     def lookup_transform_core(self, target_frame: str, source_frame: str, time: Any) -> TransformStamped:
         """The pose of `source_frame` in `target_frame` at a time; time 0 is the newest common time."""

@@ -50,17 +50,12 @@ class Buffer(BufferCore, BufferInterface):
         rclpy.logging.get_logger("tf2_buffer").warning(f"Detected {what}. Clearing TF buffer.")
         self.clear()
 
-    def set_transform(self, transform: TransformStamped, authority: str) -> None:
+    def _set(self, transform: TransformStamped, authority: str, static: bool = False) -> bool:
         """Add a transform, and wake pending waits."""
-        super().set_transform(transform, authority)
+        taken = super()._set(transform, authority, static)
         if self._new_data_callbacks:
             self._call_new_data_callbacks()
-
-    def set_transform_static(self, transform: TransformStamped, authority: str) -> None:
-        """Add a transform that holds for all times, and wake pending waits."""
-        super().set_transform_static(transform, authority)
-        if self._new_data_callbacks:
-            self._call_new_data_callbacks()
+        return taken
 
     def _call_new_data_callbacks(self) -> None:
         for callback in list(self._new_data_callbacks):

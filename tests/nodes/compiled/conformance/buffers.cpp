@@ -66,7 +66,10 @@ int main(int argc, char ** argv)
 
   throws<std::invalid_argument>("a buffer needs a clock", [] {tf2_ros::Buffer(nullptr);});
   tf2_ros::Buffer buffer(node->get_clock());
-  buffer.setTransform(transform, "test", true);
+  check("a transform is taken", buffer.setTransform(transform, "test", true));
+  auto itself = transform;
+  itself.header.frame_id = itself.child_frame_id;
+  check("one from a frame to itself is not", !buffer.setTransform(itself, "test"));
   tf2::BufferCore & base = buffer;
   check("a buffer is a core", base.canTransform("base", "lidar", tf2::TimePointZero));
   PoseWithCovarianceStamped pose, turned;

@@ -104,7 +104,12 @@ class Navigator:
             handle.publish_feedback(self._feedback(begin))
 
         period = max(self._node.number("bt_loop_duration"), 1) * 1e-3
-        self._finish(handle, await TreeRun(self._tree, self._context, ended, tell, period, self._log).run())
+        try:
+            end = await TreeRun(self._tree, self._context, ended, tell, period, self._log).run()
+        finally:
+            if self._handle is handle:
+                self._handle = None
+        self._finish(handle, end)
         return self.kind.Result()
 
     def _accepts(self, request: Any) -> bool:
@@ -147,8 +152,6 @@ class Navigator:
     def _finish(self, handle: ServerGoalHandle, end: str) -> None:
         """Set and log how a goal ended."""
         log = self._node.get_logger()
-        if end != PREEMPTED:
-            self._handle = None
         if end == "canceled":
             log.info("Goal canceled")
             handle.canceled()

@@ -138,10 +138,11 @@ class Simulation:
         for shape in shapes:
             for other, depth in hits(self.space, shape):
                 if depth < -1e-3 and overlap(shape, other):
-                    where = f"x {at.x:.2f}, y {at.y:.2f}"
+                    where, start = f"x {at.x:.2f}, y {at.y:.2f}", self.world.start
+                    free = "beside it" if at[:2] == start[:2] else f"for example at {start.x:g}, {start.y:g}"
                     raise WorldError(
                         f"'{other.name}' is in the way at {where}", file=self.world.file, element=f"robot '{name}'",
-                        cure=f"Spawn it somewhere free, for example at {self.world.start.x:g}, {self.world.start.y:g}.",
+                        cure=f"Spawn it somewhere free, {free}.",
                     )  # fmt: skip
 
     @alone

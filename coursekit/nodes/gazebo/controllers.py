@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -46,6 +47,7 @@ def read_controllers(plugin: Element, model: ModelFile, namespace: str) -> tuple
     space = names.namespace.strip("/")
     prefix = f"/{space}" if space else ""
     robot, hardware = read_hardware(model.text, str(model.file or "")) if model.text else (None, [])
+    hardware = [_without_loops(info) for info in hardware]
     if robot is not None:
         model.reach = {name: _reach(joint.limit) for name, joint in robot.joints.items()}
     manager = told.get(MANAGER, {})
@@ -66,6 +68,20 @@ def read_controllers(plugin: Element, model: ModelFile, namespace: str) -> tuple
         tuple(odometry.items()),
     )  # fmt: skip
     return drive, [device]
+
+
+def _without_loops(info: HardwareInfo) -> HardwareInfo:
+    """Name `position_pid` and `velocity_pid` as GazeboSystem exports them, and as controllers claim them, without `_pid`.
+
+    Joints have no mass here, so the gains of such a loop have nothing to do.
+    """
+    if info.plugin != "gazebo_ros2_control/GazeboSystem":
+        return info
+    parts = tuple(
+        replace(part, commands=tuple(replace(command, name=command.name.removesuffix("_pid")) for command in part.commands))
+        for part in info.components
+    )
+    return replace(info, components=parts)
 
 
 def _reach(limit: Limit | None) -> Reach:

@@ -37,6 +37,18 @@ def test_an_arm_moves_in_gazebo_classic(run, friend, files, tmp_path):
     assert [at[f"joint{n}"] for n in (1, 2, 3, 6)] == pytest.approx([0.5, 0.4, -0.3, 1.0], abs=0.01)
 
 
+def test_joints_of_gazebo_classic_may_be_commanded_by_pid_loops(run, friend, files, tmp_path):
+    """Since 0.4.8, GazeboSystem exports `position_pid` under the name that controllers claim: `position`."""
+    urdf, _ = files(plugin=CLASSIC[0], blocks=PLUGIN.format(*CLASSIC[1:], tmp_path / "arm.yaml"))
+    gains = "<param name='pos_kp'>10</param><param name='pos_max_integral_error'>10000</param>"
+    looped = urdf.read_text().replace("<command_interface name='position'/>", gains + "<command_interface name='position_pid'/>")
+    urdf.write_text(looped)
+    run("gazebo_ros", "gzserver")
+    assert run("gazebo_ros", "spawn_entity.py", "-file", str(urdf), "-entity", "arm").wait(30) == 0
+    at = moved(friend, run)
+    assert [at[f"joint{n}"] for n in (1, 2, 3, 6)] == pytest.approx([0.5, 0.4, -0.3, 1.0], abs=0.01)
+
+
 @pytest.mark.parametrize("names", NEWER)
 def test_an_arm_moves_in_the_newer_gazebo_and_its_manager_is_in_ros(run, gz, yard, friend, files, tmp_path, names):  # noqa: F811
     file = tmp_path / "arm.yaml"
@@ -90,6 +102,11 @@ def wheels(run, friend, tmp_path):
 
 def test_wheels_that_are_commanded_by_their_speeds_drive_the_robot(wheels):
     tell = wheels("velocity_controllers/JointGroupVelocityController", "velocity")
+    assert tell(5.0, 5.0).x == pytest.approx(5.0 * 0.05 * 2.0, rel=0.1)
+
+
+def test_wheels_whose_speeds_are_kept_by_pid_loops_drive_the_robot(wheels):
+    tell = wheels("velocity_controllers/JointGroupVelocityController", "velocity_pid")
     assert tell(5.0, 5.0).x == pytest.approx(5.0 * 0.05 * 2.0, rel=0.1)
 
 

@@ -41,8 +41,8 @@ def test_joints_of_gazebo_classic_may_be_commanded_by_pid_loops(run, friend, fil
     """Since 0.4.8, GazeboSystem exports `position_pid` under the name that controllers claim: `position`."""
     urdf, _ = files(plugin=CLASSIC[0], blocks=PLUGIN.format(*CLASSIC[1:], tmp_path / "arm.yaml"))
     gains = "<param name='pos_kp'>10</param><param name='pos_max_integral_error'>10000</param>"
-    looped = urdf.read_text().replace("<command_interface name='position'/>", gains + "<command_interface name='position_pid'/>")
-    urdf.write_text(looped)
+    looped = gains + "<command_interface name='position_pid'/>"
+    urdf.write_text(urdf.read_text().replace("<command_interface name='position'/>", looped))
     run("gazebo_ros", "gzserver")
     assert run("gazebo_ros", "spawn_entity.py", "-file", str(urdf), "-entity", "arm").wait(30) == 0
     at = moved(friend, run)

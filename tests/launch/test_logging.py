@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import logging.handlers
 import re
 from pathlib import Path
 
@@ -76,6 +77,20 @@ def test_files_may_be_written_by_handlers_of_one_s_own() -> None:
     launch_config.log_handler_factory = lambda path, encoding=None: Keeper()
     get_logger("arm").error("broken")
     assert written == ["1700000000.0000000 [ERROR] [arm]: broken"]
+
+
+def test_python_s_own_handlers_have_a_format_for_each_logger_too(folder: Path) -> None:
+    launch_config.log_handler_factory = lambda path, encoding=None: launch.logging.handlers.RotatingFileHandler(
+        path, maxBytes=90, backupCount=1, encoding=encoding
+    )
+    launch_config.get_log_file_handler().setFormatterFor("leg", logging.Formatter("the leg is %(message)s"))
+    for name in ("arm", "leg"):
+        get_logger(name).error("broken")
+    get_logger("arm").error("mended, at last, after many hours of work")
+    assert (folder / "launch.log.1").read_text() == "1700000000.0000000 [ERROR] [arm]: broken\nthe leg is broken\n"
+    assert isinstance(launch.logging.handlers.MemoryHandler(9), logging.handlers.MemoryHandler)
+    with pytest.raises(AttributeError, match="has no attribute 'Formatter'"):
+        launch.logging.handlers.Formatter  # noqa: B018
 
 
 def test_a_launch_of_ones_own_tells_where_its_logs_are(capsys: pytest.CaptureFixture[str]) -> None:

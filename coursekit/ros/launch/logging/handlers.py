@@ -1,9 +1,14 @@
-"""Handlers that may use a separate format for each logger. In ROS 2: launch.logging.handlers."""
+"""Handlers that may use a separate format for each logger. In ROS 2: launch.logging.handlers.
+
+Those of Python's `logging` and `logging.handlers` are here as well, such as `RotatingFileHandler`.
+"""
 
 from __future__ import annotations
 
 import logging
+import logging.handlers
 import sys
+from functools import cache
 from typing import Any
 
 
@@ -14,17 +19,17 @@ class Handler(logging.Handler):
         super().__init__(*args, **kwargs)
         self._formatters: dict[str, logging.Formatter] = {}
 
-    def setFormatterFor(self, logger: logging.Logger, formatter: logging.Formatter) -> None:
-        """Set the formatter for this logger's messages."""
-        self._formatters[logger.name] = formatter
+    def setFormatterFor(self, logger: logging.Logger | str, formatter: logging.Formatter) -> None:
+        """Set the formatter for the messages of this logger, or the logger of this name."""
+        self._formatters[_name(logger)] = formatter
 
-    def unsetFormatterFor(self, logger: logging.Logger) -> None:
+    def unsetFormatterFor(self, logger: logging.Logger | str) -> None:
         """Use the default formatter for this logger's messages."""
-        self._formatters.pop(logger.name, None)
+        self._formatters.pop(_name(logger), None)
 
-    def getFormatterFor(self, logger: logging.Logger) -> logging.Formatter | None:
+    def getFormatterFor(self, logger: logging.Logger | str) -> logging.Formatter | None:
         """Return the formatter of this logger."""
-        return self._formatters.get(logger.name, self.formatter)
+        return self._formatters.get(_name(logger), self.formatter)
 
     def format(self, record: logging.LogRecord) -> str:
         """Return the text of a record."""
@@ -53,4 +58,21 @@ class FileHandler(Handler, logging.FileHandler):
         super().__init__(path, encoding=encoding or "utf-8", delay=True)
 
 
-__all__ = ["FileHandler", "Handler", "StreamHandler"]
+def _name(logger: logging.Logger | str) -> str:
+    return logger if isinstance(logger, str) else logger.name
+
+
+@cache
+def with_per_logger_formatting(cls: type[logging.Handler]) -> type[Handler]:
+    """Return a handler class of Python with a formatter for each logger."""
+    return type(cls.__name__, (Handler, cls), {"__doc__": cls.__doc__})
+
+
+def __getattr__(name: str) -> type[Handler]:
+    found = getattr(logging.handlers, name, None) or getattr(logging, name, None)
+    if not isinstance(found, type) or not issubclass(found, logging.Handler):
+        raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
+    return with_per_logger_formatting(found)
+
+
+__all__ = ["FileHandler", "Handler", "StreamHandler", "with_per_logger_formatting"]

@@ -88,7 +88,9 @@ def test_python_s_own_handlers_have_a_format_for_each_logger_too(folder: Path) -
         get_logger(name).error("broken")
     get_logger("arm").error("mended, at last, after many hours of work")
     assert (folder / "launch.log.1").read_text() == "1700000000.0000000 [ERROR] [arm]: broken\nthe leg is broken\n"
-    assert isinstance(launch.logging.handlers.MemoryHandler(9), logging.handlers.MemoryHandler)
+    kept = launch.logging.handlers.MemoryHandler(9)
+    assert isinstance(kept, logging.handlers.MemoryHandler)
+    assert isinstance(kept, launch.logging.handlers.MemoryHandler)
     with pytest.raises(AttributeError, match="has no attribute 'Formatter'"):
         launch.logging.handlers.Formatter  # noqa: B018
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 import logging
 import logging.handlers
 import sys
-from functools import cache
 from typing import Any
 
 
@@ -62,17 +61,18 @@ def _name(logger: logging.Logger | str) -> str:
     return logger if isinstance(logger, str) else logger.name
 
 
-@cache
 def with_per_logger_formatting(cls: type[logging.Handler]) -> type[Handler]:
     """Return a handler class of Python with a formatter for each logger."""
     return type(cls.__name__, (Handler, cls), {"__doc__": cls.__doc__})
 
 
 def __getattr__(name: str) -> type[Handler]:
+    """Make the handler class of this name, once."""
     found = getattr(logging.handlers, name, None) or getattr(logging, name, None)
     if not isinstance(found, type) or not issubclass(found, logging.Handler):
         raise AttributeError(f"module '{__name__}' has no attribute '{name}'")
-    return with_per_logger_formatting(found)
+    made = globals()[name] = with_per_logger_formatting(found)
+    return made
 
 
 __all__ = ["FileHandler", "Handler", "StreamHandler", "with_per_logger_formatting"]

@@ -12,12 +12,12 @@ from .decorator import post_shutdown_test
 from .parametrize import parametrize
 
 if TYPE_CHECKING:
-    from . import actions, asserts, event_handlers, markers, tools, util
+    from . import actions, asserts, event_handlers, legacy, markers, tools, util
     from .io_handler import ActiveIoHandler, IoHandler
     from .proc_info_handler import ActiveProcInfoHandler, ProcInfoHandler
     from .ready_aggregator import ReadyAggregator
 
-_MODULES = ("actions", "asserts", "event_handlers", "markers", "tools", "util")
+_MODULES = ("actions", "asserts", "event_handlers", "legacy", "markers", "tools", "util")
 _CLASSES = {
     "ActiveIoHandler": "io_handler",
     "ActiveProcInfoHandler": "proc_info_handler",
@@ -44,6 +44,7 @@ __all__ = [
     "actions",
     "asserts",
     "event_handlers",
+    "legacy",
     "markers",
     "parametrize",
     "post_shutdown_test",

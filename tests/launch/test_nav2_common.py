@@ -10,7 +10,7 @@ import yaml
 from launch import LaunchContext
 from launch.conditions import IfCondition
 from launch.substitutions import LaunchConfiguration
-from nav2_common.launch import HasNodeParams, ReplaceString, RewrittenYaml
+from nav2_common.launch import HasNodeParams, ParseMultiRobotPose, ReplaceString, RewrittenYaml
 
 SOURCE = """
 amcl: {ros__parameters: {use_sim_time: false, alpha1: 0.2, frame: <robot>/odom}}
@@ -78,3 +78,12 @@ def test_a_file_is_asked_for_a_node(source: str) -> None:
     context = LaunchContext()
     assert HasNodeParams(source, "amcl").perform(context) == "True"
     assert HasNodeParams(source, "planner_server").perform(context) == "False"
+
+
+def test_the_command_line_names_robots_and_their_poses(monkeypatch: pytest.MonkeyPatch) -> None:
+    robots = "robots:=one={x: 1, yaw: 1.57}; two = {y: -2.5, z: 0.1};nonsense"
+    monkeypatch.setattr("sys.argv", ["ros2", "launch", "my_robots", "many.launch.py", "gui:=false", robots])
+    zero = dict.fromkeys(("x", "y", "z", "roll", "pitch", "yaw"), 0.0)
+    poses = {"one": zero | {"x": 1, "yaw": 1.57}, "two": zero | {"y": -2.5, "z": 0.1}}
+    assert ParseMultiRobotPose("robots").value() == poses
+    assert ParseMultiRobotPose("others").value() == {}

@@ -17,7 +17,8 @@ class JointStateBroadcaster(Controller):
     """joint_state_broadcaster/JointStateBroadcaster."""
 
     def configure(self) -> None:
-        """Read parameters: all states of all joints, unless `joints` and `interfaces` select some."""
+        """Read parameters: all available states, unless `joints` and `interfaces` select some."""
+        self._chosen: list[str] | None = None
         self._joints, self._kinds = self.parameter("joints", []), self.parameter("interfaces", [])
         self._extra = self.parameter("extra_joints", [])
         own = "~/" if self.parameter("use_local_topics", False) else ""
@@ -29,18 +30,24 @@ class JointStateBroadcaster(Controller):
 
     def state_names(self) -> list[str]:
         """Return the states to publish."""
-        names = self.interfaces.states()
+        if self._chosen is not None:
+            return self._chosen
         if not (self._joints and self._kinds):
-            return names
+            return self.interfaces.available_states()
         return [f"{joint}/{kind}" for joint in self._joints for kind in self._kinds]
 
     def activate(self) -> None:
-        """Group the states by joint."""
+        """Group the states by joint; what becomes available later is not among them."""
         self._table: dict[str, list[str]] = {}
-        for name in self.state_names():
+        self._chosen = self.state_names()
+        for name in self._chosen:
             joint, _, kind = name.partition("/")
             self._table.setdefault(joint, []).append(kind)
         self._told = [joint for joint, kinds in self._table.items() if set(kinds) & set(self._names.values())]
+
+    def deactivate(self) -> None:
+        """Choose anew at the next start."""
+        self._chosen = None
 
     def update(self, now_ns: int, dt: float) -> None:
         """Publish the states."""

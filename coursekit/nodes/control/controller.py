@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Set
 from typing import TYPE_CHECKING, Any
 
 from builtin_interfaces.msg import Time
@@ -25,8 +25,14 @@ class ControlError(Exception):
 class Interfaces:
     """The commands that a controller has claimed, and all states."""
 
-    def __init__(self, commands: Mapping[str, dict[str, float]], states: Mapping[str, dict[str, float]]) -> None:
-        self._commands, self._states = commands, states
+    def __init__(
+        self,
+        commands: Mapping[str, dict[str, float]],
+        states: Mapping[str, dict[str, float]],
+        closed: Callable[[], Set[str]] = frozenset,
+    ) -> None:
+        """`closed` returns the names of those that are not available now."""
+        self._commands, self._states, self._closed = commands, states, closed
 
     def state(self, name: str) -> float:
         """Return a state by its full name; nan if there is none."""
@@ -44,6 +50,11 @@ class Interfaces:
     def states(self) -> list[str]:
         """The full names of all states."""
         return list(self._states)
+
+    def available_states(self) -> list[str]:
+        """The full names of the states of hardware that is at least configured."""
+        closed = self._closed()
+        return [name for name in self._states if name not in closed]
 
     def commands(self) -> list[str]:
         """The full names of all commands."""

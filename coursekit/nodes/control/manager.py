@@ -43,7 +43,7 @@ class Manager:
         """The time of the last step [ns]."""
         self._commands: dict[str, dict[str, float]] = {}
         self._states: dict[str, dict[str, float]] = {}
-        self.interfaces = Interfaces(self._commands, self._states)
+        self.interfaces = Interfaces(self._commands, self._states, self._closed)
         self.rate = float(self._rate())
         self._maker = ControllerMaker(node, executor, makers, self.interfaces, self.rate)
 
@@ -141,13 +141,7 @@ class Manager:
     def switch(self, start: Sequence[str], stop: Sequence[str], strict: bool) -> bool:
         """Activate and deactivate; `strict` is all or nothing."""
         with self.lock:
-            closed = {
-                name
-                for component in self.hardware
-                if not component.is_available
-                for name in (*component.commands, *component.states)
-            }
-            plan = Switching(self.loaded, self.interfaces, self.log, strict, closed).plan(start, stop)
+            plan = Switching(self.loaded, self.interfaces, self.log, strict, self._closed()).plan(start, stop)
             if plan is None:
                 return False
             claimed = [name for loaded in plan.starting for name in loaded.controller.command_names()]
@@ -163,6 +157,11 @@ class Manager:
                 self.log.error("Error while performing mode switch.")
             done = [self._activate(loaded) for loaded in plan.starting]
             return all(done)
+
+    def _closed(self) -> set[str]:
+        """Return the commands and states of hardware that is not configured."""
+        closed = [component for component in self.hardware if not component.is_available]
+        return {name for component in closed for name in (*component.commands, *component.states)}
 
     def _set_chained(self, loaded: Loaded, chained: bool) -> None:
         if not loaded.controller.set_chained(chained):

@@ -5,7 +5,9 @@ import re
 
 import pytest
 from control_msgs.action import FollowJointTrajectory
+from controller_manager_msgs.srv import SetHardwareComponentState, SwitchController
 from geometry_msgs.msg import TwistStamped, WrenchStamped
+from lifecycle_msgs.msg import State
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Imu, JointState, Range
 
@@ -119,6 +121,30 @@ def test_broadcasters_tell_what_their_parameters_name(cart, run, friend):
     heard = sonar[-1]
     assert (heard.header.frame_id, heard.range, heard.radiation_type) == ("sonar_link", 1.5, Range.INFRARED)
     assert (heard.max_range, heard.field_of_view) == (2.0, pytest.approx(0.52))
+
+
+def test_a_broadcaster_of_all_states_takes_those_that_are_available(managed, run, friend):
+    """As in Humble, what becomes available later is published after the broadcaster's next start."""
+    tool = "<ros2_control name='tool' type='system'><hardware><plugin>mock_components/GenericSystem</plugin></hardware>"
+    tool += "<joint name='left'><state_interface name='position'/></joint></ros2_control></robot>"
+    cart = CART.replace("<joint name='left'><command", "<joint name='front'><command").replace("</robot>", tool)
+    all_states = re.sub(r"\nstates: .*", "", PARAMETERS)
+    managed(
+        cart, all_states.replace("    drive:", "    hardware_components_initial_state: {unconfigured: [tool]}\n    drive:")
+    )
+    assert run("controller_manager", "spawner", "states").wait(20) == 0
+    heard = friend.hear(JointState, "/joint_states")
+    friend.spin(0.3)
+    assert set(heard[-1].name) == {"front", "right"}
+    asked, active = "/controller_manager/set_hardware_component_state", State(label="active")
+    assert friend.ask(SetHardwareComponentState, asked, name="tool", target_state=active).ok
+    friend.spin(0.3)
+    assert set(heard[-1].name) == {"front", "right"}
+    for change in ("deactivate_controllers", "activate_controllers"):
+        request = {change: ["states"], "strictness": SwitchController.Request.STRICT}
+        assert friend.ask(SwitchController, "/controller_manager/switch_controller", **request).ok
+    friend.spin(0.3)
+    assert set(heard[-1].name) == {"front", "right", "left"}
 
 
 def test_a_trajectory_is_followed_by_speeds_with_the_gains_of_the_parameters(cart, run, friend):

@@ -17,7 +17,7 @@ from .node_windows import NodeWindows
 from .publisher_panel import MessagePublisher
 from .reconfigure import Reconfigure
 from .service_panel import ServiceCaller
-from .teleop_pad import TeleopPad
+from .teleop_pad import Pad
 from .topic_panel import TopicPanel
 from .windows import WindowPicture
 
@@ -73,7 +73,7 @@ _KINDS: dict[str, Callable[[RqtWindow], Any]] = {
     "rqt_gui": lambda _: RqtTabs(),
     "rqt_publisher": lambda _: MessagePublisher(),
     "rqt_reconfigure": lambda _: Reconfigure(),
-    "rqt_robot_steering": lambda window: TeleopPad(window.topic, *window.speeds, holonomic=False),
+    "rqt_robot_steering": lambda window: Pad(window.topic, *window.speeds, holonomic=False),
     "rqt_service_caller": lambda _: ServiceCaller(),
     "rqt_tf_tree": lambda _: FramesPanel(),
     "rqt_topic": lambda _: TopicPanel(),

@@ -15,7 +15,7 @@ from .drive import Driver
 from .script import script, style
 
 
-class TeleopPad(View):
+class Pad(View):
     """A pad for keyboard, touch, mouse and gamepad; made by `pad`. Releasing it stops the robot at once."""
 
     _esm = script("steer.js", "pad.js")
@@ -68,10 +68,10 @@ class TeleopPad(View):
         return with_text(super()._repr_mimebundle_(**kwargs), repr(self))
 
 
-def pad(topic: str = "/cmd_vel", linear: float = 0.5, angular: float = 1.0, holonomic: bool = False) -> TeleopPad:
+def pad(topic: str = "/cmd_vel", linear: float = 0.5, angular: float = 1.0, holonomic: bool = False) -> Pad:
     """Show a teleop pad: geometry_msgs/Twist on `topic`, full speed `linear` m/s and `angular` rad/s.
 
     It takes arrow keys or WASD, an on-screen stick for touch or mouse, and a gamepad; with `holonomic` Q and E move
     sideways. From code, for example in a test: `pad().press("up", seconds=1)`.
     """
-    return TeleopPad(topic, linear, angular, holonomic)
+    return Pad(topic, linear, angular, holonomic)

@@ -6,7 +6,8 @@ python -m tests.windows [ci [SECONDS] | fast | all | only PIECE... | setup | run
 chapter and every test; `only` some of these by their names (`"chapter 8"`, `cli`, `"cli, slow"`). At its end it says what
 passed, and the reasons of what was skipped.
 
-COURSEKIT_WINE names the folder of the set-up (about 2 GB), JOBS how many tests run side by side.
+COURSEKIT_WINE names the folder of the set-up (about 2 GB), JOBS how many tests run side by side. One such command at a time:
+the end of one stops Wine's services, and with them the workers of another.
 """
 
 from __future__ import annotations

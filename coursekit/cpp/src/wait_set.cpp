@@ -70,8 +70,7 @@ void WaitSet::add_subscription(SubscriptionBase::SharedPtr subscription, Subscri
     add(subscriptions_, subscription, "subscription");
   }
   for (auto & [kind, handler] : events_of(subscription, mask)) {
-    claim(handler, "subscription event");
-    add(waitables_, Waitable::SharedPtr(handler), "subscription event");
+    add_claimed(waitables_, Waitable::SharedPtr(handler), "subscription event");
   }
 }
 void WaitSet::remove_subscription(SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask)
@@ -85,39 +84,27 @@ void WaitSet::remove_subscription(SubscriptionBase::SharedPtr subscription, Subs
     }
   }
 }
-void WaitSet::add_timer(TimerBase::SharedPtr timer)
-{
-  claim(timer, "timer");
-  add(timers_, timer, "timer");
-}
-void WaitSet::remove_timer(TimerBase::SharedPtr timer)
-{
-  remove(timers_, timer, "timer");
-  timer->exchange_in_use_by_wait_set_state(false);
-}
+void WaitSet::add_timer(TimerBase::SharedPtr timer) {add_claimed(timers_, timer, "timer");}
+void WaitSet::remove_timer(TimerBase::SharedPtr timer) {remove_claimed(timers_, timer, "timer");}
 void WaitSet::add_client(ClientBase::SharedPtr client) {add(clients_, client, "client");}
 void WaitSet::remove_client(ClientBase::SharedPtr client) {remove(clients_, client, "client");}
 void WaitSet::add_service(ServiceBase::SharedPtr service) {add(services_, service, "service");}
 void WaitSet::remove_service(ServiceBase::SharedPtr service) {remove(services_, service, "service");}
-void WaitSet::add_guard_condition(GuardCondition::SharedPtr guard)
+void WaitSet::add_guard_condition(GuardCondition::SharedPtr guard) {add_claimed(guards_, guard, "guard condition");}
+void WaitSet::remove_guard_condition(GuardCondition::SharedPtr guard) {remove_claimed(guards_, guard, "guard condition");}
+void WaitSet::add_waitable(Waitable::SharedPtr waitable, std::shared_ptr<void>) {add_claimed(waitables_, waitable, "waitable");}
+void WaitSet::remove_waitable(Waitable::SharedPtr waitable) {remove_claimed(waitables_, waitable, "waitable");}
+template<class T>
+void WaitSet::add_claimed(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what)
 {
-  claim(guard, "guard condition");
-  add(guards_, guard, "guard condition");
+  claim(one, what);
+  add(all, one, what);
 }
-void WaitSet::remove_guard_condition(GuardCondition::SharedPtr guard)
+template<class T>
+void WaitSet::remove_claimed(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what)
 {
-  remove(guards_, guard, "guard condition");
-  guard->exchange_in_use_by_wait_set_state(false);
-}
-void WaitSet::add_waitable(Waitable::SharedPtr waitable, std::shared_ptr<void>)
-{
-  claim(waitable, "waitable");
-  add(waitables_, waitable, "waitable");
-}
-void WaitSet::remove_waitable(Waitable::SharedPtr waitable)
-{
-  remove(waitables_, waitable, "waitable");
-  waitable->exchange_in_use_by_wait_set_state(false);
+  remove(all, one, what);
+  one->exchange_in_use_by_wait_set_state(false);
 }
 template<class T>
 void WaitSet::add(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what)

@@ -104,6 +104,11 @@ private:
   void add(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what);
   template<class T>
   void remove(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what);
+  /// The same of what only one set may have.
+  template<class T>
+  void add_claimed(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what);
+  template<class T>
+  void remove_claimed(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what);
   WaitResultKind wait_ns(int64_t nanoseconds);
   /// Wait once; what is ready is told by `state_`. Nothing where only another thread has changed the set.
   std::optional<WaitResultKind> wait_once(int64_t nanoseconds);

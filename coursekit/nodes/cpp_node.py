@@ -32,8 +32,8 @@ class CppNode(Node):
         return sorted(super()._rclpy_listed_names())  # rclcpp keeps them in a std::map
 
     def _rclpy_store(self, parameters: list[Parameter], declares: bool) -> None:
-        gone = [one for one in parameters if declares or not self._is_unset(one)]  # what was not set stays declared
-        super()._rclpy_store(gone, declares)
+        changed = [one for one in parameters if declares or not self._is_unset(one)]  # what was not set stays declared
+        super()._rclpy_store(changed, declares)
 
     def _is_unset(self, given: Parameter) -> bool:
         old = self._parameters.get(given.name)

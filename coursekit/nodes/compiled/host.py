@@ -50,7 +50,7 @@ from coursekit.nodes.compiled import (
 from coursekit.nodes.compiled.channel import Channel, Gone
 from coursekit.nodes.compiled.child import Child
 from coursekit.nodes.compiled.frames import Unpacker
-from coursekit.nodes.compiled.program_address import open_door
+from coursekit.nodes.compiled.program_address import open_listener
 from coursekit.nodes.compiled.workers import Workers
 from coursekit.processes.executables import is_compiled_here
 from coursekit.processes.process import ProcessKilled, current_process
@@ -149,15 +149,15 @@ class Host:
 
     def run(self) -> int:
         """Run the program to its end. Returns its exit code, negative if a signal ended it."""
-        self._door = open_door()
+        self._listener = open_listener()
         try:
-            self._child = Child([self.path, *self.argv], self._door.address, self.process, self._workers.tell_signal)
+            self._child = Child([self.path, *self.argv], self._listener.address, self.process, self._workers.tell_signal)
             self.output = self._child.output
             self._begin_signals()
             self.process.cleanups.append(self._child.kill)
             return self._stand_for_it() if self.clock.virtual else self._stand_by()
         finally:
-            self._door.close()
+            self._listener.close()
 
     def _begin_signals(self) -> None:
         for number in (signal.SIGINT, signal.SIGTERM):
@@ -165,7 +165,7 @@ class Host:
 
     def _stand_for_it(self) -> int:
         """Represent the program on the virtual clock: one action at a time, in a fixed order."""
-        if self.output.wait_for(self._door.listening):
+        if self.output.wait_for(self._listener.listening):
             self.accept()[1].serve()
         self.over = True
         code = self._child.wait()
@@ -182,7 +182,7 @@ class Host:
         self._wake()
         for channel in list(self._channels):  # its last requests must still be carried out
             channel.ended.wait(_LAST_WORDS_S)
-        self._door.close()
+        self._listener.close()
         self._workers.end()
         return self._child.wait()
 
@@ -193,7 +193,7 @@ class Host:
 
     def accept(self) -> tuple[bytes, Channel]:
         """Return the next connection: its purpose and its channel."""
-        connection = self._door.accept()
+        connection = self._listener.accept()
         purpose = connection.recv(1)
         if purpose == b"C":
             self._workers.ask_by(connection)

@@ -16,7 +16,7 @@ _TOKEN_S = 5.0
 """The timeout for a new connection to send the token [s, real time]."""
 
 
-class UnixAddress:
+class UnixListener:
     """A socket in a folder that only this user can enter."""
 
     def __init__(self) -> None:
@@ -38,7 +38,7 @@ class UnixAddress:
         self._folder.cleanup()
 
 
-class LoopbackAddress:
+class LoopbackListener:
     """A port of this computer: a connection must first send the token."""
 
     def __init__(self) -> None:
@@ -76,6 +76,6 @@ class LoopbackAddress:
         return hmac.compare_digest(said, self._token)
 
 
-def open_door() -> UnixAddress | LoopbackAddress:
-    """Return the kind of door that this system and its compiled programs support."""
-    return LoopbackAddress() if which.WINDOWS else UnixAddress()
+def open_listener() -> UnixListener | LoopbackListener:
+    """Return the kind of listener that this system and its compiled programs support."""
+    return LoopbackListener() if which.WINDOWS else UnixListener()

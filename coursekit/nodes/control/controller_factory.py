@@ -10,7 +10,7 @@ from rclpy.node import Node
 from coursekit.urdf.errors import close
 
 from .controller import ControlError, Controller, Interfaces, Maker
-from .cpp_controller import CppFault, PluginFault, make_foreign
+from .cpp_controller import CppFault, PluginFault, make_cpp_controller
 
 if TYPE_CHECKING:
     from rclpy.executors import Executor
@@ -27,7 +27,7 @@ class ControllerMaker:
 
     def make(self, name: str, kind: str, words: list[str]) -> Controller | None:
         """Return a controller of a type, its node with these arguments; None, with a log message, if there is none."""
-        return self._own(name, kind, words) if kind in self._makers else self._foreign(name, kind, words)
+        return self._own(name, kind, words) if kind in self._makers else self._cpp(name, kind, words)
 
     def _own(self, name: str, kind: str, words: list[str]) -> Controller:
         cli = ["--ros-args", *words] if words else []
@@ -36,9 +36,9 @@ class ControllerMaker:
         self._executor.add_node(node)
         return self._makers[kind](node, self._interfaces, self._rate)
 
-    def _foreign(self, name: str, kind: str, words: list[str]) -> Controller | None:
+    def _cpp(self, name: str, kind: str, words: list[str]) -> Controller | None:
         try:
-            controller = make_foreign(kind, self._node, name, words, self._interfaces, self._rate)
+            controller = make_cpp_controller(kind, self._node, name, words, self._interfaces, self._rate)
             if controller is None:
                 self._log.error(f"Loader for controller '{name}' (type '{kind}') not found. {close(kind, self._makers)}")
             return controller

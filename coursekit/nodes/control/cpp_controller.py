@@ -142,12 +142,12 @@ def _named(answer: Unpacker, everything: Callable[[], list[str]]) -> list[str]:
     return everything() if kind == _ALL else names if kind == _INDIVIDUAL else []
 
 
-def foreign_types() -> list[str]:
+def cpp_types() -> list[str]:
     """Return the names of all C++ controllers. Raises PluginFault."""
     return [name for base in _BASES for name in plugins_of(_PACKAGE, f"{_PACKAGE}::{base}")]
 
 
-def make_foreign(kind: str, *given: Any) -> CppController | None:
+def make_cpp_controller(kind: str, *given: Any) -> CppController | None:
     """Return a controller of a C++ class, None if no package has it. Raises PluginFault, CppFault, ControlError."""
     for base in _BASES:
         if plugin := plugins_of(_PACKAGE, f"{_PACKAGE}::{base}").get(kind):
@@ -155,4 +155,4 @@ def make_foreign(kind: str, *given: Any) -> CppController | None:
     return None
 
 
-__all__ = ["CppController", "CppFault", "PluginFault", "foreign_types", "make_foreign"]
+__all__ = ["CppController", "CppFault", "PluginFault", "cpp_types", "make_cpp_controller"]

@@ -19,7 +19,7 @@ from controller_manager_msgs.srv import (
 )
 
 from .chains import Chains
-from .cpp_controller import foreign_types
+from .cpp_controller import cpp_types
 from .hardware import Hardware
 from .lifecycle import bring
 from .loaded_controller import Loaded
@@ -101,7 +101,7 @@ class ManagerServices:
     def _types(
         self, _request: ListControllerTypes.Request, answer: ListControllerTypes.Response
     ) -> ListControllerTypes.Response:
-        answer.types = sorted({*self._manager.makers, *foreign_types()})
+        answer.types = sorted({*self._manager.makers, *cpp_types()})
         answer.base_classes = [BASE] * len(answer.types)
         return answer
 

@@ -28,13 +28,17 @@ class RateController(TreeNode):
         if self.status == IDLE:
             self.first = True
             self.begin()
-        if not (self.first or self.children[0].status == RUNNING or self.due()):
+        if not self.is_turn():
             return RUNNING
-        self.first = False
         status = self.children[0].tick()
         if status == SUCCESS:
             self.begin()
         return status
+
+    def is_turn(self) -> bool:
+        """Whether to tick the child now."""
+        first, self.first = self.first, False
+        return first or self.children[0].status == RUNNING or self.due()
 
     def due(self) -> bool:
         """Whether the child is due."""
@@ -88,9 +92,8 @@ class SpeedController(RateController):
         if self.status == IDLE or goals != self.goals:
             self.goals, self.first, self.period = goals, True, 1.0 / self.number("max_rate", 1.0)
             self.begin()
-        if not (self.first or self.children[0].status == RUNNING or self.due()):
+        if not self.is_turn():
             return RUNNING
-        self.first = False
         if self.due():
             self.period = 1.0 / self._rate()
             self.begin()

@@ -43,11 +43,11 @@ class TransformLookup:
     def buffer_for_plugins(self) -> Buffer:
         """Return a buffer with a thread of its own: the calls of plugins may wait for transforms in it."""
         if self._apart is None:
-            self._apart = TransformListener(Buffer(), self._ears("listens_for_plugins"), spin_thread=True)
+            self._apart = TransformListener(Buffer(), self._tf_node("listens_for_plugins"), spin_thread=True)
         buffer: Buffer = self._apart.buffer
         return buffer
 
-    def _ears(self, what: str) -> Any:
+    def _tf_node(self, what: str) -> Any:
         """Make a node that subscribes to tf."""
         name = f"{self.node.get_name()}_{what}"
         names = ["--ros-args", "-r", f"__node:={name}", "-r", f"__ns:={self._space}"]
@@ -58,10 +58,10 @@ class TransformLookup:
 
         This is for callbacks: they block the node's own executor, so a temporary node subscribes to tf.
         """
-        ears = self._ears("waits_for_tf")
+        listening = self._tf_node("waits_for_tf")
         executor = SingleThreadedExecutor(context=self.node.context)
-        executor.add_node(ears)
-        listener = TransformListener(self.buffer, ears)
+        executor.add_node(listening)
+        listener = TransformListener(self.buffer, listening)
         known = self.buffer.wait_for_transform_async(frame, self.base, Time())
         try:
             while self.node.context.ok() and (fault := self._fault(frame)):
@@ -70,7 +70,7 @@ class TransformLookup:
         finally:
             listener.unregister()
             executor.shutdown()
-            ears.destroy_node()
+            listening.destroy_node()
 
     def _fault(self, frame: str) -> str:
         try:

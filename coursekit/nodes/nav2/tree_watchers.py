@@ -50,38 +50,41 @@ class PathExpiringTimer(TreeNode):
         return SUCCESS
 
 
-class GoalUpdated(TreeNode):
+class GoalWatcher(TreeNode):
+    """Compares the goal with the one of its last tick."""
+
+    goals: Any = None
+
+    def is_new(self) -> bool:
+        """Whether the goal is another one; at the very first tick it is."""
+        before, self.goals = self.goals, goals_on(self.board)
+        return bool(before != self.goals)
+
+
+class GoalUpdated(GoalWatcher):
     """Succeeds when the goal is not the one of the last tick; never at its first one."""
 
-    goals: Any = None
-
     def step(self) -> str:
         """Compare the goals."""
-        before, self.goals = self.goals, goals_on(self.board)
-        return FAILURE if self.status == IDLE or before == self.goals else SUCCESS
+        return SUCCESS if self.is_new() and self.status != IDLE else FAILURE
 
 
-class GlobalUpdatedGoal(TreeNode):
+class GlobalUpdatedGoal(GoalWatcher):
     """Succeeds at its first tick, and when the goal is not the one of the last tick, of an earlier goal's as well."""
 
-    goals: Any = None
-
     def step(self) -> str:
         """Compare the goals."""
-        before, self.goals = self.goals, goals_on(self.board)
-        return FAILURE if before == self.goals else SUCCESS
+        return SUCCESS if self.is_new() else FAILURE
 
 
-class GoalUpdatedController(TreeNode):
+class GoalUpdatedController(GoalWatcher):
     """Ticks its child at first, for each new goal, and while it is running."""
 
     arity = (1, 1)
-    goals: Any = None
 
     def step(self) -> str:
         """Tick the child if there is a reason to."""
-        before, self.goals = self.goals, goals_on(self.board)
-        if self.status == IDLE or before != self.goals or self.children[0].status == RUNNING:
+        if self.is_new() or self.status == IDLE or self.children[0].status == RUNNING:
             return self.children[0].tick()
         return RUNNING
 

@@ -5,46 +5,48 @@ import threading
 
 import pytest
 
-from coursekit.nodes.compiled.program_address import LoopbackAddress, UnixAddress, open_door
+from coursekit.nodes.compiled.program_address import LoopbackListener, UnixListener, open_listener
 from coursekit.systems import which
 from tests.needs import posix
 
 
 @pytest.fixture
-def door():
-    loopback_door = LoopbackAddress()
-    yield loopback_door
-    loopback_door.close()
+def listener():
+    loopback_listener = LoopbackListener()
+    yield loopback_listener
+    loopback_listener.close()
 
 
-def connect(door, said):
+def connect(listener, said):
     """A connection to a port that says this first, and no more."""
-    connection = socket.create_connection(door.listening.getsockname(), timeout=10)
+    connection = socket.create_connection(listener.listening.getsockname(), timeout=10)
     connection.sendall(said)
     connection.shutdown(socket.SHUT_WR)
     return connection
 
 
-def test_only_who_says_the_token_comes_in(door):
-    port, token = door.address.split(":")
-    assert door.listening.getsockname() == ("127.0.0.1", int(port)) and len(token) == 32
-    strangers = [connect(door, said) for said in (b"", b"M", b"x" * 32, token[:-1].encode())]
-    friend = connect(door, f"{token}M".encode())
-    with door.accept() as accepted, friend:
+def test_only_who_says_the_token_comes_in(listener):
+    port, token = listener.address.split(":")
+    assert listener.listening.getsockname() == ("127.0.0.1", int(port)) and len(token) == 32
+    strangers = [connect(listener, said) for said in (b"", b"M", b"x" * 32, token[:-1].encode())]
+    friend = connect(listener, f"{token}M".encode())
+    with listener.accept() as accepted, friend:
         assert accepted.recv(10) == b"M"  # the strangers came before, and not in
     for stranger in strangers:
         with stranger:
             assert stranger.recv(1) == b""
 
 
-def test_doors_have_tokens_of_their_own(door):
-    other = LoopbackAddress()
-    assert other.address.split(":")[1] != door.address.split(":")[1]
+def test_listeners_have_tokens_of_their_own(listener):
+    other = LoopbackListener()
+    assert other.address.split(":")[1] != listener.address.split(":")[1]
     other.close()
 
 
-@pytest.mark.parametrize("kind", [LoopbackAddress, pytest.param(UnixAddress, marks=posix("there are no sockets of files"))])
-def test_who_waits_at_a_door_that_is_closed_hears_of_it(kind):
+@pytest.mark.parametrize(
+    "kind", [LoopbackListener, pytest.param(UnixListener, marks=posix("there are no sockets of files"))]
+)
+def test_who_waits_at_a_listener_that_is_closed_hears_of_it(kind):
     closing, ended = kind(), threading.Event()
 
     def wait():
@@ -59,6 +61,6 @@ def test_who_waits_at_a_door_that_is_closed_hears_of_it(kind):
 
 def test_windows_has_ports(monkeypatch):
     monkeypatch.setattr(which, "WINDOWS", True)
-    door = open_door()
-    assert isinstance(door, LoopbackAddress)
-    door.close()
+    listener = open_listener()
+    assert isinstance(listener, LoopbackListener)
+    listener.close()

@@ -7,8 +7,8 @@ from typing import Any
 from action_msgs.srv import CancelGoal
 
 from coursekit.nav.behavior_tree import TreeNode
-from coursekit.nodes.nav2.tree_actions import CallNode
 from coursekit.nodes.nav2.tree_context import context_of
+from coursekit.nodes.nav2.tree_services import CallNode
 
 
 class CancelNode(CallNode):

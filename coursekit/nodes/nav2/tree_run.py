@@ -20,12 +20,13 @@ from coursekit.nodes.nav2.running import AsyncRate
 from coursekit.nodes.nav2.tree_actions import ACTIONS
 from coursekit.nodes.nav2.tree_cancels import CANCELS
 from coursekit.nodes.nav2.tree_context import TreeContext
+from coursekit.nodes.nav2.tree_services import SERVICES
 from coursekit.nodes.nav2.tree_watchers import WATCHERS
 
 if TYPE_CHECKING:
     from coursekit.nodes.nav2.tree_log import TreeLog
 
-KINDS: dict[str, type[TreeNode]] = {**CONTROLS, **BRANCHES, **ACTIONS, **CANCELS, **CONDITIONS, **WATCHERS}
+KINDS: dict[str, type[TreeNode]] = {**CONTROLS, **BRANCHES, **ACTIONS, **SERVICES, **CANCELS, **CONDITIONS, **WATCHERS}
 MOST_BYTES = 2**20
 
 

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import hashlib
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -16,6 +15,7 @@ from functools import cache
 from pathlib import Path
 
 from coursekit.cpp.age import age_source, runtime_key
+from coursekit.cpp.compiler_facts import keep_facts
 from coursekit.cpp.exported import exported_by, version_of_package
 from coursekit.cpp.forwarded import write_forwarded
 from coursekit.cpp.headers import write_headers
@@ -67,6 +67,7 @@ NOT_COMPILED = {"gazebo_plugins", "gazebo_ros"}
 """Packages that come with coursekit, but without C++ headers for others."""
 _MADE_OF = (".hpp", ".h", ".cpp", ".txt", ".msg", ".srv", ".action", ".py")
 SHARED = "COURSEKIT_SHARED"
+COMPILER = "compiler"
 _CONFIG = """set(_coursekit_name "{name}")
 set({name}_VERSION "{version}")
 include("${{COURSEKIT_CMAKE}}/underlay.cmake")
@@ -152,10 +153,7 @@ def _build_library(folder: Path, build: Path, tools: Toolchain) -> None:
     _run(tools.cmake, "--install", str(build))
     if tools.lends_library:
         _lend_library(folder / "lib", tools)
-    for path in build.glob("CMakeFiles/*/CMake*Compiler.cmake"):
-        kept = folder / "compiler" / path.parent.name
-        kept.mkdir(parents=True, exist_ok=True)
-        shutil.copy(path, kept)
+    keep_facts(build, folder / COMPILER)
 
 
 def _lend_library(folder: Path, tools: Toolchain) -> None:

@@ -6,7 +6,6 @@ import hashlib
 import importlib.util
 import os
 import re
-import shutil
 import sys
 from collections.abc import Iterable
 from functools import partial
@@ -17,7 +16,8 @@ from colcon_cmake.task import cmake as colcon_tools
 from colcon_cmake.task.cmake import build as colcon_cmake
 from colcon_core.event.output import StderrLine, StdoutLine
 
-from coursekit.cpp.runtime import ROOM, runtime_folder
+from coursekit.cpp.compiler_facts import reuse_facts
+from coursekit.cpp.runtime import COMPILER, ROOM, runtime_folder
 from coursekit.cpp.toolchain import Toolchain
 from coursekit.files import read_text
 from coursekit.systems import layout
@@ -29,6 +29,7 @@ _MAKES = re.compile(
     re.M | re.I,
 )
 _RUNTIME = re.compile(r"/cpp/([0-9a-f]{16})/share/")
+_OWN_COMPILER = re.compile(r"(-D)?CMAKE_(C|CXX)_COMPILER\b|(-D)?CMAKE_TOOLCHAIN_FILE\b|--toolchain\b")
 _QUIET = "-Wno-author"
 """Silences what newer versions of CMake say of policies that Humble's did not know."""
 _COLOR = re.compile(rb"\x1b\[[\d;]*m")
@@ -61,9 +62,9 @@ async def build_with_cmake(context: Any, tools: Toolchain, left_out: Iterable[st
     Returns the exit code of the first step that fails, and the lines of errors and warnings, which are not reported yet.
     """
     args = context.args
-    reuse_compiler(Path(args.build_base), runtime_folder(tools))
     own_words = list(args.cmake_args or [])
-    args.cmake_args = [*_words(context, tools, left_out), *own_words]
+    drop_other_cache(Path(args.build_base), runtime_folder(tools))
+    args.cmake_args = [*_words(context, tools, left_out), *_of_compiler(context, tools, own_words), *own_words]
     task = colcon_cmake.CmakeBuildTask()
     listening = ErrorsAside(context)
     complete = partial(_complete, runtime=runtime_folder(tools))
@@ -153,16 +154,18 @@ def build_tests(build: Path, tools: Toolchain) -> list[str]:
     return [tools.cmake, "--build", str(build), "--parallel", str(os.cpu_count() or 1)]
 
 
-def reuse_compiler(build: Path, runtime: Path) -> None:
-    """Skip CMake's compiler checks: the results are reused from the build of the runtime.
-
-    A CMake cache of another runtime is deleted: find_package() would continue to find that one's packages.
-    """
+def drop_other_cache(build: Path, runtime: Path) -> None:
+    """Delete a CMake cache of another runtime: find_package() would continue to find that one's packages."""
     cache = build / "CMakeCache.txt"
     if cache.exists() and set(_RUNTIME.findall(read_text(cache, errors="replace"))) - {runtime.name}:
         cache.unlink()
-    if not cache.exists():
-        shutil.copytree(runtime / "compiler", build / "CMakeFiles", dirs_exist_ok=True)
+
+
+def _of_compiler(context: Any, tools: Toolchain, own_words: list[str]) -> list[str]:
+    """CMake's words for what is known of the compiler, unless the user named another one."""
+    if any(_OWN_COMPILER.match(word) for word in own_words):
+        return []
+    return reuse_facts(runtime_folder(tools) / COMPILER, Path(context.args.build_base))
 
 
 class ErrorsAside:

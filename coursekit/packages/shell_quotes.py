@@ -19,7 +19,7 @@ from colcon_core.plugin_system import satisfies_version
 from colcon_core.shell import ShellExtensionPoint
 from colcon_core.shell.template import expand_template
 
-from coursekit.files import read_text, write_whole
+from coursekit.files import read_text
 from coursekit.packages.folder_name import refusal
 from coursekit.packages.windows_quotes import as_bytes, quoted_for_cmd, quoted_for_powershell, word_for_cmd
 from coursekit.systems import which
@@ -104,7 +104,7 @@ def expand_quoted(template_path: Path, destination_path: Path, data: dict[str, A
     expand_template(template_path, destination_path, data)
     change = _CHANGES.get(destination_path.name) or _CHANGES.get(destination_path.suffix)
     if change is not None:
-        write_whole(destination_path, as_bytes(change(read_text(destination_path)), destination_path.suffix))
+        destination_path.write_bytes(as_bytes(change(read_text(destination_path)), destination_path.suffix))
 
 
 def quoted(script: str) -> str:

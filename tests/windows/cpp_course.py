@@ -9,9 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from coursekit.cpp.runtime import make_runtime, runtime_folder
+from coursekit.cpp.compiler_facts import reuse_facts
+from coursekit.cpp.runtime import COMPILER, make_runtime, runtime_folder
 from coursekit.cpp.toolchain import NoToolchain, Toolchain, cross_toolchain
-from coursekit.packages.cmake_build import completed, initial_cache, reuse_compiler
+from coursekit.packages.cmake_build import completed, initial_cache
 
 CMAKE = """
 cmake_minimum_required(VERSION 3.16)
@@ -46,9 +47,9 @@ def install(folder: Path, tools: Toolchain, programs: dict[str, str]) -> Path:
     """Build the programs, texts by name, as a package `far`; the prefix that it is installed in."""
     source, build, prefix = folder / "src", folder / "build", folder / "install"
     write(source, programs)
-    reuse_compiler(build, runtime_folder(tools))
+    known = reuse_facts(runtime_folder(tools) / COMPILER, build)
     cache = initial_cache(build, prefix, tools)
-    _run(tools, "-G", tools.generator, "-C", cache, f"-DCMAKE_INSTALL_PREFIX={prefix}", "-S", source, "-B", build)
+    _run(tools, "-G", tools.generator, "-C", cache, *known, f"-DCMAKE_INSTALL_PREFIX={prefix}", "-S", source, "-B", build)
     _run(tools, "--build", build)
     _run(tools, "--install", build)
     return prefix

@@ -1,6 +1,7 @@
 """The world and the robot of nav2's pages, and launch files that start them."""
 
 import math
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -56,11 +57,16 @@ def pose(x, y):
 
 def across(namespace):
     """From the west of the world to its east, between the pillars."""
+    drive(namespace, (-2.0, -0.5), (1.7, 0.5))
+
+
+def drive(namespace, start, goal):
+    """A program that drives a robot; what it prints ends with the goal's status."""
     rclpy.init()
     robot = BasicNavigator(namespace=namespace)
-    robot.setInitialPose(pose(-2.0, -0.5))
+    robot.setInitialPose(pose(*start))
     robot.waitUntilNav2Active()
-    robot.goToPose(pose(1.7, 0.5))
+    robot.goToPose(pose(*goal))
     while not robot.isTaskComplete():
         pass
     print("ended", robot.getResult().name)
@@ -91,6 +97,27 @@ def test_a_launch_file_of_ones_own_drives_its_waffle_in_its_world(session, tmp_p
     session.start(lambda: run_cli(words), name="ros2", argv=words)
     session.clock.sleep(3.0)
     assert arrived(session, "waffle", "tb")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["unique_multi_tb3_simulation_launch.py"],
+        ["cloned_multi_tb3_simulation_launch.py", "robots:=robot1={x: 0.0, y: 0.5}; robot2={x: 0.0, y: -0.5}"],
+    ],
+)
+def test_two_robots_of_one_launch_file_drive_to_goals_of_their_own(session, words):
+    words = ["launch", "nav2_bringup", *words, "use_rviz:=False", "autostart:=True"]
+    launched = session.start(lambda: run_cli(words), name="ros2", argv=["ros2", *words])
+    session.clock.sleep(3.0)
+    routes = {"robot1": ((0.0, 0.5), (1.7, 0.5)), "robot2": ((0.0, -0.5), (-1.7, -0.5))}
+    driven = [session.start(partial(drive, name, *routes[name]), name="program") for name in routes]
+    for process, (name, (_, goal)) in zip(driven, routes.items(), strict=True):
+        process.wait(120.0)
+        place = simulators.running(session)[0].simulation.robots[name].place
+        assert process.output.endswith("ended SUCCEEDED\n"), process.output + launched.output
+        assert math.dist((place.x, place.y), goal) < 0.4
 
 
 def test_nav2_s_page_takes_another_robot_and_another_world(session):

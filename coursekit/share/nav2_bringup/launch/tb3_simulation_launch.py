@@ -97,7 +97,7 @@ def generate_launch_description():
                 remappings=TF,
                 parameters=[{"use_sim_time": given["use_sim_time"], "robot_description": description}],
             ),
-            Node(package="gazebo_ros", executable="spawn_entity.py", output="screen", arguments=words, condition=simulated),
+            Node(package="gazebo_ros", executable="spawn_entity.py", output="screen", arguments=words),
             included(NAV2, "rviz_launch.py", rviz, IfCondition(given["use_rviz"])),
             included(NAV2, "bringup_launch.py", {name: given[name] for name in TO_NAVIGATION}),
         ]

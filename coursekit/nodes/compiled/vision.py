@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from coursekit.nodes.compiled.frames import FrameError, Unpacker, packed
+from coursekit.nodes.compiled.vision_faces import FACES
 
 if TYPE_CHECKING:
     from coursekit.nodes.compiled.channel import Channel
@@ -96,20 +97,22 @@ def _matrix(array: np.ndarray) -> bytes:
     return packed(MAT, rows, cols, _DTYPES.index(name), channels, array.tobytes())
 
 
-def do_cv_call(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Call a function of cv2."""
+def _named(name: str) -> Any:
     import cv2  # only if a program needs it
 
-    function = getattr(cv2, frame.text())
+    return FACES.get(name) or getattr(cv2, name)
+
+
+def do_cv_call(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
+    """Call a function of cv2."""
+    function = _named(frame.text())
     by_place, by_name = arguments(frame)
     return answer(function(*by_place, **by_name))
 
 
 def do_cv_make(host: Host, channel: Channel, frame: Unpacker) -> bytes:
     """Make a cv2 object. Returns its number."""
-    import cv2
-
-    kind = getattr(cv2, frame.text())
+    kind = _named(frame.text())
     by_place, by_name = arguments(frame)
     return packed(INTEGER, host.keep(kind(*by_place, **by_name)))
 

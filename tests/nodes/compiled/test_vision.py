@@ -223,3 +223,35 @@ def test_what_is_answered_is_read_again(value):
 def test_an_argument_that_is_none_is_refused(data):
     with pytest.raises(FrameError):
         vision._argument(Unpacker(data))
+
+
+def board(squares_x, squares_y, side):
+    """The image of a chessboard, with a white border."""
+    inner = np.indices((squares_y, squares_x)).sum(axis=0) % 2 * 255
+    return np.pad(np.kron(inner, np.ones((side, side))), 2 * side, constant_values=255).astype(np.uint8)
+
+
+def test_markers_codes_corners_and_what_moves_are_found(said, tmp_path):
+    code = cv2.QRCodeEncoder.create().encode("ROS 2")
+    cv2.imwrite(str(tmp_path / "code.png"), np.pad(np.kron(code, np.ones((6, 6), np.uint8)), 30, constant_values=255))
+    cv2.imwrite(str(tmp_path / "board.png"), board(7, 5, 30))
+    lines = said("markers")
+    assert lines[:4] == ["1 7 4 4", "33 300 100", "1", "00"]
+    assert "".join(lines[4:6]) == "[0.3, -0.1; -0.2, 0.4][0.1, 0.6]107"
+    assert "".join(lines[6:8]) == "[3, 0; 0, 3]58 7 967509983"
+    assert lines[8:11] == [f"{followed()[0]:.6g} {followed()[1]:.6g}", "4 3 2 1", "400[28, 37]1"]
+    assert lines[11:] == ["9600 400", "0100", "[ROS 2] 4", "1 24 30", "132 2 0 23", "31"]
+
+
+def followed():
+    """Where the program's KalmanFilter is at its end, by Python's."""
+    kalman = cv2.KalmanFilter(2, 1)
+    kalman.transitionMatrix = np.array([[1, 1], [0, 1]], np.float32)
+    kalman.measurementMatrix = np.eye(1, 2, dtype=np.float32)
+    kalman.processNoiseCov = np.eye(2, dtype=np.float32) * np.float32(1e-4)
+    kalman.measurementNoiseCov = np.full((1, 1), 0.1, np.float32)
+    kalman.errorCovPost = np.eye(2, dtype=np.float32)
+    for seen in range(1, 6):
+        kalman.predict()
+        kalman.correct(np.full((1, 1), seen, np.float32))
+    return kalman.statePost.ravel()

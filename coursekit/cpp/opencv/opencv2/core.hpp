@@ -240,3 +240,4 @@ private:
   int64_t start_ = 0, sum_ = 0, counter_ = 0;
 };
 }  // namespace cv
+#include "opencv2/core/algebra.hpp"

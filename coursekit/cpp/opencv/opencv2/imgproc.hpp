@@ -2,6 +2,7 @@
 #pragma once
 #include "opencv2/core.hpp"
 #include "opencv2/imgproc/drawing.hpp"
+#include "opencv2/imgproc/measures.hpp"
 #include "opencv2/imgproc/shapes.hpp"
 
 namespace cv

@@ -74,10 +74,11 @@ inline void pack(Packer & to, const std::vector<Mat> & all)
     pack(to, one);
   }
 }
-inline void pack(Packer & to, const std::vector<int> & all)
+template<class T, class = std::enable_if_t<std::is_arithmetic_v<T>>>
+void pack(Packer & to, const std::vector<T> & all)
 {
   to.i(LIST).i(static_cast<int64_t>(all.size()));
-  for (int one : all) {
+  for (T one : all) {
     pack(to, one);
   }
 }

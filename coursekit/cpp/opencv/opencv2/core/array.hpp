@@ -23,12 +23,11 @@ public:
       all_.emplace_back(items);
     }
   }
+  _InputArray(const Scalar & value)  // NOLINT
+  : scalar_(true), value_(value) {}
   template<class T, int n>
   _InputArray(const Vec<T, n> & v)  // NOLINT
-  : scalar_(true)
-  {
-    value_ = Scalar(v);
-  }
+  : mat_(v) {}
   template<class T, int m, int n>
   _InputArray(const Matx<T, m, n> & small)  // NOLINT
   : mat_(small) {}
@@ -142,15 +141,25 @@ public:
     }
   }
 
+protected:
+  mutable Mat part_;
+
 private:
   Mat * mat_ = nullptr;
-  mutable Mat part_;
   Set set_;
 };
 class _InputOutputArray : public _OutputArray
 {
 public:
   using _OutputArray::_OutputArray;
+  template<class T>
+  _InputOutputArray(std::vector<T> & items)  // NOLINT
+  : _OutputArray(items) {part_ = Mat(items);}
+  template<class T>
+  _InputOutputArray(std::vector<std::vector<T>> & lists)  // NOLINT
+  : _OutputArray(lists) {}
+  _InputOutputArray(std::vector<Mat> & all)  // NOLINT
+  : _OutputArray(all) {}
 };
 
 using InputArray = const _InputArray &;

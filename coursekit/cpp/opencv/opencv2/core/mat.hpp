@@ -60,6 +60,9 @@ public:
   explicit Mat(const Matx<T, m, n> & small, bool = true)
   : Mat(m, n, DataType<T>::type) {std::memcpy(data, small.val, sizeof(small.val));}
 
+  template<class T, int n>
+  explicit Mat(const Vec<T, n> & v, bool = true)
+  : Mat(n, 1, DataType<T>::type) {std::memcpy(data, v.val, sizeof(v.val));}
   static Mat zeros(int rows, int cols, int type) {return Mat(rows, cols, type, Scalar::all(0));}
   static Mat zeros(Size size, int type) {return Mat(size, type, Scalar::all(0));}
   static Mat ones(int rows, int cols, int type) {return Mat(rows, cols, type, Scalar(1));}
@@ -83,6 +86,7 @@ public:
   Mat & operator=(const Scalar & value) {return setTo(value);}
   Mat reshape(int channels_, int rows_ = 0) const;
   Mat t() const;
+  Mat inv(int how = DECOMP_LU) const;
 
   Mat row(int y) const {return Mat(*this, Range(y, y + 1), Range::all());}
   Mat col(int x) const {return Mat(*this, Range::all(), Range(x, x + 1));}

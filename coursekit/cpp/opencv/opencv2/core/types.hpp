@@ -188,6 +188,9 @@ struct TermCriteria
   enum Type {COUNT = 1, MAX_ITER = COUNT, EPS = 2};
   int type = 0, maxCount = 0;
   double epsilon = 0;
+  TermCriteria() = default;
+  TermCriteria(int type_, int count, double epsilon_)
+  : type(type_), maxCount(count), epsilon(epsilon_) {}
 };
 
 template<class T>

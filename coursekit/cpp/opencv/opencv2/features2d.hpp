@@ -1,0 +1,171 @@
+// Points of an image that are known again in another one, and what each looks like.
+#pragma once
+#include "opencv2/core.hpp"
+#include "opencv2/imgproc.hpp"
+
+namespace cv
+{
+/// A point, how large and how turned its surroundings are.
+struct KeyPoint
+{
+  Point2f pt;
+  float size = 0, angle = -1, response = 0;
+  int octave = 0, class_id = -1;
+  KeyPoint() = default;
+  KeyPoint(Point2f at, float size_, float angle_ = -1, float response_ = 0, int octave_ = 0, int class_id_ = -1)
+  : pt(at), size(size_), angle(angle_), response(response_), octave(octave_), class_id(class_id_) {}
+  KeyPoint(float x, float y, float size_, float angle_ = -1, float response_ = 0, int octave_ = 0, int class_id_ = -1)
+  : KeyPoint(Point2f(x, y), size_, angle_, response_, octave_, class_id_) {}
+  static void convert(const std::vector<KeyPoint> & points, std::vector<Point2f> & places)
+  {
+    places.clear();
+    for (auto & point : points) {
+      places.push_back(point.pt);
+    }
+  }
+};
+/// Two descriptions that are alike.
+struct DMatch
+{
+  int queryIdx = -1, trainIdx = -1, imgIdx = -1;
+  float distance = std::numeric_limits<float>::max();
+  DMatch() = default;
+  DMatch(int query, int train, float distance_)
+  : queryIdx(query), trainIdx(train), distance(distance_) {}
+  bool operator<(const DMatch & o) const {return distance < o.distance;}
+};
+
+namespace detail
+{
+/// Key points as rows of seven numbers, as they cross the link.
+inline Mat rows_of(const std::vector<KeyPoint> & points)
+{
+  Mat rows(static_cast<int>(points.size()), 7, CV_64F);
+  for (int i = 0; i < rows.rows; ++i) {
+    auto & p = points[static_cast<size_t>(i)];
+    double values[] = {p.pt.x, p.pt.y, p.size, p.angle, p.response, double(p.octave), double(p.class_id)};
+    std::memcpy(rows.ptr(i), values, sizeof(values));
+  }
+  return rows;
+}
+inline void fill(std::vector<KeyPoint> & points, const Mat & rows)
+{
+  points.clear();
+  for (int i = 0; i < rows.rows; ++i) {
+    const double * v = rows.ptr<double>(i);
+    points.emplace_back(
+      static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), static_cast<float>(v[3]),
+      static_cast<float>(v[4]), static_cast<int>(v[5]), static_cast<int>(v[6]));
+  }
+}
+inline Mat rows_of(const std::vector<DMatch> & matches)
+{
+  Mat rows(static_cast<int>(matches.size()), 3, CV_64F);
+  for (int i = 0; i < rows.rows; ++i) {
+    auto & m = matches[static_cast<size_t>(i)];
+    double values[] = {double(m.queryIdx), double(m.trainIdx), m.distance};
+    std::memcpy(rows.ptr(i), values, sizeof(values));
+  }
+  return rows;
+}
+inline void fill(std::vector<DMatch> & matches, const Mat & rows)
+{
+  matches.clear();
+  for (int i = 0; i < rows.rows; ++i) {
+    const double * v = rows.ptr<double>(i);
+    matches.emplace_back(static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<float>(v[2]));
+    matches.back().imgIdx = 0;
+  }
+}
+}  // namespace detail
+
+/// What finds key points and describes them: ORB, AKAZE, SIFT and others.
+class Feature2D
+{
+public:
+  template<class ... A>
+  explicit Feature2D(const char * kind, const A & ... arguments)
+  : object_("feature_detector", kind, arguments ...) {}
+  void detect(InputArray image, std::vector<KeyPoint> & points, InputArray mask = noArray())
+  {
+    detail::fill(points, object_.call("detect", image, mask).mat);
+  }
+  void compute(InputArray image, std::vector<KeyPoint> & points, OutputArray descriptors)
+  {
+    auto found = object_.call("compute", image, detail::rows_of(points));
+    detail::fill(points, found[0].mat);
+    descriptors.assign(found[1]);
+  }
+  void detectAndCompute(InputArray image, InputArray mask, std::vector<KeyPoint> & points, OutputArray descriptors)
+  {
+    auto found = object_.call("detectAndCompute", image, mask);
+    detail::fill(points, found[0].mat);
+    descriptors.assign(found[1]);
+  }
+
+private:
+  remote::Object object_;
+};
+using FeatureDetector = Feature2D;
+using DescriptorExtractor = Feature2D;
+#define COURSEKIT_FEATURES(name) \
+  class name : public Feature2D \
+  { \
+  public: \
+    using Feature2D::Feature2D; \
+    template<class ... A> \
+    static Ptr<name> create(A ... arguments) {return makePtr<name>(#name, arguments ...);} \
+  };
+COURSEKIT_FEATURES(ORB)
+COURSEKIT_FEATURES(SIFT)
+COURSEKIT_FEATURES(BRISK)
+COURSEKIT_FEATURES(AKAZE)
+COURSEKIT_FEATURES(FastFeatureDetector)
+COURSEKIT_FEATURES(GFTTDetector)
+#undef COURSEKIT_FEATURES
+inline void FAST(InputArray image, std::vector<KeyPoint> & points, int threshold, bool suppressed = true)
+{
+  FastFeatureDetector::create(threshold, suppressed)->detect(image, points);
+}
+
+/// Finds for each description the one that is most alike, by trying all.
+class BFMatcher
+{
+public:
+  explicit BFMatcher(int norm = NORM_L2, bool crossed = false)
+  : norm_(norm), crossed_(crossed) {}
+  static Ptr<BFMatcher> create(int norm = NORM_L2, bool crossed = false) {return makePtr<BFMatcher>(norm, crossed);}
+  void match(InputArray query, InputArray train, std::vector<DMatch> & matches) const
+  {
+    detail::fill(matches, remote::call("match_features", query, train, norm_, crossed_, 1)[0].mat);
+  }
+  void knnMatch(InputArray query, InputArray train, std::vector<std::vector<DMatch>> & matches, int k) const
+  {
+    auto found = remote::call("match_features", query, train, norm_, crossed_, k);
+    matches.resize(found[1].items.size());
+    for (size_t i = 0; i < matches.size(); ++i) {
+      detail::fill(matches[i], found[1][i].mat);
+    }
+  }
+
+private:
+  int norm_;
+  bool crossed_;
+};
+using DescriptorMatcher = BFMatcher;
+
+enum class DrawMatchesFlags {DEFAULT = 0, DRAW_OVER_OUTIMG = 1, NOT_DRAW_SINGLE_POINTS = 2, DRAW_RICH_KEYPOINTS = 4};
+inline void drawKeypoints(
+  InputArray image, const std::vector<KeyPoint> & points, InputOutputArray out, const Scalar & colour = Scalar::all(-1),
+  DrawMatchesFlags flags = DrawMatchesFlags::DEFAULT)
+{
+  out.assign(remote::call("draw_keypoints", image, detail::rows_of(points), colour, static_cast<int>(flags)));
+}
+inline void drawMatches(
+  InputArray image1, const std::vector<KeyPoint> & points1, InputArray image2, const std::vector<KeyPoint> & points2,
+  const std::vector<DMatch> & matches, InputOutputArray out)
+{
+  out.assign(
+    remote::call("draw_matches", image1, detail::rows_of(points1), image2, detail::rows_of(points2), detail::rows_of(matches)));
+}
+}  // namespace cv

@@ -74,6 +74,9 @@ def _hardware(element: Element, robot: Robot) -> HardwareInfo:
     _number(hardware, parameters.get(MOCK_OFFSET) or "0")
     parts = tuple(_component(child) for child in element.children if child.tag in KINDS)
     known = {part.name for part in parts if part.kind == "joint"}
+    for moved in (joint for gears in element.all("transmission") for joint in gears.all("joint")):
+        if moved.get("name") not in known:
+            raise moved.error(f"is no joint of the hardware '{name}'", "Declare it there, or name another.")
     mimics = {
         joint.name: (joint.mimic.joint, joint.mimic.multiplier, joint.mimic.offset)
         for joint in robot.joints.values() if joint.mimic is not None and joint.name in known

@@ -203,6 +203,9 @@ def test_hardware_that_is_a_driver_is_told_with_what_needs_none(run, tmp_path, f
     assert "mock_components/GenericSystem" in node.output
 
 
+GEARS = "<transmission name='t'><joint name='up'/></transmission>"
+
+
 @pytest.mark.parametrize(
     ("old", "new", "says"),
     [
@@ -212,7 +215,7 @@ def test_hardware_that_is_a_driver_is_told_with_what_needs_none(run, tmp_path, f
         ("<joint name='left'><command", "<joint><command", "has no name"),
         ("<param name='initial_value'>1.5</param>", "<param name='initial_value'>low</param>", "which is no number"),
         ("'calculate_dynamics'>true", "'position_state_following_offset'>a bit", "which is no number"),
-        ("</ros2_control>", "<transmission name='t'><joint name='up'/></transmission></ros2_control>", "is no joint of the hardware 'cart'"),
+        ("</ros2_control>", f"{GEARS}</ros2_control>", "is no joint of the hardware 'cart'"),
     ],
 )
 def test_a_description_with_faults_is_told_with_its_line(old, new, says):

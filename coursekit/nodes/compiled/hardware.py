@@ -14,6 +14,11 @@ if TYPE_CHECKING:
     from coursekit.nodes.compiled.host import Host
 
 
+Names = tuple[list[str], list[str]]
+"""The names of states, and of commands."""
+_NONE: Names = ([], [])
+
+
 def do_hardware_infos(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Return the hardware in a robot's description; `cpp/src/hardware.cpp` reads it."""
     all_ = list(read(frame.text()).all("ros2_control"))
@@ -28,10 +33,12 @@ def _several(parts: Iterable[bytes]) -> bytes:
 def _info(element: Element) -> bytes:
     hardware = element.first("hardware") or element
     components = [_several(map(_component, element.all(kind))) for kind in ("joint", "sensor", "gpio")]
+    joints = {joint.get("name") or "": _names(joint) for joint in element.all("joint")}
+    kind, gears = element.get("type") or "", element.all("transmission")
     return b"".join(
         (
-            packed(element.get("name") or "", element.get("type") or "", hardware.tell("plugin")), _parameters(hardware),
-            *components, _several(map(_transmission, element.all("transmission"))),
+            packed(element.get("name") or "", kind, hardware.tell("plugin")), _parameters(hardware), *components,
+            _several(_transmission(gear, joints, kind) for gear in gears),
         )
     )  # fmt: skip
 
@@ -55,19 +62,31 @@ def _interface(element: Element) -> bytes:
     )  # fmt: skip
 
 
-def _transmission(element: Element) -> bytes:
-    return b"".join(
-        (
-            packed(element.get("name") or "", element.tell("plugin")), _several(map(_geared, element.all("joint"))),
-            _several(map(_geared, element.all("actuator"))), _parameters(element),
-        )
-    )  # fmt: skip
-
-
-def _geared(element: Element) -> bytes:
-    reduction, offset = element.tell("mechanical_reduction") or "1", element.tell("offset") or "0"
-    head = packed(element.get("name") or "", element.get("role") or "") + struct.pack("<2d", float(reduction), float(offset))
-    return head + b"".join(
-        _several(packed(child.get("name") or "") for child in element.all(kind))
-        for kind in ("state_interface", "command_interface")
+def _names(element: Element) -> Names:
+    states, commands = (
+        [child.get("name") or "" for child in element.all(f"{which}_interface")] for which in ("state", "command")
     )
+    return states, commands
+
+
+def _transmission(element: Element, known: dict[str, Names], kind: str) -> bytes:
+    joints = [_geared(joint, known.get(joint.get("name") or "", _NONE)) for joint in element.all("joint")]
+    actuators = [_geared(actuator, _names(actuator)) for actuator in element.all("actuator")]
+    if kind == "actuator":  # such hardware is one motor, which need not be written down
+        moved = [known.get(joint.get("name") or "", _NONE) for joint in element.all("joint")]
+        interfaces = moved[0] if moved else _NONE
+        actuators.append(_packed_gear("actuator1", "actuator1", 1.0, 0.0, interfaces))
+    head = packed(element.get("name") or "", element.tell("plugin"))
+    return head + _several(joints) + _several(actuators) + _parameters(element)
+
+
+def _geared(element: Element, interfaces: Names) -> bytes:
+    reduction, offset = element.tell("mechanical_reduction") or "1", element.tell("offset") or "0"
+    name, role = element.get("name") or "", element.get("role") or ""
+    return _packed_gear(name, role, float(reduction), float(offset), interfaces)
+
+
+def _packed_gear(name: str, role: str, reduction: float, offset: float, interfaces: Names) -> bytes:
+    """Pack a joint or an actuator of a transmission; a joint has the interfaces that the hardware's joint declares."""
+    head = packed(name, role) + struct.pack("<2d", reduction, offset)
+    return head + b"".join(_several(map(packed, names)) for names in interfaces)

@@ -10,6 +10,8 @@ from coursekit.urdf.model import Robot
 from coursekit.urdf.xml_tree import Element, read
 
 KINDS = ("joint", "sensor", "gpio")
+MOCK_OFFSET = "position_state_following_offset"
+"""The parameter of mock hardware that is a number; all others are text, which a driver reads as it likes."""
 
 
 @dataclass(frozen=True)
@@ -18,8 +20,6 @@ class Interface:
 
     name: str
     initial: float = math.nan
-    lower: float = -math.inf
-    upper: float = math.inf
 
 
 @dataclass(frozen=True)
@@ -71,11 +71,12 @@ def _hardware(element: Element, robot: Robot) -> HardwareInfo:
     hardware = element.first("hardware")
     assert hardware is not None
     parameters = _parameters(hardware)
-    for key, value in parameters.items():
-        if key.endswith("_offset"):
-            _number(hardware, value)
+    _number(hardware, parameters.get(MOCK_OFFSET) or "0")
     parts = tuple(_component(child) for child in element.children if child.tag in KINDS)
     known = {part.name for part in parts if part.kind == "joint"}
+    for moved in (joint for gears in element.all("transmission") for joint in gears.all("joint")):
+        if moved.get("name") not in known:
+            raise moved.error(f"is no joint of the hardware '{name}'", "Declare it there, or name another.")
     mimics = {
         joint.name: (joint.mimic.joint, joint.mimic.multiplier, joint.mimic.offset)
         for joint in robot.joints.values() if joint.mimic is not None and joint.name in known
@@ -102,15 +103,11 @@ def _component(element: Element) -> Component:
 
 
 def _interface(element: Element) -> Interface:
-    told = _parameters(element)
     name = element.get("name")
     if not name:
         raise element.error("has no name", "Name it: position, velocity or effort.")
-    first = element.tell("initial_value") or told.get("initial_value", "")
-    return Interface(
-        name, _number(element, first) if first else math.nan, _number(element, told.get("min") or "-inf"),
-        _number(element, told.get("max") or "inf"),
-    )  # fmt: skip
+    first = element.tell("initial_value") or _parameters(element).get("initial_value", "")
+    return Interface(name, _number(element, first) if first else math.nan)
 
 
 def _number(element: Element, text: str) -> float:

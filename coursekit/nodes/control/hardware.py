@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from .description import HardwareInfo
+from .description import MOCK_OFFSET, HardwareInfo
 
 UNCONFIGURED, INACTIVE, ACTIVE, FINALIZED = "unconfigured", "inactive", "active", "finalized"
 TRANSITIONS = {
@@ -67,7 +67,7 @@ class GenericSystem(Hardware):
     def __init__(self, info: HardwareInfo) -> None:
         super().__init__(info)
         told = info.parameters
-        self._offset = float(told.get("position_state_following_offset") or 0.0)
+        self._offset = float(told.get(MOCK_OFFSET) or 0.0)
         self._custom = told.get("custom_interface_with_following_offset") or "position"
         self._dynamic = told.get("calculate_dynamics", "").lower() in ("true", "1")
         self._deaf = told.get("disable_commands", told.get("fake_sensor_commands_disabled", "")).lower() in ("true", "1")

@@ -92,15 +92,14 @@ class BehaviorServer(Server):
         action, work = KINDS[plugin]
         self.serve(action, name, partial(work, self, name))
 
-    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Accept goals."""
+    def activate_parts(self) -> bool:
+        """Activate the behaviours."""
         self._foreign.change("activate")
-        return super().on_activate(state)
+        return True
 
-    def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Reject goals."""
+    def deactivate_parts(self) -> None:
+        """Deactivate the behaviours."""
         self._foreign.change("deactivate")
-        return super().on_deactivate(state)
 
     def _read(self) -> None:
         """Read the parameters. ValueError for invalid ones."""
@@ -116,7 +115,7 @@ class BehaviorServer(Server):
             where_is(CppBehavior, name, plugin, KINDS)
         return plugin
 
-    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
+    def clean_parts(self) -> None:
         """Destroy everything."""
         self._obedience.end()
         self._foreign.retire()
@@ -124,7 +123,6 @@ class BehaviorServer(Server):
             self.destroy_subscription(heard)
         self.where.close()
         self.destroy_lifecycle_publisher(self._cmd_out)
-        return super().on_cleanup(state)
 
     # -- inputs
 

@@ -78,13 +78,14 @@ def controller(
     node: Node, name: str, costmap: CostmapNode, period: float, foreign: CppPlugins
 ) -> Controller | CppController:
     """Create a controller by its plugin name. Those in Python sample velocities in the same way, within their own limits."""
-    kind = declare(node, {"plugin": _DWB_NAME}, name)["plugin"]
+    kind = plugin = declare(node, {"plugin": _DWB_NAME}, name)["plugin"]
     turn_first = None
     if kind == _SHIM:
         kind = declare(node, {"primary_controller": _DWB_NAME}, name)["primary_controller"]
         turn_first = declare(node, _SHIM_ANGLE, name)["angular_dist_threshold"]
     if kind not in _MAKERS:
         return foreign.get(CppController, name, kind, [*_MAKERS, _SHIM])
+    foreign.log_created(CppController, name, plugin)
     make, defaults = _MAKERS[kind]
     own_controller = make(declare(node, defaults, name))
     own_controller.turn_first, own_controller.period = turn_first or own_controller.turn_first, period
@@ -140,6 +141,7 @@ def _goal_checker(node: Node, name: str, foreign: CppPlugins) -> GoalChecker | C
     kind = declare(node, _GOAL_KIND, name)["plugin"]
     if kind not in _GOAL_KINDS:
         return foreign.get(CppGoalChecker, name, kind, _GOAL_KINDS)
+    foreign.log_created(CppGoalChecker, name, kind)
     given = declare(node, _GOAL, name)
     still = declare(node, _STOPPED, name) if kind == _GOAL_KINDS[1] else None
     speeds = (still["trans_stopped_velocity"], still["rot_stopped_velocity"]) if still else None
@@ -151,6 +153,7 @@ def progress_checker(node: Node, name: str, foreign: CppPlugins) -> ProgressChec
     kind = declare(node, _PROGRESS_KIND, name)["plugin"]
     if kind not in _PROGRESS_KINDS:
         return foreign.get(CppProgressChecker, name, kind, _PROGRESS_KINDS)
+    foreign.log_created(CppProgressChecker, name, kind)
     given = declare(node, _PROGRESS, name)
     turns = declare(node, {"required_movement_angle": 0.5}, name) if kind == _PROGRESS_KINDS[1] else {}
     angle = turns.get("required_movement_angle", math.inf)

@@ -40,6 +40,11 @@ class ControllerServer(Server):
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Configure the costmap, create the plugins; FAILURE for invalid parameters."""
         self.get_logger().info("Configuring controller interface")
+        self.get_logger().info("getting goal checker plugins..")
+        try:
+            self.get_logger().info(f"Controller frequency set to {self.number('controller_frequency'):.4f}Hz")
+        except ValueError as fault:
+            return self._foreign.refused(fault)
         if self.costmap.trigger_configure() != TransitionCallbackReturn.SUCCESS:
             return TransitionCallbackReturn.FAILURE
         try:
@@ -47,8 +52,6 @@ class ControllerServer(Server):
         except (ValueError, CppFault) as fault:
             self.costmap.trigger_cleanup()
             return self._foreign.refused(fault)
-        self.get_logger().info(f"Controller frequency set to {1 / self._period:.4f}Hz")
-        self.get_logger().info(f"Controller Server has {' '.join(self._controllers)} controllers available.")
         self._make_topics()
         self._obedience = Obedience(self, self._make_plugins)
         self.serve(FollowPath, "follow_path", self._follow)
@@ -63,9 +66,11 @@ class ControllerServer(Server):
         self._period, self.patience = 1.0 / frequency, given["failure_tolerance"]
         self.progress = progress_checker(self, given["progress_checker_plugin"], self._foreign)
         self._goals = goal_checkers(self, given["goal_checker_plugins"], self._foreign)
+        self._foreign.log_available("Controller Server", "goal checkers", self._goals)
         self._controllers = {
             name: controller(self, name, self.costmap, self._period, self._foreign) for name in given["controller_plugins"]
         }
+        self._foreign.log_available("Controller Server", "controllers", self._controllers)
 
     def _make_topics(self) -> None:
         self.velocity, self._limit, self._limit_share = Twist(), 0.0, 0.0
@@ -77,21 +82,20 @@ class ControllerServer(Server):
             self.create_subscription(SpeedLimit, self.text("speed_limit_topic"), self._take_limit, 10),
         ]
 
-    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Activate the costmap and accept goals."""
+    def activate_parts(self) -> bool:
+        """Activate the costmap and the plugins."""
         if self.costmap.trigger_activate() is not TransitionCallbackReturn.SUCCESS:
-            return TransitionCallbackReturn.FAILURE
+            return False
         self._foreign.change("activate")
-        return super().on_activate(state)
+        return True
 
-    def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Stop the robot and deactivate the costmap."""
+    def deactivate_parts(self) -> None:
+        """Deactivate the plugins, stop the robot and deactivate the costmap."""
         self._foreign.change("deactivate")
         self.stop()
         self.costmap.trigger_deactivate()
-        return super().on_deactivate(state)
 
-    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
+    def clean_parts(self) -> None:
         """Destroy the plugins and the costmap."""
         self._obedience.end()
         self._foreign.retire()
@@ -101,7 +105,6 @@ class ControllerServer(Server):
         self.local_plan.destroy()
         for publisher in (self._cmd_out, self._plan_out):
             self.destroy_lifecycle_publisher(publisher)
-        return super().on_cleanup(state)
 
     # -- inputs
 

@@ -101,6 +101,21 @@ class CppPlugins:
     def __init__(self, node: PluginsOwner, costmap: CostmapNode | None = None) -> None:
         self._node, self._costmap = node, costmap
         self._all: dict[str, CppPlugin] = {}
+        self._logged: set[str] = set()
+
+    def log_created(self, wanted: type[CppPlugin], name: str, kind: str) -> None:
+        """Log that a plugin was created."""
+        self._log_once(wanted.created.format(name=name, kind=kind))
+
+    def log_available(self, server: str, what: str, names: Iterable[str]) -> None:
+        """Log the names of a server's plugins as nav2 does, with a space behind each."""
+        self._log_once(f"{server} has {''.join(f'{name} ' for name in names)} {what} available.")
+
+    def _log_once(self, line: str) -> None:
+        """Log it at the first configuration only: a parameter that is set creates those in Python again."""
+        if line not in self._logged:
+            self._logged.add(line)
+            self._node.get_logger().info(line)
 
     def get(self, wanted: type[Kind], name: str, kind: str, known: Iterable[str]) -> Kind:
         """Return a plugin, made and configured the first time; `known` are the classes in Python.
@@ -112,7 +127,7 @@ class CppPlugins:
             return there
         plugin = wanted(*where_is(wanted, name, kind, known), name, self._node, self._costmap)
         self._all[name] = plugin
-        self._node.get_logger().info(wanted.created.format(name=name, kind=kind))
+        self.log_created(wanted, name, kind)
         plugin.configure()
         return plugin
 
@@ -130,6 +145,7 @@ class CppPlugins:
 
     def end(self) -> None:
         """End all programs."""
+        self._logged.clear()
         while self._all:
             self._all.popitem()[1].close()
 

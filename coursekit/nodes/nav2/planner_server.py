@@ -76,38 +76,36 @@ class PlannerServer(Server):
     def _make_planners(self) -> None:
         """Take the parameters; ValueError when they cannot work."""
         self._planners = {name: self._make(name) for name in declare(self, _SERVER)["planner_plugins"]}
+        self._foreign.log_available("Planner Server", "planners", self._planners)
 
     def _make(self, name: str) -> Planner | CppPlanner:
         kind = declare(self, {"plugin": _USUAL}, name)["plugin"]
         if kind not in _KINDS:
             return self._foreign.get(CppPlanner, name, kind, _KINDS)
         given = declare(self, {**_PLUGIN, "tolerance": _KINDS[kind]}, name)
-        if name not in self._planners:
-            self.get_logger().info(CppPlanner.created.format(name=name, kind=kind))
+        self._foreign.log_created(CppPlanner, name, kind)
         return Planner(given["tolerance"], given["allow_unknown"], given["cost_factor"])
 
-    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Plan."""
+    def activate_parts(self) -> bool:
+        """Activate the costmap and the planners."""
         if self.costmap.trigger_activate() is not TransitionCallbackReturn.SUCCESS:
-            return TransitionCallbackReturn.FAILURE
+            return False
         self._foreign.change("activate")
-        return super().on_activate(state)
+        return True
 
-    def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Plan no more."""
+    def deactivate_parts(self) -> None:
+        """Deactivate the planners and the costmap."""
         self._foreign.change("deactivate")
         self.costmap.trigger_deactivate()
-        return super().on_deactivate(state)
 
-    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Forget planners and costmap."""
+    def clean_parts(self) -> None:
+        """Destroy planners and costmap."""
         self._obedience.end()
         self._foreign.retire()
         self.costmap.trigger_cleanup()
         self._planners.clear()
         self.destroy_service(self._valid)
         self.destroy_lifecycle_publisher(self._plan_out)
-        return super().on_cleanup(state)
 
     # -- planning
 

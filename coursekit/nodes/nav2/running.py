@@ -127,23 +127,39 @@ class Server(PluginsOwner):
         return self.actions[-1]
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Accept goals."""
+        """Activate the parts, and accept goals."""
         self.get_logger().info("Activating")
+        if not self.activate_parts():
+            return TransitionCallbackReturn.FAILURE
         for action in self.actions:
             action.wake()
         return super().on_activate(state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Reject goals."""
+        """Reject goals, and deactivate the parts."""
         self.get_logger().info("Deactivating")
         for action in self.actions:
             action.sleep()
+        self.deactivate_parts()
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Destroy the action servers."""
+        """Destroy the action servers and the parts."""
         self.get_logger().info("Cleaning up")
         for action in self.actions:
             action.destroy()
         self.actions.clear()
+        self.clean_parts()
         return super().on_cleanup(state)
+
+    # -- what a server has besides its actions: a costmap, plugins
+
+    def activate_parts(self) -> bool:
+        """Activate the costmap and the plugins; return whether it succeeded."""
+        return True
+
+    def deactivate_parts(self) -> None:
+        """Deactivate the plugins and the costmap."""
+
+    def clean_parts(self) -> None:
+        """Destroy what configuring created."""

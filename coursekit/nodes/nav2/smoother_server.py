@@ -81,32 +81,32 @@ class SmootherServer(Server):
     def _make_plugins(self) -> None:
         """Read the parameters; raises ValueError if they are invalid."""
         self._smoothers = {name: self._make(name) for name in declare(self, _SERVER)["smoother_plugins"]}
+        self._foreign.log_available("Smoother Server", "smoothers", self._smoothers)
 
     def _make(self, name: str) -> int | CppSmoother:
         kind = declare(self, {"plugin": _PLUGIN["plugin"]}, name)["plugin"]
         if kind not in _KINDS:
             return self._foreign.get(CppSmoother, name, kind, _KINDS)
+        self._foreign.log_created(CppSmoother, name, kind)
         rounds: int = declare(self, _PLUGIN, name)["max_its"]
         return rounds
 
-    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Smooth."""
+    def activate_parts(self) -> bool:
+        """Activate the smoothers."""
         self._foreign.change("activate")
-        return super().on_activate(state)
+        return True
 
-    def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Smooth no more."""
+    def deactivate_parts(self) -> None:
+        """Deactivate the smoothers."""
         self._foreign.change("deactivate")
-        return super().on_deactivate(state)
 
-    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Destroy the subscription, the publisher and the action server."""
+    def clean_parts(self) -> None:
+        """Destroy the smoothers, the subscription and the publisher."""
         self._obedience.end()
         self._foreign.retire()
         self.where.close()
         self.destroy_subscription(self._heard)
         self.destroy_lifecycle_publisher(self._plan_out)
-        return super().on_cleanup(state)
 
     def _take(self, msg: CostmapMessage) -> None:
         meta = msg.metadata

@@ -46,13 +46,12 @@ class WaypointFollower(Server):
         self._action = self.serve(FollowWaypoints, "follow_waypoints", self._follow)
         return super().on_configure(state)
 
-    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Destroy the client, the action server and the task's subscription."""
+    def clean_parts(self) -> None:
+        """Destroy the client, the task and its subscription."""
         self._go.destroy()
         self._foreign.retire()
         if self._task.subscription is not None:
             self.destroy_subscription(self._task.subscription)
-        return super().on_cleanup(state)
 
     async def _follow(self, handle: ServerGoalHandle) -> Any:
         """Go to all poses and report missed ones; with `stop_on_failure`, the first missed pose aborts the goal."""

@@ -8,6 +8,8 @@ from tests.nodes.compiled.conftest import program
 ROBOT = """<robot name="r"><ros2_control name="arm" type="system">
 <hardware><plugin>a/Arm</plugin><param name="port">/dev/arm</param></hardware>
 <gpio name="lamp"><command_interface name="on" data_type="bool" size="2"/></gpio>
+<joint name="elbow"><command_interface name="position"/>
+<state_interface name="position"/><state_interface name="velocity"/></joint>
 <transmission name="gear"><plugin>transmission_interface/SimpleTransmission</plugin>
 <actuator name="motor" role="first"><offset>0.25</offset></actuator>
 <joint name="elbow" role="main"><mechanical_reduction>50</mechanical_reduction></joint></transmission>
@@ -28,6 +30,7 @@ def test_the_names_do_what_they_say(session, build):
         "11 3",
         "arm system a/Arm /dev/arm bool 2",
         "gear transmission_interface/SimpleTransmission main 50 motor 0.25",
+        "position position velocity",
         "no description",
         "0.510active0",
         "Failed converting string to real number",

@@ -203,6 +203,9 @@ def test_hardware_that_is_a_driver_is_told_with_what_needs_none(run, tmp_path, f
     assert "mock_components/GenericSystem" in node.output
 
 
+GEARS = "<transmission name='t'><joint name='up'/></transmission>"
+
+
 @pytest.mark.parametrize(
     ("old", "new", "says"),
     [
@@ -210,13 +213,21 @@ def test_hardware_that_is_a_driver_is_told_with_what_needs_none(run, tmp_path, f
         ("<plugin>mock_components/GenericSystem</plugin>", "", "names no class"),
         ("<command_interface name='velocity'/>", "<command_interface/>", "has no name"),
         ("<joint name='left'><command", "<joint><command", "has no name"),
-        ("'velocity'/><state", "'velocity'><param name='min'>low</param></command_interface><state", "which is no number"),
+        ("<param name='initial_value'>1.5</param>", "<param name='initial_value'>low</param>", "which is no number"),
+        ("'calculate_dynamics'>true", "'position_state_following_offset'>a bit", "which is no number"),
+        ("</ros2_control>", f"{GEARS}</ros2_control>", "is no joint of the hardware 'cart'"),
     ],
 )
 def test_a_description_with_faults_is_told_with_its_line(old, new, says):
     with pytest.raises(UrdfError) as caught:
         read_hardware(CART.replace(old, new, 1), "cart.urdf")
     assert says in str(caught.value) and "cart.urdf:" in str(caught.value)
+
+
+def test_limits_of_interfaces_and_other_parameters_are_text_that_a_driver_reads():
+    limited = "'velocity'><param name='min'>{-2*pi}</param><param name='max'>{2*pi}</param></command_interface><state"
+    text = CART.replace("'velocity'/><state", limited).replace("'calculate_dynamics'>true", "'frame_offset'>0.1 0 0")
+    assert read_hardware(text)[1][0].parameters == {"frame_offset": "0.1 0 0"}
 
 
 def test_an_effort_moves_a_joint_until_its_end():

@@ -17,6 +17,10 @@ struct ExecutorOptions
   memory_strategy::MemoryStrategy::SharedPtr memory_strategy;
 };
 
+/// For nodes that are no rclcpp::Node. One that is comes as a pointer to that, also from what turns into such a pointer.
+template<class N>
+using if_other_than_node = std::enable_if_t<std::is_base_of_v<NodeFace, N> && !std::is_base_of_v<Node, N>>;
+
 class Executor : public coursekit::Entity
 {
 public:
@@ -26,10 +30,15 @@ public:
   ~Executor() override;
 
   virtual void add_node(NodeBase node, bool notify = true);
-  template<class N, class = std::enable_if_t<std::is_base_of_v<NodeFace, N>>>
+  virtual void add_node(std::shared_ptr<Node> node, bool notify = true) {add_node(node->get_node_base_interface(), notify);}
+  template<class N, class = if_other_than_node<N>>
   void add_node(std::shared_ptr<N> node, bool notify = true) {add_node(node->get_node_base_interface(), notify);}
   virtual void remove_node(NodeBase node, bool notify = true);
-  template<class N, class = std::enable_if_t<std::is_base_of_v<NodeFace, N>>>
+  virtual void remove_node(std::shared_ptr<Node> node, bool notify = true)
+  {
+    remove_node(node->get_node_base_interface(), notify);
+  }
+  template<class N, class = if_other_than_node<N>>
   void remove_node(std::shared_ptr<N> node, bool notify = true) {remove_node(node->get_node_base_interface(), notify);}
   virtual void add_callback_group(CallbackGroup::SharedPtr group, NodeBase node, bool notify = true);
   virtual void remove_callback_group(CallbackGroup::SharedPtr group, bool notify = true);
@@ -48,7 +57,8 @@ public:
     spin_some();
     remove_node(node);
   }
-  template<class N, class = std::enable_if_t<std::is_base_of_v<NodeFace, N>>>
+  void spin_node_some(std::shared_ptr<Node> node) {spin_node_some(node->get_node_base_interface());}
+  template<class N, class = if_other_than_node<N>>
   void spin_node_some(std::shared_ptr<N> node) {spin_node_some(node->get_node_base_interface());}
   template<class N, class Rep = int64_t, class Period = std::milli>
   void spin_node_once(N node, std::chrono::duration<Rep, Period> timeout = std::chrono::duration<Rep, Period>(-1))

@@ -63,9 +63,11 @@ using executors::SingleThreadedExecutor;
 
 void spin(Executor::NodeBase node);
 void spin_some(Executor::NodeBase node);
-template<class N, class = std::enable_if_t<std::is_base_of_v<NodeFace, N>>>
+inline void spin(std::shared_ptr<Node> node) {spin(node->get_node_base_interface());}
+inline void spin_some(std::shared_ptr<Node> node) {spin_some(node->get_node_base_interface());}
+template<class N, class = if_other_than_node<N>>
 void spin(std::shared_ptr<N> node) {spin(node->get_node_base_interface());}
-template<class N, class = std::enable_if_t<std::is_base_of_v<NodeFace, N>>>
+template<class N, class = if_other_than_node<N>>
 void spin_some(std::shared_ptr<N> node) {spin_some(node->get_node_base_interface());}
 
 template<class N, class F, class Rep = int64_t, class Period = std::milli>

@@ -23,6 +23,13 @@ public:
     }
     spinning = false;
   }
+  using rclcpp::Executor::add_node;
+  void add_node(std::shared_ptr<rclcpp::Node> node, bool notify = true) override
+  {
+    ++nodes;
+    Executor::add_node(node, notify);
+  }
+  int nodes = 0;
   bool leave_one()
   {
     rclcpp::AnyExecutable next;
@@ -63,6 +70,7 @@ static void of_ones_own()
   int ticks = 0;
   auto timer = node->create_wall_timer(10ms, [&] {if (++ticks == 3) {counting.cancel();}});
   counting.add_node(node);
+  equal("a node comes to the executor's own function", counting.nodes, 1);
   counting.spin();
   check("an executor of one's own runs callbacks", ticks == 3 && counting.count == 3);
   check("what it leaves is not run", counting.leave_one() && ticks == 3);
@@ -159,6 +167,7 @@ int main(int argc, char ** argv)
   single.spin_some();
   equal("a node that was removed", ticks, before);
   rclcpp::spin_some(node);
+  rclcpp::spin_some(std::make_unique<rclcpp::Node>("owned_by_the_spin"));
   check("the free function", ticks > before);
   timer->cancel();
 

@@ -68,6 +68,9 @@ void descriptions(const char * text)
     std::cout << geared.name << " " << geared.type << " " << geared.joints.at(0).role << " "
               << geared.joints[0].mechanical_reduction << " " << geared.actuators.at(0).name << " " << geared.actuators[0].offset
               << std::endl;
+    auto & elbow = geared.joints[0];
+    std::cout << elbow.command_interfaces.at(0) << " " << elbow.state_interfaces.at(0) << " " << elbow.state_interfaces.at(1)
+              << std::endl;
   }
   try {
     hw::parse_control_resources_from_urdf("<robot name='r'>");

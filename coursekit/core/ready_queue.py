@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import heapq
-import itertools
 from collections import deque
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
@@ -63,8 +62,7 @@ class ReadyQueue:
     def __init__(self, clock: Any) -> None:
         self.clock = clock
         self.items: deque[Any] = deque()
-        self._timers: list[tuple[int, int, Timer, int]] = []
-        self._numbers = itertools.count()
+        self._timers: list[tuple[int, int, int, Timer]] = []
         self._waiter = clock.new_waiter()
         self._sleeping = False
 
@@ -80,7 +78,7 @@ class ReadyQueue:
 
     def arm(self, timer: Timer, deadline: int) -> None:
         """Ring `timer` at `deadline` (steady nanoseconds)."""
-        heapq.heappush(self._timers, (deadline, next(self._numbers), timer, timer.generation))
+        heapq.heappush(self._timers, (deadline, timer.phase, timer.generation, timer))
         if self._sleeping:
             self._waiter.notify()
 
@@ -105,7 +103,7 @@ class ReadyQueue:
     def wait(self, deadline: int | None) -> None:
         """Wait until something may be ready, or until `deadline` (steady nanoseconds)."""
         timers = self._timers
-        while timers and timers[0][2].generation != timers[0][3]:
+        while timers and timers[0][3].generation != timers[0][2]:
             heapq.heappop(timers)
         if timers and (deadline is None or timers[0][0] < deadline):
             deadline = timers[0][0]
@@ -119,6 +117,6 @@ class ReadyQueue:
     def _ring(self, now: int) -> None:
         timers = self._timers
         while timers and timers[0][0] <= now:
-            _, _, timer, generation = heapq.heappop(timers)
+            _, _, generation, timer = heapq.heappop(timers)
             if timer.generation == generation and timer.sink is self:
                 timer.ring()

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import itertools
+
 from .ready_queue import ReadyQueue, Source
 from .time_base import TimeBase
+
+_PHASES = itertools.count()
 
 
 class Timer(Source):
     """Becomes ready every `period` nanoseconds of its clock.
+
+    Of timers that are due at one instant the one whose periods began first, its `phase`, rings first: on a robot no two
+    begin at one instant.
 
     >>> from coursekit.core.time_base import STEADY_TIME
     >>> from coursekit.core.virtual_clock import VirtualClock
@@ -21,7 +28,7 @@ class Timer(Source):
     300000000
     """
 
-    __slots__ = ("__weakref__", "base", "canceled", "generation", "last", "next", "number", "period")
+    __slots__ = ("__weakref__", "base", "canceled", "generation", "last", "next", "number", "period", "phase")
 
     def __init__(self, base: TimeBase, period: int) -> None:
         super().__init__()
@@ -30,9 +37,13 @@ class Timer(Source):
         self.canceled = False
         self.generation = 0
         self.number = base.new_number()
-        self.last = base.now()
-        self.next = self.last + period
+        self._begin(base.now())
         base.add_timer(self)
+
+    def _begin(self, now: int) -> None:
+        self.last = now
+        self.next = now + self.period
+        self.phase = next(_PHASES)
 
     def has_work(self) -> bool:
         """Whether it is due."""
@@ -70,8 +81,7 @@ class Timer(Source):
         500000000
         """
         self.canceled = False
-        self.last = self.base.now()
-        self.next = self.last + self.period
+        self._begin(self.base.now())
         self._arm()
 
     def time_until_next_call(self) -> int | None:
@@ -92,8 +102,7 @@ class Timer(Source):
         if toggled or delta < 0:
             now = self.base.now()
             if toggled or now < self.last:
-                self.last = now
-                self.next = now + self.period
+                self._begin(now)
         if self.has_work():
             self.signal()
         elif toggled:

@@ -43,6 +43,8 @@ class CppNode(Node):
         self, parameter: Parameter, descriptor: ParameterDescriptor | None, check_read_only: bool
     ) -> SetParametersResult:
         result = super()._rclpy_check(parameter, descriptor, check_read_only)
+        if result.successful and descriptor is not None and _is_in_turned_range(parameter, descriptor):
+            result.successful = False
         if descriptor is not None and not result.successful:
             result.reason = _reason(parameter, descriptor, check_read_only)
         return result
@@ -81,6 +83,14 @@ def _reason(parameter: Parameter, descriptor: ParameterDescriptor, check_read_on
         return wrong_type(parameter.name, Parameter.Type(descriptor.type), parameter.type_)
     kind = "integer" if parameter.type_ == Parameter.Type.INTEGER else "floating point"
     return f"Parameter {{{parameter.name}}} doesn't comply with {kind} range."
+
+
+def _is_in_turned_range(parameter: Parameter, descriptor: ParameterDescriptor) -> bool:
+    """Whether a value is inside an integer range from high to low: nothing but its ends fits one in rclcpp."""
+    if parameter.type_ != Parameter.Type.INTEGER or not descriptor.integer_range:
+        return False
+    allowed = descriptor.integer_range[0]
+    return bool(allowed.to_value < parameter.value < allowed.from_value)
 
 
 def wrong_type(name: str, declared: Parameter.Type, given: Parameter.Type) -> str:

@@ -16,6 +16,7 @@ from .executables import PackageNotFound, prefix_of
 from .process import current_process
 
 _FIRST_NODE = "what the first node is given"
+_TOLD = "signals that are told of"
 
 
 class ComponentNotFound(LookupError):
@@ -32,9 +33,22 @@ def registered() -> dict[str, dict[str, Path]]:
     return dict(sorted(executables.items()))
 
 
+def _lines(entry: Path) -> list[list[str]]:
+    return [line.split(";") for line in read_text(entry).splitlines() if ";" in line]
+
+
 def _listed(prefix: Path, entry: Path) -> dict[str, Path]:
-    parts = [line.split(";") for line in read_text(entry).splitlines() if ";" in line]
-    return {plugin: prefix / path for plugin, path, *_library in parts}
+    return {plugin: prefix / path for plugin, path, *_library in _lines(entry)}
+
+
+def library_of(path: Path, package: str, plugin: str) -> Path:
+    """Return the library that the executable of a component stands for: the executable itself where there is none."""
+    for prefix in prefixes():
+        entry = prefix / "share" / "ament_index" / "resource_index" / "rclcpp_components" / package
+        for name, program, *library in _lines(entry) if entry.is_file() else ():
+            if name == plugin and library and prefix / program == path:
+                return prefix / library[0]
+    return path
 
 
 def candidate_names(plugin: str) -> list[str]:
@@ -96,3 +110,17 @@ def take_for_first_node() -> Given | None:
     """Return the argument of `give_to_first_node` for the calling code's process; None without one, or on a second call."""
     process = current_process()
     return None if process is None else process.locals.pop(_FIRST_NODE, None)
+
+
+def share_told_signals(process: Any, told: set[int]) -> None:
+    """Make a process a part of one that tells of each signal once: `told` has the signals it has told of."""
+    process.locals[_TOLD] = told
+
+
+def tells_of(process: Any, number: int) -> bool:
+    """Return whether a process has to tell of a signal: no other part of the same process has done so."""
+    told = process.locals.get(_TOLD, set())
+    if number in told:
+        return False
+    told.add(number)
+    return True

@@ -87,6 +87,14 @@ def test_what_is_read_only_is_declared_with_a_value_or_refused_for_that_value(no
     assert (result.successful, result.reason) == (False, reason)
 
 
+@pytest.mark.parametrize(("value", "fits"), [(10, True), (0, True), (5, False), (11, False)])
+def test_in_a_range_from_high_to_low_only_its_ends_fit(node, value, fits):
+    turned = ParameterDescriptor(type=2, integer_range=[IntegerRange(from_value=10, to_value=0)])
+    result = node._rclpy_check(Parameter("turned", value=value), turned, check_read_only=False)
+    assert result.successful is fits
+    assert result.reason == ("" if fits else "Parameter {turned} doesn't comply with integer range.")
+
+
 def test_what_fits_is_set(node):
     assert node.set_parameters([Parameter("red", value=7)])[0].successful
     assert node.get_parameter("red").value == 7

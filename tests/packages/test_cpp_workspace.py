@@ -133,6 +133,31 @@ def test_a_container_loads_a_compiled_component_under_another_name(workspace):
     assert "[left_winch]: done" in said and "[winder-2] succeeded after 3" in said, said
 
 
+IN_A_CONTAINER = """
+from coursekit.cli.parser import run
+
+def ros2(*words):
+    command = session.start(lambda: run(["component", *words]), name="ros2", argv=words)
+    command.wait(10.0)
+
+box = session.launch(make_process(session, find("rclcpp_components", "component_container"), name="box"))
+session.clock.sleep(0.2)
+for name in ("left", "right", "rear"):
+    ros2("load", "/ComponentManager", "k_parts", "k_parts::Winch", "-n", name)
+ros2("unload", "/ComponentManager", "1")
+unloaded = box.output
+box.interrupt()
+print(box.wait(10.0), "signal" in unloaded, box.output.count("signal_handler(signum=2)"))
+print(*(line.split("Load Library: ")[1] for line in unloaded.splitlines() if "Load" in line))
+"""
+
+
+def test_a_container_of_compiled_components_tells_of_ctrl_c_once_and_names_their_library(workspace):
+    said = alone(workspace, IN_A_CONTAINER).splitlines()
+    assert said[0] == "0 False 1", said
+    assert [Path(word).name for word in said[1].split()] == ["libwinch.so"], said
+
+
 def test_interfaces_of_a_package_with_nodes_are_python_s_too(workspace):
     code = "from k_survey.msg import Leg; from k_survey.srv import MeasureRoute as M; print(Leg().remarks, M.Response())"
     said = sourced(workspace, f'"{sys.executable}" -c "{code}" && ros2 interface show k_survey/srv/MeasureRoute')

@@ -12,14 +12,45 @@ EventHandlers<rcl_subscription_event_type_t> events_of(
   const bool wanted = subscription && mask.include_events;
   return wanted ? subscription->get_event_handlers() : EventHandlers<rcl_subscription_event_type_t>();
 }
+/// Mark a thing as one of a set, or as one of none; whether it was one before.
 template<class T>
-void claim(const std::shared_ptr<T> & one, const char * what)
+bool mark(const std::shared_ptr<T> & one, bool in_use) {return one->exchange_in_use_by_wait_set_state(in_use);}
+bool mark(const SubscriptionBase::SharedPtr & one, bool in_use)
 {
-  if (one && one->exchange_in_use_by_wait_set_state(true)) {
-    throw std::runtime_error(std::string(what) + " already in use by another wait set");
+  return one->exchange_in_use_by_wait_set_state(one.get(), in_use);
+}
+template<class T>
+void claim(const std::shared_ptr<T> & one, const std::string & what)
+{
+  if (one && mark(one, true)) {
+    const bool subscribed = what.rfind("subscription", 0) == 0;  // of which Humble speaks in words of its own
+    throw std::runtime_error(what + (subscribed ? " already associated with a wait set" : " already in use by another wait set"));
+  }
+}
+template<class T>
+void release(const std::vector<std::shared_ptr<T>> & all)
+{
+  for (auto & one : all) {
+    mark(one, false);
   }
 }
 }  // namespace
+
+bool SubscriptionBase::exchange_in_use_by_wait_set_state(void * part, bool in_use)
+{
+  if (!part) {
+    throw std::invalid_argument("pointer_to_subscription_part is unexpectedly nullptr");
+  }
+  if (part == this) {
+    return in_use_.exchange(in_use);
+  }
+  for (auto & [kind, handler] : events) {
+    if (part == handler.get()) {
+      return handler->exchange_in_use_by_wait_set_state(in_use);
+    }
+  }
+  throw std::runtime_error("given pointer_to_subscription_part does not match any part");
+}
 
 WaitSet::WaitSet(
   const Subscriptions & subscriptions, const Guards & guards, const Timers & timers, const Clients & clients,
@@ -31,11 +62,11 @@ WaitSet::WaitSet(
   if (!context->is_valid()) {
     throw exceptions::RCLInvalidArgument("failed to create wait set: the given context is not valid");
   }
-  for (auto & client : clients) {
-    add_client(client);
+  for (auto & client : clients) {  // another set may have them too, as in Humble, and timers
+    add(clients_, client, "client");
   }
   for (auto & service : services) {
-    add_service(service);
+    add(services_, service, "service");
   }
   for (auto & entry : subscriptions) {  // without their events, as in Humble
     add(subscriptions_, entry.subscription, "subscription");
@@ -43,7 +74,7 @@ WaitSet::WaitSet(
   for (auto & guard : guards) {
     add_guard_condition(guard);
   }
-  for (auto & timer : timers) {  // which another set may have too, as in Humble
+  for (auto & timer : timers) {
     add(timers_, timer, "timer");
   }
   for (auto & entry : waitables) {
@@ -52,22 +83,19 @@ WaitSet::WaitSet(
 }
 WaitSet::~WaitSet()
 {
-  for (auto & timer : timers_) {
-    timer->exchange_in_use_by_wait_set_state(false);
-  }
-  for (auto & guard : guards_) {
-    guard->exchange_in_use_by_wait_set_state(false);
-  }
-  for (auto & waitable : waitables_) {
-    waitable->exchange_in_use_by_wait_set_state(false);
-  }
+  release(subscriptions_);
+  release(timers_);
+  release(clients_);
+  release(services_);
+  release(guards_);
+  release(waitables_);
 }
 void WaitSet::allow_changes() {changed_ = std::make_shared<GuardCondition>();}
 
 void WaitSet::add_subscription(SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask)
 {
   if (mask.include_subscription || !subscription) {
-    add(subscriptions_, subscription, "subscription");
+    add_claimed(subscriptions_, subscription, "subscription");
   }
   for (auto & [kind, handler] : events_of(subscription, mask)) {
     add_claimed(waitables_, Waitable::SharedPtr(handler), "subscription event");
@@ -76,7 +104,7 @@ void WaitSet::add_subscription(SubscriptionBase::SharedPtr subscription, Subscri
 void WaitSet::remove_subscription(SubscriptionBase::SharedPtr subscription, SubscriptionWaitSetMask mask)
 {
   if (mask.include_subscription || !subscription) {
-    remove(subscriptions_, subscription, "subscription");
+    remove_claimed(subscriptions_, subscription, "subscription");
   }
   for (auto & [kind, handler] : events_of(subscription, mask)) {
     if (std::find(waitables_.begin(), waitables_.end(), handler) != waitables_.end()) {
@@ -86,10 +114,10 @@ void WaitSet::remove_subscription(SubscriptionBase::SharedPtr subscription, Subs
 }
 void WaitSet::add_timer(TimerBase::SharedPtr timer) {add_claimed(timers_, timer, "timer");}
 void WaitSet::remove_timer(TimerBase::SharedPtr timer) {remove_claimed(timers_, timer, "timer");}
-void WaitSet::add_client(ClientBase::SharedPtr client) {add(clients_, client, "client");}
-void WaitSet::remove_client(ClientBase::SharedPtr client) {remove(clients_, client, "client");}
-void WaitSet::add_service(ServiceBase::SharedPtr service) {add(services_, service, "service");}
-void WaitSet::remove_service(ServiceBase::SharedPtr service) {remove(services_, service, "service");}
+void WaitSet::add_client(ClientBase::SharedPtr client) {add_claimed(clients_, client, "client");}
+void WaitSet::remove_client(ClientBase::SharedPtr client) {remove_claimed(clients_, client, "client");}
+void WaitSet::add_service(ServiceBase::SharedPtr service) {add_claimed(services_, service, "service");}
+void WaitSet::remove_service(ServiceBase::SharedPtr service) {remove_claimed(services_, service, "service");}
 void WaitSet::add_guard_condition(GuardCondition::SharedPtr guard) {add_claimed(guards_, guard, "guard condition");}
 void WaitSet::remove_guard_condition(GuardCondition::SharedPtr guard) {remove_claimed(guards_, guard, "guard condition");}
 void WaitSet::add_waitable(Waitable::SharedPtr waitable, std::shared_ptr<void>) {add_claimed(waitables_, waitable, "waitable");}
@@ -104,7 +132,7 @@ template<class T>
 void WaitSet::remove_claimed(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what)
 {
   remove(all, one, what);
-  one->exchange_in_use_by_wait_set_state(false);
+  mark(one, false);
 }
 template<class T>
 void WaitSet::add(std::vector<std::shared_ptr<T>> & all, const std::shared_ptr<T> & one, const char * what)

@@ -11,6 +11,7 @@ from rclpy.impl.logging_state import logging_state
 from rclpy.signals import shutdown_all
 
 from coursekit.nodes.compiled.frames import Unpacker, packed
+from coursekit.processes.components import tells_of
 
 if TYPE_CHECKING:
     from coursekit.core.clock import Waiter
@@ -44,7 +45,9 @@ def do_catch_signals(host: Host, _channel: Channel, frame: Unpacker) -> None:
 
 
 def tell_signal(host: Host, number: int) -> None:
-    """Write the log line of rclcpp's signal handler."""
+    """Write the log line of rclcpp's signal handler: components of one container have one handler."""
+    if not tells_of(host.process, number):
+        return
     text, caller = f"signal_handler(signum={number})", ("signal_handler.cpp", "signal_handler", 0)
     logging_state().write(_INFO, "rclcpp", text, caller, host.clock.now())
 

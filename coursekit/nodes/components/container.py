@@ -9,7 +9,7 @@ from composition_interfaces.srv import ListNodes, LoadNode, UnloadNode
 from rclpy.node import Node
 
 from coursekit.nodes.running import run
-from coursekit.processes.components import find_component
+from coursekit.processes.components import find_component, library_of, share_told_signals
 from coursekit.processes.process import current_process
 from coursekit.systems import signal_names
 
@@ -53,9 +53,10 @@ class ComponentManager(Node):
 
     def _library(self, request: LoadNode.Request) -> Path:
         path = find_component(request.package_name, request.plugin_name)
-        if path not in self._libraries:
-            self._libraries.add(path)
-            self.get_logger().info(f"Load Library: {path}")
+        library = library_of(path, request.package_name, request.plugin_name)
+        if library not in self._libraries:
+            self._libraries.add(library)
+            self.get_logger().info(f"Load Library: {library}")
         for what in ("Found", "Instantiate"):
             self.get_logger().info(f"{what} class: rclcpp_components::NodeFactoryTemplate<{request.plugin_name}>")
         return path
@@ -96,8 +97,9 @@ class ComponentManager(Node):
 
     def destroy_node(self) -> None:
         """Unload all, and leave the graph."""
-        components = self._take_all()
+        components, told = self._take_all(), set[int]()
         for component in components:
+            share_told_signals(component.process, told)
             component.process.interrupt()
         for component in components:
             component.process.wait(2.0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 import time
 from collections.abc import Sequence
 from pathlib import Path
@@ -12,7 +13,7 @@ from rclpy.impl.logging_state import share_levels
 from rclpy.parameter import Parameter
 
 from coursekit.nodes.running import pass_on_output
-from coursekit.processes.components import Given, give_to_first_node
+from coursekit.processes.components import Given, give_to_first_node, share_told_signals
 from coursekit.processes.executables import make_process
 from coursekit.processes.session import current
 
@@ -69,6 +70,7 @@ class LoadedComponent:
         raise RuntimeError(f"Component has no node after {PATIENCE:.0f} s")
 
     def unload(self) -> None:
-        """End the program, as Ctrl-C does."""
+        """End the program as Ctrl-C does; but nobody pressed Ctrl-C, so nothing is said of it."""
+        share_told_signals(self.process, {signal.SIGINT})
         self.process.interrupt()
         self.process.wait(2.0)

@@ -102,6 +102,35 @@ def test_a_loop_is_measured_turn_by_turn(build, virtual, tmp_path):
     assert len(rows) == 41 and rows[40].startswith(f"39 {39 * turn_ms}000000 ")
 
 
+GIVEN_UP = """
+#include "rclcpp/rclcpp.hpp"
+#include "rttest/rttest.h"
+static int g_turns = 0;
+static void * turn(void *)
+{
+  if (++g_turns == 3) {
+    rttest_finish();
+  }
+  return nullptr;
+}
+int main(int argc, char ** argv)
+{
+  rttest_read_args(argc, argv);
+  rttest_spin(turn, nullptr);
+  std::cout << "turns " << g_turns << " " << rttest_running() << std::endl;
+}
+"""
+
+
+@pytest.mark.parametrize("turns", ["40", "0"])
+def test_a_loop_that_is_given_up_meanwhile_ends_without_an_error(build, turns):
+    with (session := Session(virtual=True)).use():
+        path = build("given_up", GIVEN_UP)
+        loop = session.launch(make_process(session, path, ["-i", turns, "-u", "1ms"], name="loop"))
+        assert loop.wait(20.0) == 0, loop.output
+    assert loop.output.splitlines()[-1].startswith("turns 3 ")
+
+
 TIMES = """
 #include <iostream>
 #include "rttest/utils.hpp"

@@ -66,7 +66,11 @@ public:
     auto nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(timeout);
     return ask("wait_for_service", Packer{}.i(id).i(nanoseconds.count())).i();
   }
+  bool exchange_in_use_by_wait_set_state(bool in_use) {return in_use_.exchange(in_use);}
   QoS qos{10};
+
+private:
+  std::atomic<bool> in_use_{false};
 };
 
 template<class S>

@@ -32,7 +32,11 @@ public:
   virtual bool take_type_erased_request(void * request, rmw_request_id_t & header) = 0;
   /// Run the callback with a request that was taken, and answer it.
   virtual void handle_request(std::shared_ptr<rmw_request_id_t> header, std::shared_ptr<void> request) = 0;
+  bool exchange_in_use_by_wait_set_state(bool in_use) {return in_use_.exchange(in_use);}
   QoS qos{10};
+
+private:
+  std::atomic<bool> in_use_{false};
 };
 
 template<class S>

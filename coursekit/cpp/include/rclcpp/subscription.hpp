@@ -95,6 +95,8 @@ public:
     std::copy_n(gid.begin(), std::min(gid.size(), sizeof(rmw.publisher_gid.data)), rmw.publisher_gid.data);
     rmw.publisher_gid.implementation_identifier = "coursekit";
   }
+  /// Mark it, or one of its events, as one of a wait set or of none; whether it was one before.
+  bool exchange_in_use_by_wait_set_state(void * part, bool in_use);
   Dispatch dispatch;
   QoS qos{10};
   /// What stays in the program for it; null where all that it hears goes through the session.
@@ -112,6 +114,9 @@ protected:
     const node_interfaces::NodeBaseInterface & node, const std::string & type, const std::string & topic, const QoS & wanted,
     const SubscriptionOptionsBase & options);
   ContentFilterOptions filter_;
+
+private:
+  std::atomic<bool> in_use_{false};
 };
 
 template<class T, class Allocator = std::allocator<void>, class ...>

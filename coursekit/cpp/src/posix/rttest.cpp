@@ -67,14 +67,17 @@ int rttest_spin(void * (*user_function)(void *), void * args)
 }
 int rttest_spin_period(void * (*user_function)(void *), void * args, const timespec * update_period, const size_t iterations)
 {
+  if (!own_test()) {
+    return -1;
+  }
   timespec start;
   clock_gettime(CLOCK_MONOTONIC, &start);
-  for (size_t i = 0; iterations ? i < iterations : rttest_running(); ++i) {
+  for (size_t i = 0; own_test() && (iterations ? i < iterations : rttest_running()); ++i) {  // the function may end it
     if (rttest_spin_once_period(user_function, args, &start, update_period, i)) {
       throw std::runtime_error("error in spin_once");
     }
   }
-  return own_test() || !iterations ? 0 : -1;
+  return 0;
 }
 int rttest_spin_once(void * (*user_function)(void *), void * args, const timespec * start_time, const size_t i)
 {

@@ -11,6 +11,17 @@ struct TakesTimers : std::false_type {};
 template<class Set>
 struct TakesTimers<Set, std::void_t<decltype(std::declval<Set &>().add_timer(rclcpp::TimerBase::SharedPtr()))>>
 : std::true_type {};
+/// What is not possible, and the words in which it is said.
+template<class F>
+void refuses(const std::string & name, const std::string & words, F what)
+{
+  try {
+    what();
+  } catch (const std::runtime_error & error) {
+    return equal(name, error.what(), words);
+  }
+  check(name, false, "threw nothing");
+}
 
 int main(int argc, char ** argv)
 {
@@ -143,6 +154,16 @@ int main(int argc, char ** argv)
   calls.add_client(client);
   check("the callback's response", calls.wait(1s).kind() == Kind::Ready && client->take_response(response, *back));
   equal("is its sum", response.sum, 11);
+  rclcpp::WaitSet rival;
+  refuses("a client of two sets", "client already in use by another wait set", [&] {rival.add_client(client);});
+  calls.add_service(server);
+  refuses("a service of two sets", "service already in use by another wait set", [&] {rival.add_service(server);});
+  refuses("a subscription of two sets", "subscription already associated with a wait set", [&] {rival.add_subscription(first);});
+  set.remove_subscription(first);
+  rival.add_subscription(first);
+  check("which one gave up", first->exchange_in_use_by_wait_set_state(first.get(), true));
+  throws<std::runtime_error>("of a part it does not have", [&] {first->exchange_in_use_by_wait_set_state(&rival, true);});
+  throws<std::invalid_argument>("or of nothing", [&] {first->exchange_in_use_by_wait_set_state(nullptr, true);});
   using Both = rclcpp::StaticWaitSet<0, 0, 0, 1, 1, 0>;
   Both both({}, {}, {}, {{client}}, {{server}});
   ask(1, 1);

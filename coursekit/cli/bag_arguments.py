@@ -14,7 +14,7 @@ from coursekit.bag.metadata_file import load_settings
 from coursekit.bag.storage import SUFFIXES
 from coursekit.files import read_bytes
 
-from . import ask
+from . import api
 
 if TYPE_CHECKING:
     from argparse import Namespace
@@ -23,9 +23,9 @@ _DURATIONS = ("deadline", "lifespan", "liveliness_lease_duration")
 _VALUES = ("depth", "avoid_ros_namespace_conventions")
 
 
-def refuse(text: str) -> ask.Unhappy:
+def refuse(text: str) -> api.Unhappy:
     """Return an error that ends the command, in Humble's words."""
-    return ask.Unhappy(f"[ERROR] [ros2bag]: {text}")
+    return api.Unhappy(f"[ERROR] [ros2bag]: {text}")
 
 
 def refusing(main: Callable[[Any], int]) -> Callable[[Any], int]:

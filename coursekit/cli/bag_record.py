@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from coursekit.bag.storage import DEFAULT_STORAGE_ID, SUFFIXES
 from coursekit.processes.session import current
 
-from . import ask
+from . import api
 from .bag_arguments import qos_overrides, readable_file, refuse, refusing
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ def register(verbs: Any) -> None:
 
 def _add_choice(parser: Any) -> None:
     topics = parser.add_argument("topics", nargs="*", default=None, help="List of topics to record.")
-    topics.completer = ask.complete_topics
+    topics.completer = api.complete_topics
     parser.add_argument(
         "-a", "--all", action="store_true", help="Record all topics. Required if no explicit topic list or regex filters."
     )

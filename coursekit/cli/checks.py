@@ -13,7 +13,7 @@ from socket import if_nameindex
 
 from coursekit.cpp.toolchain import NoToolchain, find_toolchain
 from coursekit.interfaces.find import UNDERLAY
-from coursekit.systems import typed
+from coursekit.systems import shell_spelling
 
 from .check import Check
 from .system_checks import run_system_checks
@@ -47,12 +47,12 @@ def which_rclpy() -> Check:
 
 def kernel_version() -> Check:
     """Check ipykernel: version 7.4 stalls widgets while a cell runs."""
-    return _version("ipykernel", (7, 0), (7, 4), typed.install("ipykernel>=7.0,<7.4"))
+    return _version("ipykernel", (7, 0), (7, 4), shell_spelling.install("ipykernel>=7.0,<7.4"))
 
 
 def setuptools_version() -> Check:
     """Check setuptools: version 80 breaks `colcon build --symlink-install`."""
-    return _version("setuptools", (30,), (80,), typed.install("setuptools<80"))
+    return _version("setuptools", (30,), (80,), shell_spelling.install("setuptools<80"))
 
 
 def widgets() -> Check:

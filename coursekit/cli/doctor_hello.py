@@ -11,7 +11,7 @@ from ros2multicast.api import DEFAULT_GROUP, DEFAULT_PORT, join, send
 
 from coursekit.processes.session import current
 
-from . import ask
+from . import api
 from .topic_pub import positive
 
 if TYPE_CHECKING:
@@ -72,7 +72,7 @@ def main(args: Namespace) -> None:
     """Send greetings, receive those of others, and print a summary."""
     from std_msgs.msg import String
 
-    with ask.command_node("_ros2doctor_hello") as node, contextlib.closing(_listening()) as datagrams:
+    with api.command_node("_ros2doctor_hello") as node, contextlib.closing(_listening()) as datagrams:
         hello = _Hello(node.create_publisher(String, args.topic, 10), datagrams, args)
         node.create_subscription(String, args.topic, lambda msg: _count(hello.summary.heard, msg.data), 10)
         hello.run(node)

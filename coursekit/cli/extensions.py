@@ -9,7 +9,7 @@ from ros2cli.command import add_extension, get_command_extensions
 from ros2cli.entry_points import get_entry_points
 from ros2cli.verb import get_verb_extensions
 
-from .ask import Unhappy
+from .api import Unhappy
 
 COMMANDS = "ros2cli.command"
 _GROUPS = {

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from . import ask, checks
+from . import api, checks
 
 if TYPE_CHECKING:
     from rclpy.node import Node
@@ -22,13 +22,13 @@ def report() -> Iterator[tuple[str, Lines]]:
 
 def pairs() -> Lines:
     """Return each publisher with each subscription of its topic, and whether they are compatible."""
-    with ask.command_node() as node:
+    with api.command_node() as node:
         return [line for name, types in _topics() for line in _pairs(node, name, types)]
 
 
 def counts() -> Lines:
     """Return the number of publishers and subscriptions of each topic."""
-    with ask.command_node() as node:
+    with api.command_node() as node:
         return [line for name, _ in _topics() for line in _counts(node, name)] or [
             ("topic", "none"),
             ("publisher count", 0),
@@ -39,8 +39,8 @@ def counts() -> Lines:
 def compatibility() -> checks.Check:
     """Check whether every publisher is compatible with the subscriptions of its topic."""
     faults: list[str] = []
-    with ask.command_node() as node:
-        for topic, types in ask.topics():
+    with api.command_node() as node:
+        for topic, types in api.topics():
             told = [value for name, value in _pairs(node, topic, types) if name == "compatibility status"]
             faults += [f"on topic '{topic}': {line.removeprefix('ERROR: ')}" for line in told if line.startswith("ERROR")]
     if not faults:
@@ -52,7 +52,7 @@ def compatibility() -> checks.Check:
 def both_ends() -> checks.Check:
     """Check whether every topic has as many publishers as subscriptions; a difference is only a warning."""
     told: list[str] = []
-    with ask.command_node() as node:
+    with api.command_node() as node:
         for topic, _ in _topics():
             surplus = node.count_publishers(topic) - node.count_subscribers(topic)
             if surplus:
@@ -63,7 +63,7 @@ def both_ends() -> checks.Check:
 
 
 def _topics() -> list[tuple[str, list[str]]]:
-    return [(name, types) for name, types in ask.topics() if name not in _EVERYWHERE]
+    return [(name, types) for name, types in api.topics() if name not in _EVERYWHERE]
 
 
 def _counts(node: Node, topic: str) -> Lines:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from . import ask
+from . import api
 
 _FIELD = re.compile(r"^\s*([A-Za-z][\w/]*)(<=\d+)?(\[[<=\d]*\])?\s+[A-Za-z]\w*")
 _PRIMITIVES = {
@@ -30,7 +30,7 @@ def _definition(name: str) -> list[str]:
     try:
         return Path(get_interface_path(name)).read_text(encoding="utf-8").splitlines()
     except (LookupError, ValueError, OSError) as error:
-        raise ask.Unhappy(error.args[0] if len(error.args) == 1 else str(error)) from None
+        raise api.Unhappy(error.args[0] if len(error.args) == 1 else str(error)) from None
 
 
 def _expanded(lines: list[str], package: str, depth: int, comments: str) -> Iterator[str]:

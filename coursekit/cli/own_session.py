@@ -9,7 +9,7 @@ from typing import Any
 
 from coursekit.processes.session import Session
 from coursekit.processes.signal_waker import SignalWaker
-from coursekit.systems import which
+from coursekit.systems import operating_system
 from coursekit.systems.ending_signals import endings
 
 from .parser import run
@@ -33,7 +33,7 @@ def run_in(session: Session, argv: Sequence[str]) -> int:
 
     for number in endings():
         signal.signal(number, forward)
-    waker = None if which.WINDOWS or session.clock.virtual else SignalWaker()
+    waker = None if operating_system.WINDOWS or session.clock.virtual else SignalWaker()
     code = process.wait()
     if waker is not None:
         waker.close()

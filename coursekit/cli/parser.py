@@ -15,7 +15,7 @@ from coursekit.processes.process import current_process
 from coursekit.rcl.arguments import RosArgumentsError
 
 from . import extensions
-from .ask import Unhappy
+from .api import Unhappy
 from .start_wait import let_settle
 
 COMMANDS = (

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from coursekit.packages.windows_quotes import powershell_quote
-from coursekit.systems import which
+from coursekit.systems import operating_system
 
 _BASHRC = """\
 # Terminals of the course: your own settings, then ROS sourced, and completion by Tab.
@@ -35,7 +35,7 @@ _POWERSHELL = ("pwsh", "powershell")
 
 def terminal_settings(folder: Path) -> list[str]:
     """Return JupyterLab's options for terminals in the course's folder; empty without a supported shell."""
-    command = _for_powershell(folder) if which.WINDOWS else _for_bash(folder)
+    command = _for_powershell(folder) if operating_system.WINDOWS else _for_bash(folder)
     return [f"--ServerApp.terminado_settings={{'shell_command': {command!r}}}"] if command else []
 
 

@@ -10,7 +10,7 @@ from rclpy.task import Future
 from rosidl_runtime_py import message_to_csv, message_to_yaml
 from rosidl_runtime_py.utilities import get_message
 
-from . import ask, topic_qos
+from . import api, topic_qos
 
 if TYPE_CHECKING:
     from argparse import Namespace
@@ -24,7 +24,7 @@ def register(verbs: Any) -> None:
     """Add the verb."""
     parser = verbs.add_parser("echo", help="Output messages from a topic")
     parser.add_argument("topic_name", help="Name of the ROS topic to listen to (e.g. '/chatter')").completer = (
-        ask.complete_topics
+        api.complete_topics
     )
     parser.add_argument("message_type", nargs="?", help="Type of the ROS message (e.g. 'std_msgs/msg/String')")
     topic_qos.add_arguments(parser, "sensor_data")
@@ -62,7 +62,7 @@ def main(args: Namespace) -> int:
         args.field = [part for part in args.field.split(".") if part]
         if not args.field:
             return _refuse("Invalid field value '.'")
-    with ask.command_node(**ask.on_clock(args)) as node:
+    with api.command_node(**api.on_clock(args)) as node:
         kind = _message_type(node, args)
         if kind is None:
             return _refuse("Could not determine the type for the passed topic")
@@ -70,7 +70,7 @@ def main(args: Namespace) -> int:
 
 
 def _refuse(text: str) -> int:
-    ask.say_error(text)
+    api.say_error(text)
     return 1
 
 
@@ -80,13 +80,13 @@ def _message_type(node: Node, args: Namespace) -> Any:
         try:
             return get_message(args.message_type)
         except (AttributeError, ModuleNotFoundError, ValueError):
-            raise ask.Unhappy("The passed message type is invalid") from None
-    types = dict(node.get_topic_names_and_types()).get(ask.full_name(args.topic_name))
+            raise api.Unhappy("The passed message type is invalid") from None
+    types = dict(node.get_topic_names_and_types()).get(api.full_name(args.topic_name))
     if types is None:
-        ask.say_error(f"WARNING: topic [{args.topic_name}] does not appear to be published yet")
+        api.say_error(f"WARNING: topic [{args.topic_name}] does not appear to be published yet")
         return None
     if len(types) > 1:
-        raise ask.Unhappy(
+        raise api.Unhappy(
             f"Cannot echo topic '{args.topic_name}', as it contains more than one type: [{', '.join(types)}]"
         )
     return get_message(types[0])
@@ -106,7 +106,7 @@ class _Echo:
         node.create_subscription(kind, args.topic_name, self._show, self._qos, raw=args.raw)
 
     def _profile(self) -> Any:
-        publishers = self._node.get_publishers_info_by_topic(ask.full_name(self._args.topic_name))
+        publishers = self._node.get_publishers_info_by_topic(api.full_name(self._args.topic_name))
         if topic_qos.is_chosen(self._args) or not publishers:
             return topic_qos.chosen(self._args, qos_profile_sensor_data)
         profile, remarks = topic_qos.fitting(publishers)
@@ -131,7 +131,7 @@ class _Echo:
             try:
                 msg = getattr(msg, name)
             except AttributeError as error:
-                ask.say_error(f"Invalid field '{'.'.join(self._args.field)}': {error}")
+                api.say_error(f"Invalid field '{'.'.join(self._args.field)}': {error}")
                 self._failed = True
                 if not self._done.done():
                     self._done.set_result(False)

@@ -15,7 +15,7 @@ from coursekit.processes.session import current
 from coursekit.rcl.names import is_hidden
 from coursekit.suggestions import did_you_mean
 
-from . import ask, topic_qos
+from . import api, topic_qos
 
 if TYPE_CHECKING:
     from argparse import Namespace
@@ -33,13 +33,13 @@ def register(verbs: Any) -> None:
     """Add the verb."""
     parser = verbs.add_parser("pub", help="Publish a message to a topic")
     parser.add_argument("topic_name", help="Name of the ROS topic to publish to (e.g. '/chatter')").completer = (
-        ask.complete_topics
+        api.complete_topics
     )
     parser.add_argument("message_type", help="Type of the ROS message (e.g. 'std_msgs/String')").completer = (
-        ask.complete_interfaces("msg")
+        api.complete_interfaces("msg")
     )
     values = parser.add_argument("values", nargs="?", default="{}", help="Values to fill the message with in YAML format")
-    values.completer = ask.complete_values("message_type")  # type: ignore[attr-defined]
+    values.completer = api.complete_values("message_type")  # type: ignore[attr-defined]
     parser.add_argument("-r", "--rate", type=positive, default=1.0, help="Publishing rate in Hz (default: 1)")
     parser.add_argument("-p", "--print", type=int, default=1, help="Only print every N-th published message")
     many = parser.add_mutually_exclusive_group()
@@ -68,10 +68,10 @@ def main(args: Namespace) -> int:
     try:
         kind = get_message(args.message_type)
     except (AttributeError, ModuleNotFoundError, ValueError):
-        raise ask.Unhappy("The passed message type is invalid") from None
-    values = ask.yaml_values(args.values)
+        raise api.Unhappy("The passed message type is invalid") from None
+    values = api.yaml_values(args.values)
     options = {"name": args.node_name} if args.node_name else {}
-    with ask.command_node(**options, **ask.on_clock(args)) as node:
+    with api.command_node(**options, **api.on_clock(args)) as node:
         return _publish(node, kind, values, args)
 
 
@@ -131,13 +131,13 @@ def _say_who_listens(topic: str) -> None:
     """Report that no node subscribes to a topic, and suggest the one that was probably meant."""
     listening = {
         subscription.name
-        for node in ask.graph().nodes
+        for node in api.graph().nodes
         for subscription in node.subscriptions
         if not is_hidden(subscription.name)
     }
     meant = did_you_mean(topic, sorted(listening - {topic}))
     if topic not in listening and meant:
-        ask.say_error(f"Still waiting: no node subscribes to {topic}. {meant} {ask.ENDS_WAITING}")
+        api.say_error(f"Still waiting: no node subscribes to {topic}. {meant} {api.ENDS_WAITING}")
 
 
 def _fill(msg: Any, values: dict[str, Any]) -> list[Any]:
@@ -145,4 +145,4 @@ def _fill(msg: Any, values: dict[str, Any]) -> list[Any]:
     try:
         return set_message_fields(msg, values, expand_header_auto=True, expand_time_now=True)
     except Exception as error:
-        raise ask.Unhappy(f"Failed to populate field: {error}") from None
+        raise api.Unhappy(f"Failed to populate field: {error}") from None

@@ -14,7 +14,7 @@ from rosidl_runtime_py.utilities import get_message
 
 from coursekit.processes.session import current
 
-from . import ask
+from . import api
 
 if TYPE_CHECKING:
     from argparse import Namespace
@@ -32,7 +32,7 @@ def register(verbs: Any) -> None:
         ("bw", "Display bandwidth used by topic", Bandwidth),
     ):
         parser = verbs.add_parser(name, help=text)
-        parser.add_argument("topic_name", help="Name of the ROS topic to listen to").completer = ask.complete_topics
+        parser.add_argument("topic_name", help="Name of the ROS topic to listen to").completer = api.complete_topics
         parser.add_argument(
             "-w", "--window", type=int, default=100 if name == "bw" else WINDOW, help="Window size in messages"
         )
@@ -43,8 +43,8 @@ def register(verbs: Any) -> None:
 
 
 def _run(args: Namespace, make: Any) -> int:
-    with ask.command_node(**ask.on_clock(args)) as node:
-        name = ask.full_name(args.topic_name)
+    with api.command_node(**api.on_clock(args)) as node:
+        name = api.full_name(args.topic_name)
         types = dict(node.get_topic_names_and_types()).get(name)
         if types is None:
             print(f"WARNING: topic [{args.topic_name}] does not appear to be published yet")
@@ -133,7 +133,7 @@ class Delay(_Meter):
     def count(self, msg: Any) -> None:
         """Count a message."""
         if not hasattr(msg, "header"):
-            raise ask.Unhappy("msg does not have header")
+            raise api.Unhappy("msg does not have header")
         stamp = Time.from_msg(msg.header.stamp).nanoseconds
         if stamp:
             self.values.append(self.now() - stamp * 1e-9)
@@ -154,7 +154,7 @@ class Bandwidth(_Meter):
         super().__init__(node, args)
         self._sizes: deque[int] = deque(maxlen=args.window)
         self._times: deque[float] = deque(maxlen=args.window)
-        print(f"Subscribed to [{ask.full_name(args.topic_name)}]")
+        print(f"Subscribed to [{api.full_name(args.topic_name)}]")
 
     def count(self, data: bytes) -> None:
         """Count a message."""

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from coursekit.systems import which
+from coursekit.systems import operating_system
 
 MISSING = "there is no {what} here: `pip install \"coursekit[cpp]\"` brings all that C++ needs"
 _SYSTEMS = {"windows": "Windows", "macos": "Darwin", "linux": "Linux"}
@@ -78,9 +78,9 @@ def find_toolchain() -> Toolchain:
     cmake, ninja = _program("cmake", "CMAKE_BIN_DIR"), _program("ninja", "BIN_DIR")
     if cmake is None:
         raise NoToolchain(MISSING.format(what="CMake"))
-    if ninja is None and (which.WINDOWS or shutil.which("make") is None):
-        raise NoToolchain(MISSING.format(what="ninja" if which.WINDOWS else "ninja or make"))
-    for cxx, cc in () if which.WINDOWS else _COMPILERS:  # a program named g++ there may be anything
+    if ninja is None and (operating_system.WINDOWS or shutil.which("make") is None):
+        raise NoToolchain(MISSING.format(what="ninja" if operating_system.WINDOWS else "ninja or make"))
+    for cxx, cc in () if operating_system.WINDOWS else _COMPILERS:  # a program named g++ there may be anything
         if compiler := shutil.which(cxx):
             return Toolchain((compiler,), (shutil.which(cc) or compiler,), None, cmake, ninja)
     zig = _zig()
@@ -100,7 +100,7 @@ def cross_toolchain(target: str) -> Toolchain:
 
 def _own_target() -> str | None:
     """Return zig's name of this computer's target; None if zig detects it itself."""
-    if which.WINDOWS:
+    if operating_system.WINDOWS:
         return _FOR_WINDOWS
     return f"{platform.machine()}-linux-gnu.2.28" if sys.platform == "linux" else None
 

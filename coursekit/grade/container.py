@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
-from coursekit.systems import which
+from coursekit.systems import operating_system
 
 from .container_image import Image
 from .time_zone import posix_zone
@@ -39,7 +39,7 @@ class NoContainer(Exception):
 
 def is_needed() -> bool:
     """Whether this system lacks its own means to confine a program."""
-    return which.WINDOWS or which.MAC
+    return operating_system.WINDOWS or operating_system.MAC
 
 
 def engine() -> str:
@@ -135,7 +135,7 @@ class Marking:
 
 def refusal(unsafe: bool) -> str:
     """Return why nothing is marked here without a container, and the alternatives; empty if marking is allowed."""
-    if unsafe and not which.WINDOWS:
+    if unsafe and not operating_system.WINDOWS:
         return ""
     return (
         "Submissions are programs of other people, and this computer has nothing that keeps them in: start Docker Desktop "

@@ -19,7 +19,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from coursekit.systems import children, inherited, which
+from coursekit.systems import children, inherited, operating_system
 
 from . import folders
 from .cgroup_limits import SERVICE_VARIABLES, confined
@@ -97,7 +97,8 @@ class Sandboxed:
         """End the program and its child processes; the first reason is kept."""
         if why and not self.stopped:
             self.stopped, self.timed_out = why, timed_out
-        if self.child.poll() is None or not which.WINDOWS:  # on Windows the children of an ended program are unknown
+        # On Windows the children of an ended program are unknown.
+        if self.child.poll() is None or not operating_system.WINDOWS:
             children.end_family(self.child)
         self.child.wait()
         self._ended.set()
@@ -184,7 +185,7 @@ def env_inside(env: Mapping[str, str], work: Path, writable: bool = True, scratc
     kept = {name: value for name, value in env.items() if name in wanted or name.startswith("COURSEKIT_")}
     path = os.pathsep.join([str(Path(sys.executable).parent), "/usr/bin", "/bin"])
     home = str(work) if writable else scratch
-    if which.WINDOWS:
+    if operating_system.WINDOWS:
         kept |= {name: env[name] for name in _WINDOWS if name in env}
         kept |= {"USERPROFILE": home, "TEMP": scratch, "TMP": scratch}
         path = os.pathsep.join([str(Path(sys.executable).parent), env.get("PATH", "")])
@@ -195,7 +196,7 @@ def env_inside(env: Mapping[str, str], work: Path, writable: bool = True, scratc
 
 def _bwrap() -> str | None:
     """Return the path of bubblewrap, never from PATH, which may contain another program of that name."""
-    if which.WINDOWS or which.MAC:  # only Linux has it; another program of that name is unrelated
+    if operating_system.WINDOWS or operating_system.MAC:  # only Linux has it; another program of that name is unrelated
         return None
     return next((path for path in _BWRAP if os.access(path, os.X_OK)), None)
 
@@ -226,7 +227,7 @@ def _python_folders() -> list[str]:
 
 
 def _limited(limits: Limits) -> list[str]:
-    if which.WINDOWS:  # there a program can neither replace nor limit itself: only the watcher limits it
+    if operating_system.WINDOWS:  # there a program can neither replace nor limit itself: only the watcher limits it
         return []
     return [sys.executable, "-I", str(Path(__file__).with_name("limited.py")), str(limits.memory), str(limits.processes),
             str(limits.file), str(int(limits.seconds) + 1), "--"]  # fmt: skip
@@ -263,7 +264,7 @@ def _excess(pid: int, limits: Limits) -> str:
 def _family(pid: int) -> list[tuple[int, int]]:
     """Return (pid, resident bytes) of a process and its descendants."""
     started: dict[int, list[tuple[int, int]]] = {}
-    if which.WINDOWS or not Path("/proc/self/stat").exists():  # Wine shows Linux's /proc
+    if operating_system.WINDOWS or not Path("/proc/self/stat").exists():  # Wine shows Linux's /proc
         return []
     page = os.sysconf("SC_PAGE_SIZE")
     for entry in os.scandir("/proc"):

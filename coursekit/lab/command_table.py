@@ -15,7 +15,7 @@ from IPython.core.magic import Magics, cell_magic, magics_class
 from coursekit.processes.child import ChildProcess
 from coursekit.processes.session import current
 from coursekit.systems.command_lines import split_words
-from coursekit.systems.typed import line_here
+from coursekit.systems.shell_spelling import line_here
 from coursekit.words.gettext import gettext
 
 from .bundle import with_text

@@ -20,7 +20,7 @@ from coursekit.grade.mark import Marked
 from coursekit.grade.roster import student_word
 from coursekit.grade.submissions import read_notebook
 from coursekit.processes.session import current
-from coursekit.systems import typed
+from coursekit.systems import shell_spelling
 from coursekit.view.shell import running_shell
 from coursekit.words.gettext import gettext
 
@@ -169,5 +169,5 @@ def _expect_saved(file: Path) -> None:
     saved = {str(cell.get("id", "")): "".join(cell["source"]) for cell in read_notebook(file)["cells"]}
     changed = [cell for cell, text in ran.items() if cell in saved and text.strip() != saved[cell].strip()]
     if changed or not set(list(ran)[-1:]) <= set(saved):
-        keys = typed.shortcut("S")
+        keys = shell_spelling.shortcut("S")
         raise NotNow(gettext(f"{file.name} is not saved as it was run: press {keys}, then run this cell again."))

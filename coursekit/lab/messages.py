@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from coursekit.cli.ask import full_name
+from coursekit.cli.api import full_name
 from coursekit.suggestions import did_you_mean
 
 from .errors import NotThere

@@ -7,7 +7,7 @@ from typing import Any
 
 import yaml
 
-from coursekit.cli.ask import full_name
+from coursekit.cli.api import full_name
 from coursekit.cli.param_text import type_name
 from coursekit.suggestions import did_you_mean
 from coursekit.words.gettext import gettext

@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from coursekit.cli.ask import full_name
+from coursekit.cli.api import full_name
 from coursekit.nodes.rqt.curves import Curves, topic_of
 
 from .bundle import with_picture

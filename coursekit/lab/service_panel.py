@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from coursekit.cli.ask import full_name
+from coursekit.cli.api import full_name
 from coursekit.suggestions import did_you_mean
 from coursekit.view.graph_facts import nodes_at, take, types_of
 from coursekit.words.gettext import gettext

@@ -11,7 +11,7 @@ import subprocess
 from typing import Any
 
 from coursekit.processes.patching import KERNEL, Change, Patch
-from coursekit.systems import which
+from coursekit.systems import operating_system
 from coursekit.systems.children import with_utf8
 
 from . import cmd_words
@@ -19,7 +19,7 @@ from . import cmd_words
 
 def install(shell: Any) -> None:
     """Install `run_line`, on Windows only."""
-    if which.WINDOWS:
+    if operating_system.WINDOWS:
         shell.system = functools.partial(run_line, shell)
 
 

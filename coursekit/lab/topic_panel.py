@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from typing import Any
 
-from coursekit.cli.ask import full_name
+from coursekit.cli.api import full_name
 from coursekit.view.graph_facts import nodes_at, take, types_of
 
 from .messages import as_yaml, listen

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from typing import Any
 
-from coursekit.cli.ask import full_name
+from coursekit.cli.api import full_name
 from coursekit.processes.session import Session, current
 from coursekit.view.progress_bar import ProgressBar
 from coursekit.words.gettext import gettext

@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterator
 from pathlib import Path
 
 from coursekit.files import read_bytes, read_text
-from coursekit.systems import copies
+from coursekit.systems import link_copies
 
 _RULES = ("setup.py", "setup.cfg", "CMakeLists.txt")
 """The files that a build reads; changes of links to them have no effect before the next build."""
@@ -40,7 +40,7 @@ def build_fault(workspace: Path, package: str, of: Collection[str] = ()) -> str:
         return ""
     installed = workspace / "install" / package
     prefix = installed if installed.is_dir() else workspace / "install"
-    fresh = _linked([base, prefix]) | copies.fresh_sources(prefix, package)
+    fresh = _linked([base, prefix]) | link_copies.fresh_sources(prefix, package)
     for path in newer:
         if path.name in _RULES or not (_is_below(path, fresh) or _same_bytes(path, installed)):
             return f"{path.relative_to(source).as_posix()} of {package} was changed after the last build"

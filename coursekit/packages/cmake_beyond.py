@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from coursekit.packages.cmake_text import CMakeError, Command
-from coursekit.systems import typed
+from coursekit.systems import shell_spelling
 
 _COMMANDS = {
     "add_custom_command", "add_custom_target", "break", "cmake_language", "cmake_parse_arguments", "cmake_path",
@@ -21,7 +21,7 @@ class NeedsCMake(CMakeError):
     """A command that only CMake can execute."""
 
     def __init__(self, command: Command, what: str) -> None:
-        where = f"needs CMake itself, which is not here: {typed.install('coursekit[cpp]')} brings it"
+        where = f"needs CMake itself, which is not here: {shell_spelling.install('coursekit[cpp]')} brings it"
         super().__init__(f"{what} {where}", command.file, command.line)
 
 

@@ -2,7 +2,7 @@
 
 Most accounts on Windows may not create links. `colcon build --symlink-install` needs none: Python modules are read from
 the source, whose folder comes first on PYTHONPATH, as the folder with the links does elsewhere. Data files are copied, and
-copied again when their package is looked up: coursekit.systems.copies.
+copied again when their package is looked up: coursekit.systems.link_copies.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from colcon_core.task.python import get_data_files_mapping, get_setup_data
 from colcon_core.task.python.build import PythonBuildTask
 
 from coursekit.files import read_text
-from coursekit.systems import copies
+from coursekit.systems import link_copies
 from coursekit.systems.links import can_link
 
 from .outdated import outdate
@@ -75,7 +75,7 @@ class PythonBuild(PythonBuildTask):  # type: ignore[misc]
     async def build(self, *, additional_hooks: list[Any] | None = None) -> int:
         """Return the exit code of the build."""
         args, name = self.context.args, self.context.pkg.name
-        copies.forget(Path(args.install_base), name)
+        link_copies.forget(Path(args.install_base), name)
         self._hooks = list(additional_hooks or [])
         done = await super().build(additional_hooks=self._hooks)
         return int(done or 0)
@@ -110,7 +110,7 @@ class PythonBuild(PythonBuildTask):  # type: ignore[misc]
             print(f"{name} is copied: build it again after every change of a Python file", flush=True)
         files = get_data_files_mapping(setup.get("data_files") or [])
         noted = {Path(target).as_posix(): source / file for file, target in files.items()}
-        copies.note(Path(args.install_base), name, noted, modules)
+        link_copies.note(Path(args.install_base), name, noted, modules)
 
 
 def _is_by_setuptools(folder: str) -> bool:

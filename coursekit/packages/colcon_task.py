@@ -33,7 +33,7 @@ from coursekit.packages.folder_name import cpp_refusal
 from coursekit.packages.local_setup import local_setup_files
 from coursekit.packages.prepare_cpp import prepared_toolchain
 from coursekit.processes.executables import stand_ins
-from coursekit.systems import copies
+from coursekit.systems import link_copies
 
 PACKAGE_TYPE = "ros.ament_cmake_files"
 _NAME = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]*")
@@ -180,9 +180,9 @@ class FilesBuildTask(TaskExtensionPoint):  # type: ignore[misc]
         """Record copies made instead of refused links, to update them without a build."""
         prefix = Path(self.context.args.install_base)
         if stands_for_links():
-            copies.note(prefix, package, self._copied)
+            link_copies.note(prefix, package, self._copied)
         else:
-            copies.forget(prefix, package)
+            link_copies.forget(prefix, package)
 
     def _site_packages(self) -> str:
         base = Path(self.context.args.install_base)

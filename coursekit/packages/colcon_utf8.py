@@ -10,7 +10,7 @@ from typing import Any
 from colcon_core.argument_parser import ArgumentParserDecoratorExtensionPoint
 from colcon_core.plugin_system import satisfies_version
 
-from coursekit.systems import which
+from coursekit.systems import operating_system
 from coursekit.systems.children import with_utf8
 
 
@@ -25,7 +25,7 @@ class InUtf8(ArgumentParserDecoratorExtensionPoint):  # type: ignore[misc]
 
     def decorate_argument_parser(self, *, parser: Any) -> Any:
         """Return the parser; if colcon has to restart, exit with the new process's exit code."""
-        if which.WINDOWS and not sys.flags.utf8_mode:
+        if operating_system.WINDOWS and not sys.flags.utf8_mode:
             command = [sys.executable, "-X", "utf8", "-m", "colcon", *sys.argv[1:]]
             raise SystemExit(subprocess.call(command, env=with_utf8(os.environ)))
         return parser

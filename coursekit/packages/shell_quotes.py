@@ -22,7 +22,7 @@ from colcon_core.shell.template import expand_template
 from coursekit.files import read_text
 from coursekit.packages.folder_name import refusal
 from coursekit.packages.windows_quotes import as_bytes, quoted_for_cmd, quoted_for_powershell, word_for_cmd
-from coursekit.systems import which
+from coursekit.systems import operating_system
 
 _WRITERS = (
     "colcon_core.shell.sh",
@@ -81,7 +81,7 @@ class QuotingShell(ShellExtensionPoint):  # type: ignore[misc]
         for name in _WRITERS:
             with contextlib.suppress(ModuleNotFoundError):  # PowerShell's exists on Windows only
                 importlib.import_module(name).expand_template = expand_quoted  # type: ignore[attr-defined]
-        if which.WINDOWS:
+        if operating_system.WINDOWS:
             subprocess.escape_shell_argument = word_for_cmd  # colcon's function doubles single quotes as for a Unix shell
 
     def create_prefix_script(self, prefix_path: Path, merge_install: bool) -> list[Path]:

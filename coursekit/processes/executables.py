@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 from coursekit.files import read_text
 from coursekit.interfaces.find import UNDERLAY, prefixes
 from coursekit.suggestions import hint
-from coursekit.systems import copies, layout
+from coursekit.systems import layout, link_copies
 from coursekit.wiring import COMPILED_HOST
 
 from .child import ChildProcess
@@ -91,7 +91,7 @@ def prefix_of(package: str) -> Path:
     """Return the prefix of a package; raises PackageNotFound."""
     for prefix in prefixes():
         if (_index(prefix) / package).exists():
-            copies.renew(prefix, package)
+            link_copies.renew(prefix, package)
             return prefix
     raise PackageNotFound(package, list(packages()))
 

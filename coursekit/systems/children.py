@@ -9,7 +9,7 @@ import subprocess
 from collections.abc import Mapping
 from typing import Any
 
-from . import which
+from . import operating_system
 
 CTRL_BREAK: int = getattr(signal, "CTRL_BREAK_EVENT", 1)
 """The replacement of Ctrl-C on Windows, where Ctrl-C itself reaches nothing or all programs of a console."""
@@ -22,7 +22,7 @@ def apart() -> dict[str, Any]:
     >>> apart()
     {'start_new_session': True}
     """
-    return {"creationflags": _NEW_GROUP} if which.WINDOWS else {"start_new_session": True}
+    return {"creationflags": _NEW_GROUP} if operating_system.WINDOWS else {"start_new_session": True}
 
 
 def send_signal(child: subprocess.Popen[Any], signum: int) -> None:
@@ -30,7 +30,7 @@ def send_signal(child: subprocess.Popen[Any], signum: int) -> None:
 
     Windows knows two: SIGINT becomes Ctrl-Break, every other one ends the child at once.
     """
-    if which.WINDOWS:
+    if operating_system.WINDOWS:
         _send_on_windows(child, signum)
     else:
         with contextlib.suppress(ProcessLookupError):
@@ -52,7 +52,7 @@ def _send_on_windows(child: subprocess.Popen[Any], signum: int) -> None:
 
 def end_family(child: subprocess.Popen[Any]) -> None:
     """End a child started with `apart`, and all its descendants, at once."""
-    if which.WINDOWS:
+    if operating_system.WINDOWS:
         with contextlib.suppress(OSError):
             subprocess.run(["taskkill", "/F", "/T", "/PID", str(child.pid)], stdin=subprocess.DEVNULL, capture_output=True)
     else:
@@ -64,7 +64,7 @@ def end_family(child: subprocess.Popen[Any]) -> None:
 
 def interrupt_self() -> None:
     """Send Ctrl-C to this program, from any thread; its main thread receives it."""
-    if which.WINDOWS:  # os.kill would end the program there
+    if operating_system.WINDOWS:  # os.kill would end the program there
         signal.raise_signal(signal.SIGINT)
     else:
         os.kill(os.getpid(), signal.SIGINT)
@@ -76,4 +76,4 @@ def with_utf8(env: Mapping[str, str]) -> dict[str, str]:
     >>> with_utf8({"HOME": "/home/vera"})
     {'HOME': '/home/vera'}
     """
-    return {"PYTHONUTF8": "1", **env} if which.WINDOWS else dict(env)
+    return {"PYTHONUTF8": "1", **env} if operating_system.WINDOWS else dict(env)

@@ -6,7 +6,7 @@ import re
 import shlex
 from collections.abc import Iterable, Mapping
 
-from . import which
+from . import operating_system
 
 _BEFORE_QUOTE = re.compile(r'(\\*)"')
 _AT_END = re.compile(r"(\\+)\Z")
@@ -24,7 +24,7 @@ def split_words(text: str) -> list[str]:
     >>> split_words("topic pub /chat std_msgs/msg/String '{data: hello world}'")[-1]
     '{data: hello world}'
     """
-    return _split_for_windows(text) if which.WINDOWS else shlex.split(text)
+    return _split_for_windows(text) if operating_system.WINDOWS else shlex.split(text)
 
 
 def join_words(words: Iterable[str]) -> str:
@@ -33,7 +33,7 @@ def join_words(words: Iterable[str]) -> str:
     >>> join_words(["ros2", "bag", "info", "my bag"])
     "ros2 bag info 'my bag'"
     """
-    return " ".join(map(_quoted_for_windows, words)) if which.WINDOWS else shlex.join(words)
+    return " ".join(map(_quoted_for_windows, words)) if operating_system.WINDOWS else shlex.join(words)
 
 
 def plain_words(text: str) -> list[str]:
@@ -42,10 +42,10 @@ def plain_words(text: str) -> list[str]:
     >>> plain_words("ros2 topic list | sort"), plain_words("echo 'a | b'")
     ([], ['echo', 'a | b'])
     """
-    if any(sign in text for sign in ("%^\n" if which.WINDOWS else "$`\n\\")):
+    if any(sign in text for sign in ("%^\n" if operating_system.WINDOWS else "$`\n\\")):
         return []
     try:
-        words = split_words(text) if which.WINDOWS else list(_with_operators(text))
+        words = split_words(text) if operating_system.WINDOWS else list(_with_operators(text))
     except ValueError:
         return []
     return [] if any(word and set(word) <= set("();<>|&") for word in words) else words
@@ -59,7 +59,7 @@ def split_folders(text: str) -> list[str]:
     >>> split_folders("/opt/models:/home/vera/models:")
     ['/opt/models', '/home/vera/models']
     """
-    return _FOLDER.findall(text) if which.WINDOWS else [word for word in text.split(":") if word]
+    return _FOLDER.findall(text) if operating_system.WINDOWS else [word for word in text.split(":") if word]
 
 
 def _with_operators(text: str) -> shlex.shlex:
@@ -74,7 +74,7 @@ def shell_command(text: str, env: Mapping[str, str]) -> list[str]:
     >>> shell_command("echo $HOME", {"SHELL": "/bin/bash"})
     ['/bin/bash', '-c', 'echo $HOME']
     """
-    if which.WINDOWS:
+    if operating_system.WINDOWS:
         return [env.get("COMSPEC") or "cmd.exe", "/d", "/c", *split_words(text)]
     return [env.get("SHELL") or "/bin/sh", "-c", text]
 

@@ -8,7 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from . import which
+from . import operating_system
 
 SYNCHRONISED = ("OneDrive", "Dropbox", "Google Drive", "GoogleDrive", "iCloud Drive", "Mobile Documents", "Nextcloud")
 """Names of folders that a program synchronises with other computers."""
@@ -26,12 +26,12 @@ def bits() -> int:
 
 def is_intel_mac() -> bool:
     """Whether this is a Mac with an Intel processor, or a Python built for one."""
-    return which.MAC and platform.machine() == "x86_64"
+    return operating_system.MAC and platform.machine() == "x86_64"
 
 
 def is_arm_python_on_windows() -> bool:
     """Whether this Python was built for Windows on ARM, for which few packages exist."""
-    return which.WINDOWS and platform.machine().upper() == "ARM64" and "ARM64" in sys.version
+    return operating_system.WINDOWS and platform.machine().upper() == "ARM64" and "ARM64" in sys.version
 
 
 def socket_path_bytes() -> int:
@@ -40,12 +40,12 @@ def socket_path_bytes() -> int:
     >>> socket_path_bytes() >= 104
     True
     """
-    return 32767 if which.WINDOWS else 104 if which.MAC else 108
+    return 32767 if operating_system.WINDOWS else 104 if operating_system.MAC else 108
 
 
 def is_from_the_store() -> bool:
     """Whether this Python is from Microsoft's Store, which redirects the files that programs write to other folders."""
-    return which.WINDOWS and "WindowsApps" in sys.base_prefix
+    return operating_system.WINDOWS and "WindowsApps" in sys.base_prefix
 
 
 def synchronised_by(folder: Path) -> str:
@@ -60,7 +60,7 @@ def synchronised_by(folder: Path) -> str:
 
 def has_long_paths() -> bool:
     """Whether programs may open files with paths of more than 260 characters: Windows needs a setting for it."""
-    if not which.WINDOWS:
+    if not operating_system.WINDOWS:
         return True
     import winreg
 
@@ -71,7 +71,7 @@ def has_long_paths() -> bool:
 
 def runs_scripts() -> bool:
     """Whether PowerShell runs scripts such as install\\setup.ps1; True on other systems."""
-    if not which.WINDOWS:
+    if not operating_system.WINDOWS:
         return True
     command = ["powershell", "-NoProfile", "-NonInteractive", "-Command", "Get-ExecutionPolicy"]
     try:

@@ -10,7 +10,7 @@ import importlib
 import os
 from typing import Any
 
-from . import which
+from . import operating_system
 
 SPECIAL = ("\0", "\xe0")
 """The first codes of keys that are not characters; the second one is also a letter."""
@@ -32,7 +32,7 @@ _CODES = {sent: code for code, sent in SENT.items()}
 
 def is_there(number: int) -> bool:
     """Whether a file descriptor is Windows' console."""
-    return which.WINDOWS and os.isatty(number)
+    return operating_system.WINDOWS and os.isatty(number)
 
 
 def has_key() -> bool:

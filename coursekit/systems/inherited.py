@@ -7,7 +7,7 @@ import subprocess
 from collections.abc import Sequence
 from typing import Any
 
-from . import which
+from . import operating_system
 
 
 def name_for_child(pipe: int) -> str:
@@ -16,7 +16,7 @@ def name_for_child(pipe: int) -> str:
     >>> name_for_child(7)
     '7'
     """
-    return str(_handle(pipe)) if which.WINDOWS else str(pipe)
+    return str(_handle(pipe)) if operating_system.WINDOWS else str(pipe)
 
 
 def given(pipes: Sequence[int]) -> dict[str, Any]:
@@ -25,7 +25,7 @@ def given(pipes: Sequence[int]) -> dict[str, Any]:
     >>> given([7, 8])
     {'pass_fds': (7, 8)}
     """
-    if not which.WINDOWS:
+    if not operating_system.WINDOWS:
         return {"pass_fds": tuple(pipes)}
     handles = [_handle(pipe) for pipe in pipes]
     for handle in handles:
@@ -41,7 +41,7 @@ def opened(name: str) -> int:
     >>> opened("7")
     7
     """
-    if not which.WINDOWS:
+    if not operating_system.WINDOWS:
         return int(name)
     import msvcrt
 

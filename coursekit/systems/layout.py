@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from . import which
+from . import operating_system
 
 _SCRIPT = "-script.py"
 
@@ -16,7 +16,7 @@ def executable_files(folder: Path, name: str) -> list[Path]:
     >>> [one.name for one in executable_files(Path("lib/demo"), "talker")]
     ['talker']
     """
-    return [folder / name, *([folder / f"{name}.exe"] if which.WINDOWS else [])]
+    return [folder / name, *([folder / f"{name}.exe"] if operating_system.WINDOWS else [])]
 
 
 def executable_name(path: Path) -> str:
@@ -47,4 +47,4 @@ def site_packages(prefix: Path) -> Path:
     True
     """
     version = f"python{sys.version_info.major}.{sys.version_info.minor}"
-    return prefix / "Lib" / "site-packages" if which.WINDOWS else prefix / "lib" / version / "site-packages"
+    return prefix / "Lib" / "site-packages" if operating_system.WINDOWS else prefix / "lib" / version / "site-packages"

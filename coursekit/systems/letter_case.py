@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from . import which
+from . import operating_system
 
 
 def other_spelling(path: Path) -> str:
@@ -30,7 +30,7 @@ def variable_name(name: str) -> str:
     >>> variable_name("PATH")
     'PATH'
     """
-    return name.upper() if which.WINDOWS else name
+    return name.upper() if operating_system.WINDOWS else name
 
 
 __all__ = ["other_spelling", "variable_name"]

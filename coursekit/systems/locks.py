@@ -6,7 +6,7 @@ import contextlib
 from collections.abc import Iterator
 from pathlib import Path
 
-from . import which
+from . import operating_system
 
 
 @contextlib.contextmanager
@@ -19,7 +19,7 @@ def alone(path: Path) -> Iterator[None]:
     nobody else is here
     """
     with open(path, "w", encoding="utf-8") as file:
-        if which.WINDOWS:
+        if operating_system.WINDOWS:
             _lock_byte(file.fileno())
         else:
             _lock_file(file.fileno())

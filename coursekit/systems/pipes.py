@@ -9,7 +9,7 @@ import time
 from collections.abc import Sequence
 from typing import Any
 
-from . import which
+from . import operating_system
 
 STEP = 0.005
 """Polling interval of a pipe on Windows [s]."""
@@ -25,7 +25,7 @@ def readable(pipe: int, seconds: float) -> bool:
     >>> readable(read, 0.0), os.write(write, b"x"), readable(read, 0.0)
     (False, 1, True)
     """
-    if not which.WINDOWS:
+    if not operating_system.WINDOWS:
         return bool(_select([pipe], [], [], max(0.0, seconds))[0])
     give_up = _now() + seconds
     while not peek(pipe):
@@ -44,7 +44,7 @@ def wait_readable(sources: Sequence[Any], seconds: float | None = None) -> list[
     >>> other.send(b"x"), wait_readable([one, other]) == [one]
     (1, True)
     """
-    if not which.WINDOWS:
+    if not operating_system.WINDOWS:
         return list(_select(sources, [], [], seconds)[0])
     pipes = [source for source in sources if isinstance(source, int)]
     sockets = [source for source in sources if not isinstance(source, int)]
@@ -74,13 +74,13 @@ def _ready_sockets(sockets: list[Any], seconds: float | None) -> list[Any]:
 
 def never_wait(pipe: int) -> None:
     """Make `read_now` non-blocking for the pipe."""
-    if not which.WINDOWS:
+    if not operating_system.WINDOWS:
         os.set_blocking(pipe, False)
 
 
 def read_now(pipe: int, size: int) -> bytes:
     """Return at most so many bytes, empty at the end; BlockingIOError when there is no data yet."""
-    if which.WINDOWS and not peek(pipe):
+    if operating_system.WINDOWS and not peek(pipe):
         raise BlockingIOError
     return os.read(pipe, size)
 

@@ -7,7 +7,7 @@ import re
 import stat
 from pathlib import Path
 
-from . import access_lists, which
+from . import access_lists, operating_system
 
 _OURS = "D:P(A;OICI;FA;;;SY)(A;OICI;FA;;;BA)(A;OICI;FA;;;{user})"
 """The system, administrators and the user, in Windows' notation of access control lists; nothing is inherited."""
@@ -40,15 +40,15 @@ def fault(path: Path) -> str:
 def is_root() -> bool:
     """Whether this program has all rights; Windows' administrators must confirm each time, and do not count.
 
-    >>> is_root() == (not which.WINDOWS and os.geteuid() == 0)
+    >>> is_root() == (not operating_system.WINDOWS and os.geteuid() == 0)
     True
     """
-    return not which.WINDOWS and os.geteuid() == 0
+    return not operating_system.WINDOWS and os.geteuid() == 0
 
 
 def user_name() -> str:
     """Return the user-specific part of a file name, for folders shared by several users."""
-    return os.environ.get("USERNAME", "user") if which.WINDOWS else str(os.getuid())
+    return os.environ.get("USERNAME", "user") if operating_system.WINDOWS else str(os.getuid())
 
 
 def readers(access: str, user: str) -> list[str]:

@@ -7,7 +7,7 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from coursekit.systems import rights, typed
+from coursekit.systems import rights, shell_spelling
 from coursekit.systems.computer import socket_path_bytes
 
 
@@ -34,7 +34,7 @@ def choose() -> tuple[Path, list[str]]:
         faults.append(fault)
     raise PermissionError(
         f"{'; '.join(faults)}. So there is no safe place for sessions to listen. Name a folder of yours, and start again: "
-        + typed.set_variable("COURSEKIT_RUNTIME_DIR", "~/coursekit-run")
+        + shell_spelling.set_variable("COURSEKIT_RUNTIME_DIR", "~/coursekit-run")
     )
 
 

@@ -6,7 +6,7 @@ import errno
 import io
 import sys
 
-from . import which
+from . import operating_system
 
 
 def use_utf8() -> None:
@@ -14,7 +14,7 @@ def use_utf8() -> None:
 
     A character that a console cannot display must not end a command: it is written as an escape.
     """
-    if not which.WINDOWS:
+    if not operating_system.WINDOWS:
         return
     for stream in (sys.stdin, sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
@@ -27,4 +27,4 @@ def reader_has_gone(error: OSError) -> bool:
     Windows then reports "Invalid argument".
     """
     nameless_invalid = error.errno == errno.EINVAL and error.filename is None
-    return isinstance(error, BrokenPipeError) or (which.WINDOWS and nameless_invalid)
+    return isinstance(error, BrokenPipeError) or (operating_system.WINDOWS and nameless_invalid)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from . import which
+from . import operating_system
 
 _DRIVE = re.compile(r"/?[A-Za-z]:")
 
@@ -19,9 +19,9 @@ def path_of(uri: str) -> Path:
     '/home/vera/map.yaml'
     """
     named = uri.removeprefix("file://")
-    if which.WINDOWS and _DRIVE.match(named):
+    if operating_system.WINDOWS and _DRIVE.match(named):
         return Path(named.removeprefix("/"))
-    return Path("//" + named) if which.WINDOWS and not named.startswith("/") else Path(named)
+    return Path("//" + named) if operating_system.WINDOWS and not named.startswith("/") else Path(named)
 
 
 __all__ = ["path_of"]

@@ -10,9 +10,9 @@ import socket
 from pathlib import Path
 from typing import Any
 
-from . import rights, which
+from . import operating_system, rights
 
-HAS_UNIX = hasattr(socket, "AF_UNIX") and not which.WINDOWS
+HAS_UNIX = hasattr(socket, "AF_UNIX") and not operating_system.WINDOWS
 CONNECT_SECONDS = 5.0
 TOKEN_SECONDS = 2.0
 """Timeout for a caller's token on a loopback port [s]."""

@@ -9,7 +9,7 @@ import time
 from collections.abc import Iterator
 from typing import Any
 
-from . import which
+from . import operating_system
 
 SLICE = 0.1
 """Interval in which the main thread on Windows checks for Ctrl-C [s]."""
@@ -24,7 +24,7 @@ def acquire(lock: Any, seconds: float | None = None) -> bool:
     >>> acquire(threading.Lock()), acquire(threading.Lock(), 0.0)
     (True, True)
     """
-    if not which.WINDOWS or _get_ident() != threading.main_thread().ident:
+    if not operating_system.WINDOWS or _get_ident() != threading.main_thread().ident:
         return bool(lock.acquire(timeout=-1 if seconds is None else max(0.0, seconds)))
     give_up = None if seconds is None else _now() + seconds
     while True:
@@ -54,6 +54,6 @@ def lines(peer: socket.socket) -> Iterator[str]:
 
 
 def _receive(peer: socket.socket) -> bytes:
-    while which.WINDOWS and not _select([peer], [], [], SLICE)[0]:
+    while operating_system.WINDOWS and not _select([peer], [], [], SLICE)[0]:
         pass  # Ctrl-C is handled here
     return peer.recv(65536)

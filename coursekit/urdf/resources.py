@@ -17,7 +17,7 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 from coursekit.files import is_file, is_folder
-from coursekit.systems import copies, which
+from coursekit.systems import link_copies, operating_system
 from coursekit.systems.command_lines import split_folders
 from coursekit.systems.uris import path_of
 
@@ -75,7 +75,7 @@ def find_package(name: str, near: Path | None = None) -> Path:
     searched = package_paths()
     for folder in searched:
         if is_folder(folder / name):
-            copies.renew(folder.parent, name)
+            link_copies.renew(folder.parent, name)
             return folder / name
         if folder.name == name and is_folder(folder):
             return folder
@@ -141,7 +141,7 @@ def find_file(uri: str, near: Path | None = None) -> Path:
         path = _in_models(uri, near)
     elif parts.scheme == "file":
         path = path_of(uri)  # most are not escaped: a '%' or '#' may be part of a name
-        computer = parts.netloc if which.WINDOWS else ""
+        computer = parts.netloc if operating_system.WINDOWS else ""
         path = path if path.is_absolute() and is_file(path) else path_of(f"file://{computer}{unquote(parts.path)}")
     elif len(parts.scheme) > 1:
         cure = "Use package://NAME/path, file:///path, or a path relative to the robot's file."

@@ -5,7 +5,7 @@ from pathlib import Path
 import pytest
 
 from coursekit.cli import checks, system_checks
-from coursekit.systems import computer, which
+from coursekit.systems import computer, operating_system
 
 
 @pytest.fixture
@@ -13,7 +13,7 @@ def on_windows(monkeypatch):
     """A computer with Windows on which all is as it should be; words change it."""
 
     def make(**facts):
-        monkeypatch.setattr(which, "WINDOWS", True)
+        monkeypatch.setattr(operating_system, "WINDOWS", True)
         usual = {"bits": 64, "has_long_paths": True, "runs_scripts": True, "is_from_the_store": False}
         usual |= {"is_arm_python_on_windows": False}
         for name, value in (usual | facts).items():

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from coursekit.cli import terminal_settings as module
-from coursekit.systems import which
+from coursekit.systems import operating_system
 
 
 @pytest.fixture
@@ -14,7 +14,7 @@ def settings(monkeypatch, tmp_path):
     """The command of a terminal and the script that it begins with, for a folder of this name and these programs."""
 
     def make(name, *programs):
-        monkeypatch.setattr(which, "WINDOWS", True)
+        monkeypatch.setattr(operating_system, "WINDOWS", True)
         monkeypatch.setattr(module.shutil, "which", lambda one: f"C:\\{one}.exe" if one in programs else None)
         folder = tmp_path / name
         folder.mkdir()

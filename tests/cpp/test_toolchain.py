@@ -5,7 +5,7 @@ import pytest
 from coursekit.cli import checks
 from coursekit.cpp import toolchain
 from coursekit.cpp.toolchain import NoToolchain, find_toolchain
-from coursekit.systems import which
+from coursekit.systems import operating_system
 
 PROGRAMS = {"zig": "C:/Users/José Luis/ziglang/zig.EXE", "cmake": "C:/cmake.EXE", "ninja": "C:/ninja.EXE"}
 
@@ -15,7 +15,7 @@ def programs(monkeypatch):
     """The programs of a computer with Windows, by name; what was found on this computer is forgotten, before and after."""
     there = dict(PROGRAMS)
     find_toolchain.cache_clear()
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
     monkeypatch.setattr(toolchain.shutil, "which", lambda name, path=None: f"C:/MinGW/{name}.EXE")
     monkeypatch.setattr(toolchain, "_program", lambda name, _folder: there.get(name))
     monkeypatch.setattr(toolchain, "_zig", lambda: there.get("zig"))

@@ -11,7 +11,7 @@ import pytest
 
 from coursekit.cli.coursekit import main
 from coursekit.grade import container, container_image, sandbox
-from coursekit.systems import which
+from coursekit.systems import operating_system
 from tests.needs import ON_WINDOWS, posix
 
 ENGINE = """#!{python}
@@ -28,7 +28,7 @@ def computer(tmp_path, monkeypatch):
     """A Mac whose programs for containers are those given; what they are asked."""
     programs, log = tmp_path / "programs", tmp_path / "asked"
     programs.mkdir()
-    monkeypatch.setattr(which, "MAC", True)
+    monkeypatch.setattr(operating_system, "MAC", True)
     monkeypatch.setenv("PATH", str(programs))
     image = container_image.Image(wheel(), "coursekit-0.1.0-py3-none-any.whl")
     monkeypatch.setattr(container.Image, "of_this_course", classmethod(lambda _: image))
@@ -76,13 +76,13 @@ def test_one_that_does_not_answer_is_none(computer):
 
 
 def test_windows_marks_nothing_without_walls_whoever_asks(computer, monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
     with pytest.raises(SystemExit, match="nothing that keeps them in"):
         graded(computer, "--unsafe")
 
 
 def test_a_mac_does_so_only_when_it_is_asked_to(computer, monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", False)
+    monkeypatch.setattr(operating_system, "WINDOWS", False)
     assert container.refusal(unsafe=True) == "" and container.refusal(unsafe=False)
 
 

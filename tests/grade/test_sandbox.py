@@ -9,7 +9,7 @@ import pytest
 from coursekit.grade import folders, sandbox
 from coursekit.grade.cgroup_limits import confined
 from coursekit.grade.unsandboxed import cure
-from coursekit.systems import which
+from coursekit.systems import operating_system
 from tests.needs import posix
 
 walls = pytest.mark.skipif(sandbox.tier() != "bubblewrap", reason="NOT TESTED: no bubblewrap: apt-get install bubblewrap")
@@ -162,8 +162,8 @@ def test_bubblewrap_is_never_what_lies_on_the_path(tmp_path, monkeypatch):
 @pytest.mark.parametrize("system", ["WINDOWS", "MAC"])
 def test_bubblewrap_is_not_looked_for_where_there_is_none(monkeypatch, system):
     monkeypatch.setattr(sandbox, "_BWRAP", (sys.executable,))
-    assert sandbox._bwrap() == (None if which.WINDOWS or which.MAC else sys.executable)
-    monkeypatch.setattr(which, system, True)
+    assert sandbox._bwrap() == (None if operating_system.WINDOWS or operating_system.MAC else sys.executable)
+    monkeypatch.setattr(operating_system, system, True)
     assert sandbox._bwrap() is None
 
 

@@ -6,7 +6,7 @@ import pytest
 from IPython.core.interactiveshell import InteractiveShell
 
 from coursekit.lab import cmd_words, shell_lines
-from coursekit.systems import which
+from coursekit.systems import operating_system
 from tests.needs import real_windows
 
 SAYS = f"\"{sys.executable}\" -c \"import sys; print('one', flush=True); print('ñ', file=sys.stderr); sys.exit(3)\""
@@ -27,7 +27,7 @@ class Shell:
 @pytest.fixture
 def shell(monkeypatch):
     """A shell as a notebook on Windows has it."""
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
     interactive_shell = Shell()
     shell_lines.install(interactive_shell)
     return interactive_shell
@@ -46,7 +46,7 @@ def test_variables_of_the_notebook_stand_in_it(shell, capsys):
 
 
 def test_elsewhere_it_is_ipythons(monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", False)
+    monkeypatch.setattr(operating_system, "WINDOWS", False)
     interactive_shell = Shell()
     shell_lines.install(interactive_shell)
     assert "system" not in vars(interactive_shell)

@@ -5,11 +5,11 @@ from pathlib import PureWindowsPath
 from coursekit.lab import magics
 from coursekit.lab.magics import _read
 from coursekit.processes.session import Session
-from coursekit.systems import which
+from coursekit.systems import operating_system
 
 
 def test_a_windows_path_keeps_its_backslashes(monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
     options, words, background = _read(r"--workspace C:\Users\vera\ws run demo node C:\Users\vera\new.yaml &")
     assert options == {"workspace": r"C:\Users\vera\ws"}
     assert words == ["run", "demo", "node", r"C:\Users\vera\new.yaml"]

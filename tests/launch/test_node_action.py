@@ -16,7 +16,7 @@ from launch_ros.actions import (
 from launch_ros.descriptions import ParameterValue
 from launch_ros.substitutions import ExecutableInPackage, FindPackagePrefix, FindPackageShare
 
-from coursekit.systems import which
+from coursekit.systems import operating_system
 
 SHOW = """
 import os
@@ -153,7 +153,7 @@ def test_a_program_that_was_not_compiled_is_told_and_the_others_start(launch, wo
 
 def test_a_package_of_windows_runs_inside_by_its_script(launch, workspace, monkeypatch) -> None:
     """setuptools writes NAME.exe and NAME-script.py there; the first is what a launch starts, and what it names."""
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
     workspace.executable("demo", "show-script.py", SHOW)
     workspace.executable("demo", "show.exe", "MZ: no program for Linux")
     result = launch([node()])

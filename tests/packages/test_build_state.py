@@ -6,7 +6,7 @@ import shutil
 import pytest
 
 from coursekit.packages.build_state import build_fault, package_folder
-from coursekit.systems import copies
+from coursekit.systems import link_copies
 
 from .test_colcon import WORKSPACE, colcon
 
@@ -50,7 +50,7 @@ def change(workspace, path, text="\n"):
 def reads_modules_from_source(workspace):
     """As after a build with --symlink-install, by a link or by a note where links are refused."""
     source = workspace / "src" / "group" / PACKAGE / PACKAGE
-    noted = copies.fresh_sources(workspace / "install" / PACKAGE, PACKAGE)
+    noted = link_copies.fresh_sources(workspace / "install" / PACKAGE, PACKAGE)
     return (workspace / "build" / PACKAGE / PACKAGE).is_symlink() or source.resolve() in noted
 
 

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 import pytest
 
 from coursekit.packages import colcon_utf8
-from coursekit.systems import which
+from coursekit.systems import operating_system
 
 
 @pytest.fixture
@@ -26,13 +26,13 @@ def begun(monkeypatch):
 
 
 def test_elsewhere_it_goes_on_as_it_is(begun, monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", False)
+    monkeypatch.setattr(operating_system, "WINDOWS", False)
     assert colcon_utf8.InUtf8().decorate_argument_parser(parser="parser") == "parser"
     assert begun == []
 
 
 def test_on_windows_it_begins_again_and_ends_with_that_ones_exit_code(begun, monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
     with pytest.raises(SystemExit) as ended:
         colcon_utf8.InUtf8().decorate_argument_parser(parser="parser")
     assert ended.value.code == 3

@@ -13,7 +13,7 @@ import pytest
 
 from coursekit.packages.shell_quotes import QuotingShell, expand_quoted
 from coursekit.packages.windows_quotes import as_bytes, quoted_for_cmd, quoted_for_powershell
-from coursekit.systems import which
+from coursekit.systems import operating_system
 from tests.needs import real_windows
 
 HOSTILE = r"C:\Users\ñ o' $(calc) `calc` %d & ^ ! %PATH%"
@@ -78,7 +78,8 @@ def test_what_the_utility_prints_is_read_as_values_by_powershell(tmp_path: Path)
         FORMAT_STR_REMOVE_LEADING_SEPARATOR="",
         FORMAT_STR_REMOVE_TRAILING_SEPARATOR="",
     )
-    name = "ñ 🤖 $(calc) `calc` %d & ^ ! \u201d $x" if which.WINDOWS else 'ñ 🤖 $(calc) `calc` %d & ^ ! \u201d $x "$(calc)'
+    name = "ñ 🤖 $(calc) `calc` %d & ^ ! \u201d $x"
+    name += "" if operating_system.WINDOWS else ' "$(calc)"'
     install = tmp_path / name
     share = install / "talks" / "share"
     (share / "talks").mkdir(parents=True)
@@ -114,7 +115,7 @@ def test_each_shell_gets_the_line_ends_and_letters_that_it_reads(tmp_path: Path)
     assert text.count(b"\r\n") == text.count(b"\n") > 100 and b"\r\r" not in text
 
 
-@pytest.mark.skipif(not which.WINDOWS, reason="cmd is Windows'")
+@pytest.mark.skipif(not operating_system.WINDOWS, reason="cmd is Windows'")
 @real_windows("its cmd reads the line of a call once, Windows' reads it twice")
 def test_cmd_puts_such_a_folder_before_the_others(tmp_path: Path) -> None:
     folder = r"C:\100%d ^ & mine"
@@ -129,7 +130,7 @@ def test_on_windows_colcon_s_command_lines_name_folders_with_single_quotation_ma
     from colcon_core import subprocess as commands
 
     monkeypatch.setattr(commands, "escape_shell_argument", commands.escape_shell_argument)
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
     QuotingShell()
     assert commands.escape_shell_argument(rf"{HOSTILE}\set.bat") == rf'"{HOSTILE}\set.bat"'
     assert commands.escape_shell_argument("&&") == "&&"

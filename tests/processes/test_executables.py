@@ -8,7 +8,7 @@ import pytest
 from coursekit.processes.child import ChildProcess
 from coursekit.processes.executables import ExecutableNotFound, PackageNotFound, executables_of, find, is_python, packages
 from coursekit.processes.session import Session
-from coursekit.systems import which
+from coursekit.systems import operating_system
 from tests.needs import posix
 
 
@@ -112,7 +112,7 @@ def test_a_package_without_executables_says_what_makes_one():
 @pytest.fixture
 def as_on_windows(prefix, monkeypatch):
     """A package as setuptools installs it there: NAME.exe, a program for Windows, starts NAME-script.py beside it."""
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
     text = "#!C:\\venv\\python.exe\nimport sys, beside\nprint(beside.NAME, sys.argv[1:])\n"
     prefix("talker-script.py", text)
     prefix("talker.exe", "MZ: no program for Linux")

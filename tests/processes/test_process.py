@@ -10,7 +10,7 @@ import pytest
 
 from coursekit.processes.process import current_process
 from coursekit.processes.session import Session
-from coursekit.systems import which
+from coursekit.systems import operating_system
 from tests.processes.programs import run
 
 
@@ -84,7 +84,7 @@ def test_the_environment_stays_the_environment_when_it_is_joined_with_others(ses
 
 
 def test_on_windows_variables_have_no_case(session, monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
 
     def main():
         os.environ["GIVEN_TOO"] = "also"

@@ -7,7 +7,7 @@ import sys
 import pytest
 
 from coursekit.processes.session import Session
-from coursekit.systems import which
+from coursekit.systems import operating_system
 
 ASK = "import sys; from coursekit.processes.session import current; print(current().clock.virtual)"
 
@@ -30,7 +30,7 @@ def test_a_clock_that_does_not_exist_is_refused_with_the_two_that_do():
 
 def test_ctrl_c_where_nothing_runs_interrupts_the_interpreter_and_does_not_end_it(monkeypatch):
     """On Windows os.kill with SIGINT ends the program: it is not asked there."""
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
     monkeypatch.delattr(os, "kill")
     with Session().use() as session, pytest.raises(KeyboardInterrupt):
         session.interrupt_all()

@@ -8,7 +8,7 @@ import sys
 import psutil
 import pytest
 
-from coursekit.systems import children, which
+from coursekit.systems import children, operating_system
 from tests.needs import real_windows
 
 
@@ -34,7 +34,7 @@ class Child:
 
 @pytest.fixture
 def windows(monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
 
 
 def test_on_windows_ctrl_c_is_a_ctrl_break_to_the_childs_own_group(windows):

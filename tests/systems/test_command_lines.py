@@ -7,17 +7,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from coursekit.systems import which
+from coursekit.systems import operating_system
 from coursekit.systems.command_lines import join_words, plain_words, shell_command, split_folders, split_words
 
 
 @pytest.fixture
 def windows(monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
 
 
 def test_on_linux_words_are_those_of_the_shell(monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", False)
+    monkeypatch.setattr(operating_system, "WINDOWS", False)
     line = r"""run demo node --name 'a b' "c \" d" e\ f"""
     assert split_words(line) == shlex.split(line)
     assert join_words(split_words(line)) == shlex.join(shlex.split(line))
@@ -51,14 +51,14 @@ def test_a_quotation_without_an_end_is_refused(windows, line):
 @given(st.lists(st.text(alphabet="aB \\\"'\t{}:é$%`", max_size=8), max_size=5))
 def test_on_windows_joined_words_come_apart_again_as_they_were(words):
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(which, "WINDOWS", True)
+        patch.setattr(operating_system, "WINDOWS", True)
         assert split_words(join_words(words)) == words
 
 
 @given(st.lists(st.text(alphabet='aB \\"\t{}:é', max_size=8), max_size=5))
 def test_on_windows_what_python_writes_for_programs_is_read_as_they_read_it(words):
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(which, "WINDOWS", True)
+        patch.setattr(operating_system, "WINDOWS", True)
         assert split_words(subprocess.list2cmdline(words)) == words
 
 
@@ -73,12 +73,12 @@ def test_on_windows_what_python_writes_for_programs_is_read_as_they_read_it(word
     ],
 )
 def test_on_windows_a_line_without_operators_needs_no_shell(monkeypatch, text, words):
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
     assert plain_words(text) == words
 
 
 def test_windows_shell_is_the_one_that_the_system_names(monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
     command = shell_command('echo "a b" && dir', {"COMSPEC": r"C:\Windows\system32\cmd.exe"})
     assert command == [r"C:\Windows\system32\cmd.exe", "/d", "/c", "echo", "a b", "&&", "dir"]
 

@@ -4,17 +4,17 @@ from pathlib import Path
 
 import pytest
 
-from coursekit.systems import layout, which
+from coursekit.systems import layout, operating_system
 
 
 @pytest.fixture
 def windows(monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
 
 
 def test_a_name_stands_for_an_exe_on_windows_only(windows, monkeypatch):
     assert [file.name for file in layout.executable_files(Path("lib"), "talker")] == ["talker", "talker.exe"]
-    monkeypatch.setattr(which, "WINDOWS", False)
+    monkeypatch.setattr(operating_system, "WINDOWS", False)
     assert [file.name for file in layout.executable_files(Path("lib"), "talker")] == ["talker"]
 
 

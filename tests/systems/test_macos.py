@@ -31,8 +31,8 @@ def missing(path, *words, real=os.stat, **named):
 sys.addaudithook(refuse)
 os.stat = missing
 assert not os.path.exists("/proc/self/stat")
-from coursekit.systems import which
-which.MAC = True
+from coursekit.systems import operating_system
+operating_system.MAC = True
 """
 """Begins a program on a computer that has no /proc, as a Mac has none."""
 

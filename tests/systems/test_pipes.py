@@ -8,14 +8,14 @@ import sys
 import pytest
 
 from coursekit.joined.pipe import Broken, Pipe
-from coursekit.systems import pipes, which
+from coursekit.systems import operating_system, pipes
 
 
 @pytest.fixture
 def windows(monkeypatch):
     """Windows, where select refuses pipes; elsewhere a pipe is looked into by the system's own means."""
     looks = []
-    peek, select = pipes.peek if which.WINDOWS else None, pipes._select
+    peek, select = pipes.peek if operating_system.WINDOWS else None, pipes._select
 
     def look(pipe):
         looks.append(pipe)
@@ -24,7 +24,7 @@ def windows(monkeypatch):
     def refuse(*_):
         raise OSError(10038, "An operation was attempted on something that is not a socket")
 
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
     monkeypatch.setattr(pipes, "peek", look)
     monkeypatch.setattr(pipes, "_select", refuse)
     monkeypatch.setattr("select.select", refuse)

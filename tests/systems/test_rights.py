@@ -6,7 +6,7 @@ import stat
 import pytest
 
 from coursekit.cli import endpoint
-from coursekit.systems import rights, user_socket, which
+from coursekit.systems import operating_system, rights, user_socket
 from tests.needs import posix, real_windows
 
 USER = "S-1-5-21-1111-2222-3333-1001"
@@ -30,7 +30,7 @@ def test_a_list_of_windows_tells_who_else_may_open_a_folder(access, others):
     assert rights.readers(access, USER) == others
 
 
-@pytest.mark.skipif(not which.WINDOWS, reason="the lists are Windows'")
+@pytest.mark.skipif(not operating_system.WINDOWS, reason="the lists are Windows'")
 def test_on_windows_a_folder_is_made_for_this_user_only_and_an_open_one_is_told(tmp_path):
     from coursekit.systems import access_lists
 
@@ -41,7 +41,7 @@ def test_on_windows_a_folder_is_made_for_this_user_only_and_an_open_one_is_told(
     assert rights.fault(folder).endswith("can be opened by others: WD")
 
 
-@pytest.mark.skipif(not which.WINDOWS, reason="the lists are Windows'")
+@pytest.mark.skipif(not operating_system.WINDOWS, reason="the lists are Windows'")
 @real_windows("a file does not take over its folder's list")
 def test_on_windows_a_file_in_such_a_folder_is_for_this_user_only(tmp_path):
     rights.make_folder(tmp_path / "run")

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from coursekit.cli import checks
-from coursekit.systems import runtime_folder, which
+from coursekit.systems import operating_system, runtime_folder
 from coursekit.systems.runtime_folder import choose, folder
 from tests.needs import posix
 
@@ -66,8 +66,8 @@ def test_where_no_place_is_safe_it_says_what_to_type(homes, monkeypatch):
 
 @pytest.mark.parametrize(("mac", "most"), [(False, 107), (True, 103)])
 def test_a_folder_in_which_a_socket_s_path_would_be_too_long_is_not_used(homes, monkeypatch, mac, most):
-    monkeypatch.setattr(which, "MAC", mac)
-    monkeypatch.setattr(which, "WINDOWS", False)
+    monkeypatch.setattr(operating_system, "MAC", mac)
+    monkeypatch.setattr(operating_system, "WINDOWS", False)
     monkeypatch.setattr(runtime_folder.os, "getpid", lambda: 4194304)
     monkeypatch.setenv("ROS_DOMAIN_ID", "232")
     rest = len("/coursekit/session-232-4194304")

@@ -2,7 +2,7 @@
 
 import pytest
 
-from coursekit.systems import which
+from coursekit.systems import operating_system
 from coursekit.systems.uris import path_of
 from coursekit.urdf.resources import find_file
 
@@ -18,12 +18,12 @@ from coursekit.urdf.resources import find_file
     ],
 )
 def test_on_windows_a_file_is_where_its_uri_says(monkeypatch, uri, path):
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
     assert path_of(uri).as_posix() == path
 
 
 def test_on_linux_a_colon_is_part_of_a_name(monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", False)
+    monkeypatch.setattr(operating_system, "WINDOWS", False)
     assert path_of("file:///C:/arm.stl").as_posix() == "/C:/arm.stl"
 
 
@@ -31,5 +31,5 @@ def test_on_linux_a_colon_is_part_of_a_name(monkeypatch):
 def test_a_file_is_found_by_the_uri_that_python_gives_it_and_by_its_plain_name(tmp_path, name):
     file = tmp_path / name
     file.touch()
-    for uri in (file.as_uri(), f"file://{'/' if which.WINDOWS else ''}{file.as_posix()}"):
+    for uri in (file.as_uri(), f"file://{'/' if operating_system.WINDOWS else ''}{file.as_posix()}"):
         assert find_file(uri).samefile(file)

@@ -7,7 +7,7 @@ import pytest
 
 from coursekit.core.clock import WallClock
 from coursekit.core.virtual_clock import VirtualClock
-from coursekit.systems import waiting, which
+from coursekit.systems import operating_system, waiting
 
 
 class Lock:
@@ -24,7 +24,7 @@ class Lock:
 
 @pytest.fixture
 def windows(monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
 
 
 def test_on_windows_no_wait_of_the_main_thread_is_longer_than_a_slice(windows):

@@ -20,7 +20,7 @@ EVERY_CHAPTER = (*map(str, range(11)), *"ABCD")
 LINUX_SAYS = (
     "coursekit/systems/child_terminal.py", "coursekit/systems/children.py", "coursekit/systems/inherited.py",
     "coursekit/systems/command_lines.py", "coursekit/systems/layout.py", "coursekit/systems/links.py",
-    "coursekit/systems/typed.py", "coursekit/packages/folder_name.py", "coursekit/grade/folders.py",
+    "coursekit/systems/shell_spelling.py", "coursekit/packages/folder_name.py", "coursekit/grade/folders.py",
     "coursekit/share/launch_testing/examples/good_proc_launch_test.py",
 )  # fmt: skip
 """Docstrings with an example of what differs by system, as Linux has it (tests/systems has Windows' answers), and a launch

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from coursekit.cli import ask
+from coursekit.cli import api
 
 if TYPE_CHECKING:
     from argparse import Namespace
@@ -24,18 +24,18 @@ def register(subparsers: Any) -> None:
     lister.add_argument("-c", "--count-actions", action="store_true", help="Only display the number of actions")
     lister.set_defaults(main=list_actions)
     info = verbs.add_parser("info", help="Print information about an action")
-    info.add_argument("action_name", help="Name of the ROS action").completer = ask.complete_by("action", "list")
+    info.add_argument("action_name", help="Name of the ROS action").completer = api.complete_by("action", "list")
     info.add_argument("-t", "--show-types", action="store_true", help="Additionally show the action type")
     info.add_argument("-c", "--count", action="store_true", help="Only display the number of clients and servers")
     info.set_defaults(main=show_info)
     kind = verbs.add_parser("type", help="Print an action's type")
-    kind.add_argument("action_name", help="Name of the ROS action").completer = ask.complete_by("action", "list")
+    kind.add_argument("action_name", help="Name of the ROS action").completer = api.complete_by("action", "list")
     kind.set_defaults(main=show_type)
     send = verbs.add_parser("send_goal", help="Send an action goal")
-    send.add_argument("action_name", help="Name of the ROS action").completer = ask.complete_by("action", "list")
-    send.add_argument("action_type", help="Type of the ROS action").completer = ask.complete_interfaces("action")
+    send.add_argument("action_name", help="Name of the ROS action").completer = api.complete_by("action", "list")
+    send.add_argument("action_type", help="Type of the ROS action").completer = api.complete_interfaces("action")
     goal = send.add_argument("goal", help="Goal request values in YAML format")
-    goal.completer = ask.complete_values("action_type")
+    goal.completer = api.complete_values("action_type")
     send.add_argument("-f", "--feedback", action="store_true", help="Echo feedback messages for the goal")
     send.set_defaults(main=send_goal)
 
@@ -43,7 +43,7 @@ def register(subparsers: Any) -> None:
 def _actions() -> list[tuple[str, list[str]]]:
     from rclpy.action import get_action_names_and_types
 
-    with ask.command_node() as node:
+    with api.command_node() as node:
         return list(get_action_names_and_types(node))
 
 
@@ -60,7 +60,7 @@ def list_actions(args: Namespace) -> int:
 
 def show_type(args: Namespace) -> int:
     """Print an action's types."""
-    types = dict(_actions()).get(ask.full_name(args.action_name))
+    types = dict(_actions()).get(api.full_name(args.action_name))
     for type_name in types or ():
         print(type_name)
     return 0 if types else 1
@@ -70,9 +70,9 @@ def show_info(args: Namespace) -> int:
     """Print the servers and clients of an action."""
     from rclpy.action import get_action_client_names_and_types_by_node, get_action_server_names_and_types_by_node
 
-    name = ask.full_name(args.action_name)
+    name = api.full_name(args.action_name)
     print(f"Action: {name}")
-    with ask.command_node() as node:
+    with api.command_node() as node:
         for title, find in (
             ("Action clients", get_action_client_names_and_types_by_node),
             ("Action servers", get_action_server_names_and_types_by_node),
@@ -88,7 +88,7 @@ def _nodes_with(
     node: Node, action: str, find: Callable[[Node, str, str], list[tuple[str, list[str]]]]
 ) -> list[tuple[str, list[str]]]:
     nodes = []
-    for other in list(ask.graph().nodes):
+    for other in list(api.graph().nodes):
         types = dict(find(node, other.name, other.namespace)).get(action)
         if types:
             nodes.append((other.full_name, types))
@@ -105,18 +105,18 @@ def send_goal(args: Namespace) -> int:
     try:
         kind = get_action(args.action_type)
     except (AttributeError, ModuleNotFoundError, ValueError):
-        raise ask.Unhappy("The passed action type is invalid") from None
-    values = ask.yaml_values(args.goal or "{}")
+        raise api.Unhappy("The passed action type is invalid") from None
+    values = api.yaml_values(args.goal or "{}")
     goal = kind.Goal()
     try:
         set_message_fields(goal, values)
     except Exception as error:
-        raise ask.Unhappy(f"Failed to populate message fields: {error!r}") from None
-    with ask.command_node() as node:
+        raise api.Unhappy(f"Failed to populate message fields: {error!r}") from None
+    with api.command_node() as node:
         install_signal_handlers(SignalHandlerOptions.NO)  # Ctrl-C leaves the node alive, to cancel the goal
         client = ActionClient(node, kind, args.action_name)
         try:
-            return _Sending(node, client, ask.full_name(args.action_name), args.feedback).run(goal)
+            return _Sending(node, client, api.full_name(args.action_name), args.feedback).run(goal)
         finally:
             client.destroy()
 
@@ -125,7 +125,7 @@ def _offered(node: Node) -> list[str]:
     """Return the names of the actions that have a server."""
     from rclpy.action import get_action_server_names_and_types_by_node
 
-    nodes = list(ask.graph().nodes)
+    nodes = list(api.graph().nodes)
     return sorted(
         {name for other in nodes for name, _ in get_action_server_names_and_types_by_node(node, other.name, other.namespace)}
     )
@@ -157,8 +157,8 @@ class _Sending:
         from rosidl_runtime_py import message_to_yaml
 
         print("Waiting for an action server to become available...")
-        if not self._client.wait_for_server(ask.WAIT_SECONDS):
-            ask.say_missing(self._name, _offered(self._node), "action")
+        if not self._client.wait_for_server(api.WAIT_SECONDS):
+            api.say_missing(self._name, _offered(self._node), "action")
             self._client.wait_for_server()
         print(f"Sending goal:\n     {message_to_yaml(goal)}")
         self._handle = self._finish(self._client.send_goal_async(goal, self._feedback))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from coursekit.cli import ask, bag_play, bag_record
+from coursekit.cli import api, bag_play, bag_record
 from coursekit.cli.bag_arguments import add_reader, refuse, refusing
 
 if TYPE_CHECKING:
@@ -93,7 +93,7 @@ def convert_bags(args: Namespace) -> int:
 
     for words in args.input:
         if len(words) > 2:
-            raise ask.Unhappy(f"--input expects 1 or 2 arguments, {len(words)} provided")
+            raise api.Unhappy(f"--input expects 1 or 2 arguments, {len(words)} provided")
     bag_rewrite([StorageOptions(*words) for words in args.input], args.output_options)
     return 0
 

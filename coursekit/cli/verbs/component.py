@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from coursekit.cli import ask
+from coursekit.cli import api
 from coursekit.nodes.running import pass_on_output
 from coursekit.processes.components import registered
 from coursekit.processes.executables import find, packages
@@ -64,17 +64,17 @@ def _add_component(verb: argparse.ArgumentParser) -> None:
 
 
 def _containers() -> list[str]:
-    served = dict(ask.services(hidden=True))
+    served = dict(api.services(hidden=True))
     return [
         name
-        for name in ask.node_names()
+        for name in api.node_names()
         if all(kind in served.get(f"{name}/_container/{service}", ()) for service, kind in _SERVICES.items())
     ]
 
 
 def _checked(name: str) -> str:
     if name not in _containers():
-        raise ask.Unhappy(f"Unable to find container node '{name}'")
+        raise api.Unhappy(f"Unable to find container node '{name}'")
     return name
 
 
@@ -83,10 +83,10 @@ def _call(container: str, service: str, **fields: Any) -> Any:
     from rosidl_runtime_py.utilities import get_service
 
     kind: Any = get_service(_SERVICES[service])
-    with ask.command_node() as node:
+    with api.command_node() as node:
         client = node.create_client(kind, f"{container}/_container/{service}")
         if not client.wait_for_service(timeout_sec=5.0):
-            raise ask.Unhappy(f"No '{service}' service found for '{container}' container")
+            raise api.Unhappy(f"No '{service}' service found for '{container}' container")
         future = client.call_async(kind.Request(**fields))
         rclpy.spin_until_future_complete(node, future)
         return future.result()
@@ -127,7 +127,7 @@ def _load(container: str, args: Namespace) -> Any:
         extra_arguments=_parameters(args.extra_arguments),
     )
     if not answer.success:
-        raise ask.Unhappy(f"Failed to load component: {answer.error_message[:1].upper()}{answer.error_message[1:]}")
+        raise api.Unhappy(f"Failed to load component: {answer.error_message[:1].upper()}{answer.error_message[1:]}")
     return answer
 
 
@@ -147,7 +147,7 @@ def unload_components(args: Namespace) -> int:
         answer = _call(container, "unload_node", unique_id=uid)
         if not answer.success:
             reason = answer.error_message.capitalize()
-            raise ask.Unhappy(f"Failed to unload component {uid} from '{container}' container node\n    {reason}")
+            raise api.Unhappy(f"Failed to unload component {uid} from '{container}' container node\n    {reason}")
         print(uid if args.quiet else f"Unloaded component {uid} from '{container}' container node")
     return 0
 
@@ -160,7 +160,7 @@ def run_standalone(args: Namespace) -> int:
     container = current().start_executable(path, words, on_output=pass_on_output())
     try:
         _load(f"/{name}", args)
-    except ask.Unhappy as error:
+    except api.Unhappy as error:
         print(f"{error}, terminating container.")
         container.interrupt()
     try:
@@ -176,7 +176,7 @@ def show_types(args: Namespace) -> int:
     types_by_package = registered()
     if args.package_name is not None:
         if args.package_name not in packages():
-            raise ask.Unhappy(f"Unable to find package '{args.package_name}'")
+            raise api.Unhappy(f"Unable to find package '{args.package_name}'")
         for name in types_by_package.get(args.package_name, {}):
             print(name)
         return 0

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from controller_manager_msgs.srv import ReloadControllerLibraries, SetHardwareComponentState
 
-from coursekit.cli import ask, control_lists
+from coursekit.cli import api, control_lists
 from coursekit.nodes.control.manager_client import Asker, NoManager
 
 if TYPE_CHECKING:
@@ -45,9 +45,9 @@ def register(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) ->
 
 def _with_manager(verb: Callable[[Asker, Any], str | None]) -> Callable[[Any], int]:
     def main(args: Namespace) -> int:
-        with ask.command_node() as node:
+        with api.command_node() as node:
             try:
-                fault = verb(Asker(node, ask.full_name(args.controller_manager), wait=10.0), args)
+                fault = verb(Asker(node, api.full_name(args.controller_manager), wait=10.0), args)
             except NoManager as error:
                 fault = str(error)
         if fault:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from coursekit.cli import ask, daemon
+from coursekit.cli import api, daemon
 from coursekit.cli.session_client import domain_id
 
 if TYPE_CHECKING:
@@ -29,14 +29,14 @@ def register(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) ->
 
 def show_status(_args: Namespace) -> None:
     """Print whether the daemon is running."""
-    print(f"The daemon is {'' if daemon.is_running(ask.graph()) else 'not '}running")
+    print(f"The daemon is {'' if daemon.is_running(api.graph()) else 'not '}running")
 
 
 def start(_args: Namespace) -> None:
     """Start the daemon."""
-    print("The daemon has been started" if daemon.start(ask.graph(), domain_id()) else "The daemon is already running")
+    print("The daemon has been started" if daemon.start(api.graph(), domain_id()) else "The daemon is already running")
 
 
 def stop(_args: Namespace) -> None:
     """Stop the daemon."""
-    print("The daemon has been stopped" if daemon.stop(ask.graph()) else "The daemon is not running")
+    print("The daemon has been stopped" if daemon.stop(api.graph()) else "The daemon is not running")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING, Any
 
-from coursekit.cli import ask
+from coursekit.cli import api
 from coursekit.cli.interface_text import shown
 
 if TYPE_CHECKING:
@@ -94,7 +94,7 @@ def list_package(args: Namespace) -> int:
     from rosidl_runtime_py import get_interfaces
 
     if args.package_name not in _packages():
-        raise ask.Unhappy(f"Unknown package '{args.package_name}'")
+        raise api.Unhappy(f"Unknown package '{args.package_name}'")
     names = get_interfaces([args.package_name]).get(args.package_name, [])
     for _, kind in _kinds(args):
         for name in names:
@@ -106,7 +106,7 @@ def list_package(args: Namespace) -> int:
 def show_proto(args: Namespace) -> int:
     """Print a message with its default values, as `ros2 topic pub` takes it."""
     quote = "" if args.no_quotes else '"'
-    print(f"{quote}{ask.prototype(args.type)}{quote}")
+    print(f"{quote}{api.prototype(args.type)}{quote}")
     return 0
 
 

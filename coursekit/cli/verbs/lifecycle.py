@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from coursekit.cli import ask
+from coursekit.cli import api
 
 if TYPE_CHECKING:
     from argparse import Namespace
@@ -23,24 +23,24 @@ def register(subparsers: Any) -> None:
     nodes.add_argument("-a", "--all", action="store_true", help="Display all nodes even hidden ones")
     nodes.set_defaults(main=list_nodes)
     get = verbs.add_parser("get", help="Get lifecycle state for one or more nodes")
-    get.add_argument("node_name", nargs="?", help="Name of the ROS node").completer = ask.complete_by("lifecycle", "nodes")
+    get.add_argument("node_name", nargs="?", help="Name of the ROS node").completer = api.complete_by("lifecycle", "nodes")
     get.set_defaults(main=get_state)
     lister = verbs.add_parser("list", help="Output a list of available transitions")
-    lister.add_argument("node_name", help="Name of the ROS node").completer = ask.complete_by("lifecycle", "nodes")
+    lister.add_argument("node_name", help="Name of the ROS node").completer = api.complete_by("lifecycle", "nodes")
     lister.add_argument("-a", "--all", action="store_true", help="Output all existing transitions")
     lister.set_defaults(main=list_transitions)
     setter = verbs.add_parser("set", help="Trigger lifecycle state transition")
-    setter.add_argument("node_name", help="Name of the ROS node").completer = ask.complete_by("lifecycle", "nodes")
+    setter.add_argument("node_name", help="Name of the ROS node").completer = api.complete_by("lifecycle", "nodes")
     setter.add_argument("transition", help="The lifecycle transition: a label or a number")
     setter.set_defaults(main=set_state)
     for verb in (nodes, get, lister, setter):
-        ask.add_hidden_flag(verb, "nodes")
+        api.add_hidden_flag(verb, "nodes")
 
 
 def _nodes(hidden: bool) -> list[str]:
-    services = [name for name, types in ask.services(hidden=True) if _GET_STATE in types]
+    services = [name for name, types in api.services(hidden=True) if _GET_STATE in types]
     names = {name.removesuffix("/get_state") for name in services if name.endswith("/get_state")}
-    return [name for name in ask.node_names(hidden) if name in names]
+    return [name for name in api.node_names(hidden) if name in names]
 
 
 def _ask(node: Node, name: str, kind: type[Any], service: str, request: object) -> Any:
@@ -53,9 +53,9 @@ def _ask(node: Node, name: str, kind: type[Any], service: str, request: object) 
 
 
 def _checked(args: Namespace) -> str:
-    name = ask.full_name(args.node_name)
+    name = api.full_name(args.node_name)
     if name not in _nodes(args.hidden):
-        raise ask.Unhappy("Node not found")
+        raise api.Unhappy("Node not found")
     return name
 
 
@@ -74,7 +74,7 @@ def get_state(args: Namespace) -> int:
     """Print the state of one node or of all."""
     from lifecycle_msgs.srv import GetState
 
-    with ask.command_node() as node:
+    with api.command_node() as node:
         for name in [_checked(args)] if args.node_name else _nodes(args.hidden):
             state = _ask(node, name, GetState, "get_state", GetState.Request()).current_state
             prefix = "" if args.node_name else f"{name}: "
@@ -92,7 +92,7 @@ def _transitions(node: Node, name: str, everything: bool = False) -> list[Any]:
 
 def list_transitions(args: Namespace) -> int:
     """Print the transitions that are currently possible, or all."""
-    with ask.command_node() as node:
+    with api.command_node() as node:
         for transition in _transitions(node, _checked(args), args.all):
             print(
                 f"- {transition.transition.label} [{transition.transition.id}]\n"
@@ -107,7 +107,7 @@ def set_state(args: Namespace) -> int:
     from lifecycle_msgs.srv import ChangeState
 
     name = _checked(args)
-    with ask.command_node() as node:
+    with api.command_node() as node:
         known = _transitions(node, name)
         wanted = [
             transition.transition
@@ -116,9 +116,9 @@ def set_state(args: Namespace) -> int:
         ]
         if not wanted:
             names = "\n".join(f"- {transition.transition.label} [{transition.transition.id}]" for transition in known)
-            raise ask.Unhappy(f"Unknown transition requested, available ones are:\n{names}")
+            raise api.Unhappy(f"Unknown transition requested, available ones are:\n{names}")
         request = ChangeState.Request(transition=Transition(id=wanted[0].id, label=wanted[0].label))
         if _ask(node, name, ChangeState, "change_state", request).success:
             print("Transitioning successful")
             return 0
-    raise ask.Unhappy("Transitioning failed")
+    raise api.Unhappy("Transitioning failed")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from coursekit.cli import ask
+from coursekit.cli import api
 
 if TYPE_CHECKING:
     import argparse
@@ -36,7 +36,7 @@ def send_one(args: Namespace) -> int:
     try:
         send(_DATA, group=args.group, port=args.port, ttl=args.ttl)
     except OSError as error:
-        raise ask.Unhappy(f"This computer's network does not send it: {error}") from None
+        raise api.Unhappy(f"This computer's network does not send it: {error}") from None
     return 0
 
 
@@ -48,6 +48,6 @@ def receive_one(args: Namespace) -> int:
     try:
         data, (host, port) = receive(group=args.group, port=args.port, timeout=args.timeout)
     except OSError as error:
-        raise ask.Unhappy(f"Nothing came: {error}") from None
+        raise api.Unhappy(f"Nothing came: {error}") from None
     print(f"Received from {host}:{port}: {data!r}")
     return 0

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from ros2node.api import INFO_NONUNIQUE_WARNING_TEMPLATE
 
-from coursekit.cli import ask
+from coursekit.cli import api
 from coursekit.core.graph import GraphNode, names_and_types
 from coursekit.rcl.names import is_hidden
 
@@ -27,19 +27,19 @@ def register(subparsers: Any) -> None:
     lister.add_argument("-c", "--count-nodes", action="store_true", help="Only display the number of nodes")
     lister.set_defaults(main=list_nodes)
     info = verbs.add_parser("info", help="Output information about a node")
-    info.add_argument("node_name", help="Fully qualified node name").completer = ask.complete_nodes
+    info.add_argument("node_name", help="Fully qualified node name").completer = api.complete_nodes
     info.add_argument("--include-hidden", action="store_true", help="Display hidden topics, services, and actions")
     info.set_defaults(main=show_info)
 
 
 def list_nodes(args: Namespace) -> int:
     """Print the nodes' full names."""
-    names = ask.node_names(args.all)
+    names = api.node_names(args.all)
     if args.count_nodes:
         print(len(names))
         return 0
     if len(set(names)) < len(names):
-        ask.say_error(DUPLICATES)
+        api.say_error(DUPLICATES)
     for name in names:
         print(name)
     return 0
@@ -47,14 +47,14 @@ def list_nodes(args: Namespace) -> int:
 
 def show_info(args: Namespace) -> int:
     """Print the publishers, subscriptions, servers and clients of a node."""
-    name = ask.full_name(args.node_name)
-    count = ask.node_names(args.include_hidden).count(name)
+    name = api.full_name(args.node_name)
+    count = api.node_names(args.include_hidden).count(name)
     if not count:
         print(f"Unable to find node '{args.node_name}'")
         return 1
     if count > 1:
-        ask.say_error(INFO_NONUNIQUE_WARNING_TEMPLATE.format(num_nodes=count, node_name=name))
-    node = ask.find_node(name)
+        api.say_error(INFO_NONUNIQUE_WARNING_TEMPLATE.format(num_nodes=count, node_name=name))
+    node = api.find_node(name)
     print(name)
     for title, endpoints in (
         ("Subscribers", node.subscriptions),
@@ -76,7 +76,7 @@ def _section(title: str, pairs: list[tuple[str, list[str]]]) -> None:
 def _actions(node: GraphNode, hidden: bool) -> None:
     from rclpy.action import graph as action_graph
 
-    with ask.command_node() as asking:
+    with api.command_node() as asking:
         for title, find in (
             ("Action Servers", action_graph.get_action_server_names_and_types_by_node),
             ("Action Clients", action_graph.get_action_client_names_and_types_by_node),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import yaml
 
-from coursekit.cli import ask, param_text
+from coursekit.cli import api, param_text
 from coursekit.files import write_whole
 
 if TYPE_CHECKING:
@@ -47,8 +47,8 @@ def register(subparsers: Any) -> None:
 
 def _verb(verbs: Any, name: str, text: str, main: Callable[[Namespace], int], node: str | None = None) -> Any:
     parser = verbs.add_parser(name, help=text)
-    parser.add_argument("node_name", nargs=node, help="Name of the ROS node").completer = ask.complete_nodes
-    ask.add_hidden_flag(parser, "nodes")
+    parser.add_argument("node_name", nargs=node, help="Name of the ROS node").completer = api.complete_nodes
+    api.add_hidden_flag(parser, "nodes")
     parser.set_defaults(main=main)
     return parser
 
@@ -58,7 +58,7 @@ def _parameter_name(parser: Any) -> None:
 
 
 def _complete_names(parsed_args: Namespace, **_: Any) -> list[str]:
-    return ask.complete_by("param", "list", parsed_args.node_name)()  # type: ignore[no-any-return]
+    return api.complete_by("param", "list", parsed_args.node_name)()  # type: ignore[no-any-return]
 
 
 class _Asking:
@@ -67,12 +67,12 @@ class _Asking:
     def __init__(self, node: Node, name: str) -> None:
         from rclpy.parameter_client import AsyncParameterClient
 
-        ask.find_node(name)
-        self.name = ask.full_name(name)
+        api.find_node(name)
+        self.name = api.full_name(name)
         self._node = node
         self._client = AsyncParameterClient(node, self.name)
         if not self._client.wait_for_services(timeout_sec=5.0):
-            raise ask.Unhappy("Wait for service timed out waiting for parameter services for node " + self.name)
+            raise api.Unhappy("Wait for service timed out waiting for parameter services for node " + self.name)
 
     def __call__(self, method: str, *arguments: Any, **options: Any) -> Any:
         """Return the response of one of the client's methods."""
@@ -81,7 +81,7 @@ class _Asking:
         future = getattr(self._client, method)(*arguments, **options)
         rclpy.spin_until_future_complete(self._node, future)
         if future.result() is None:
-            raise ask.Unhappy(f"Exception while calling service of node '{self.name}': {future.exception()}")
+            raise api.Unhappy(f"Exception while calling service of node '{self.name}': {future.exception()}")
         return future.result()
 
     def names(self, prefixes: list[str] | None = None) -> list[str]:
@@ -95,16 +95,16 @@ class _Asking:
 
 def _nodes(args: Namespace) -> list[str]:
     if args.node_name:
-        return [ask.full_name(args.node_name)]
-    serving = {name.rpartition("/")[0] for name, types in ask.services(hidden=True) if _SERVICES in types}
-    return [name for name in ask.node_names(args.hidden) if name in serving]
+        return [api.full_name(args.node_name)]
+    serving = {name.rpartition("/")[0] for name, types in api.services(hidden=True) if _SERVICES in types}
+    return [name for name in api.node_names(args.hidden) if name in serving]
 
 
 def list_parameters(args: Namespace) -> int:
     """Print the parameter names of one node, or of all nodes."""
     import re
 
-    with ask.command_node() as node:
+    with api.command_node() as node:
         for name in _nodes(args):
             asking = _Asking(node, name)
             names = [parameter for parameter in asking.names(args.param_prefixes) if re.search(args.filter, parameter)]
@@ -118,7 +118,7 @@ def list_parameters(args: Namespace) -> int:
 
 def get_parameter(args: Namespace) -> int:
     """Print a parameter's value."""
-    with ask.command_node() as node:
+    with api.command_node() as node:
         values = _Asking(node, args.node_name).values([args.parameter_name])
     label, value = param_text.labelled(values[0]) if values else (None, None)
     if label is None:
@@ -134,7 +134,7 @@ def set_parameter(args: Namespace) -> int:
     from rclpy.parameter import get_parameter_value
 
     parameter = Parameter(name=args.parameter_name, value=get_parameter_value(args.value))
-    with ask.command_node() as node:
+    with api.command_node() as node:
         result = _Asking(node, args.node_name)("set_parameters", [parameter]).results[0]
     reason = f": {result.reason}" if result.reason else ""
     if result.successful:
@@ -146,7 +146,7 @@ def set_parameter(args: Namespace) -> int:
 
 def describe_parameters(args: Namespace) -> int:
     """Print types, descriptions and constraints."""
-    with ask.command_node() as node:
+    with api.command_node() as node:
         descriptors = _Asking(node, args.node_name)("describe_parameters", args.parameter_names).descriptors
     for descriptor in descriptors:
         print(param_text.described(descriptor))
@@ -156,10 +156,10 @@ def describe_parameters(args: Namespace) -> int:
 def dump_parameters(args: Namespace) -> int:
     """Print, or save, a file that reproduces the node's current parameters."""
     if args.output_dir is not None and not Path(args.output_dir).is_dir():
-        raise ask.Unhappy(f"'{args.output_dir}' is not a valid directory.")
+        raise api.Unhappy(f"'{args.output_dir}' is not a valid directory.")
     if args.print:
-        ask.say_error("WARNING: '--print' is deprecated; this utility prints to stdout by default")
-    with ask.command_node() as node:
+        api.say_error("WARNING: '--print' is deprecated; this utility prints to stdout by default")
+    with api.command_node() as node:
         asking = _Asking(node, args.node_name)
         names = asking.names()
         text = param_text.dumped(asking.name, names, asking.values(names))
@@ -176,7 +176,7 @@ def load_parameters(args: Namespace) -> int:
     """Set the node's parameters from a file."""
     from rclpy.parameter import parameter_dict_from_yaml_file
 
-    with ask.command_node() as node:
+    with api.command_node() as node:
         asking = _Asking(node, args.node_name)
         try:
             _check_named(args.parameter_file, asking.name, not args.no_use_wildcard)
@@ -184,7 +184,7 @@ def load_parameters(args: Namespace) -> int:
                 args.parameter_file, not args.no_use_wildcard, target_nodes=[asking.name]
             )
         except (OSError, RuntimeError, ValueError, yaml.YAMLError) as error:
-            raise ask.Unhappy(str(error)) from None
+            raise api.Unhappy(str(error)) from None
         results = asking("set_parameters", list(parameters.values())).results
     for name, result in zip(parameters, results, strict=True):
         reason = f": {result.reason}" if result.reason else ""
@@ -205,7 +205,7 @@ def _check_named(path: str, node: str, use_wildcard: bool) -> None:
 
 def delete_parameter(args: Namespace) -> int:
     """Delete a parameter's value."""
-    with ask.command_node() as node:
+    with api.command_node() as node:
         result = _Asking(node, args.node_name)("delete_parameters", [args.parameter_name]).results[0]
     reason = f": {result.reason}" if result.reason else ""
     if result.successful:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from typing import TYPE_CHECKING
 
-from coursekit.cli import ask
+from coursekit.cli import api
 
 if TYPE_CHECKING:
     from argparse import Namespace
@@ -39,4 +39,4 @@ def register(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) ->
 
 def main(args: Namespace) -> int:
     """Print why the command is not available."""
-    raise ask.Unhappy(WHY)
+    raise api.Unhappy(WHY)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from coursekit.cli import ask
+from coursekit.cli import api
 from coursekit.cli.topic_pub import positive
 from coursekit.core.graph import names_and_types
 from coursekit.processes.session import current
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 def register(subparsers: Any) -> None:
     """Add the command."""
     parser = subparsers.add_parser("service", help="Various service related sub-commands")
-    ask.add_hidden_flag(parser, "services")
+    api.add_hidden_flag(parser, "services")
     verbs = parser.add_subparsers(title="Verbs", dest="_verb", required=True)
     lister = verbs.add_parser("list", help="Output a list of available services")
     lister.add_argument("-t", "--show-types", action="store_true", help="Additionally show the service type")
@@ -28,18 +28,18 @@ def register(subparsers: Any) -> None:
     lister.add_argument("--include-hidden-services", action="store_true", dest="hidden_too", help="Hidden ones too")
     lister.set_defaults(main=list_services)
     kind = verbs.add_parser("type", help="Output a service's type")
-    kind.add_argument("service_name", help="Name of the ROS service").completer = ask.complete_services
+    kind.add_argument("service_name", help="Name of the ROS service").completer = api.complete_services
     kind.set_defaults(main=show_type)
     find = verbs.add_parser("find", help="Output a list of available services of a given type")
-    find.add_argument("service_type", help="Type to filter for").completer = ask.complete_interfaces("srv")
+    find.add_argument("service_type", help="Type to filter for").completer = api.complete_interfaces("srv")
     find.add_argument("-c", "--count-services", action="store_true", help="Only display the number of services")
     find.add_argument("--include-hidden-services", action="store_true", dest="hidden_too", help="Hidden ones too")
     find.set_defaults(main=find_services)
     call = verbs.add_parser("call", help="Call a service")
-    call.add_argument("service_name", help="Name of the ROS service").completer = ask.complete_services
-    call.add_argument("service_type", help="Type of the ROS service").completer = ask.complete_interfaces("srv")
+    call.add_argument("service_name", help="Name of the ROS service").completer = api.complete_services
+    call.add_argument("service_type", help="Type of the ROS service").completer = api.complete_interfaces("srv")
     values = call.add_argument("values", nargs="?", default="{}", help="Values to fill the request with in YAML format")
-    values.completer = ask.complete_values("service_type")
+    values.completer = api.complete_values("service_type")
     call.add_argument("-r", "--rate", metavar="N", type=positive, help="Repeat the call at a specific rate in Hz")
     call.set_defaults(main=call_service)
 
@@ -56,12 +56,12 @@ def list_services(args: Namespace) -> int:
 
 
 def _served(hidden: bool) -> list[tuple[str, list[str]]]:
-    return ask.services(hidden)
+    return api.services(hidden)
 
 
 def show_type(args: Namespace) -> int:
     """Print a service's types."""
-    types = dict(ask.services(args.hidden)).get(ask.full_name(args.service_name))
+    types = dict(api.services(args.hidden)).get(api.full_name(args.service_name))
     for type_name in types or ():
         print(type_name)
     return 0 if types else 1
@@ -80,14 +80,14 @@ def find_services(args: Namespace) -> int:
 
 def call_service(args: Namespace) -> int:
     """Send a request and print the response."""
-    values = ask.yaml_values(args.values)
+    values = api.yaml_values(args.values)
     kind = _service_type(args.service_type)
-    with ask.command_node() as node:
+    with api.command_node() as node:
         client = node.create_client(kind, args.service_name)
         request = _filled(kind.Request(), values)
         if not client.service_is_ready():
             print("waiting for service to become available...")
-            _wait(client, ask.full_name(args.service_name), args.service_type)
+            _wait(client, api.full_name(args.service_name), args.service_type)
         while True:
             _call_once(node, client, request)
             if not args.rate:
@@ -101,23 +101,23 @@ def _service_type(name: str) -> Any:
     try:
         return get_service(name)
     except (AttributeError, ModuleNotFoundError, ValueError):
-        raise ask.Unhappy("The passed service type is invalid") from None
+        raise api.Unhappy("The passed service type is invalid") from None
 
 
 def _wait(client: Client, name: str, kind: str) -> None:
     """Wait without a limit, as on a robot; after a while print the reason."""
-    if client.wait_for_service(ask.WAIT_SECONDS):
+    if client.wait_for_service(api.WAIT_SECONDS):
         return
-    offered = dict(names_and_types([server for node in ask.graph().nodes for server in node.servers]))
+    offered = dict(names_and_types([server for node in api.graph().nodes for server in node.servers]))
     if name in offered:
-        ask.say_error(f"Still waiting: {name} has the type {', '.join(offered[name])}, not {kind}. {ask.ENDS_WAITING}")
+        api.say_error(f"Still waiting: {name} has the type {', '.join(offered[name])}, not {kind}. {api.ENDS_WAITING}")
     else:
         own = [
             service
             for service, types in offered.items()
             if not is_hidden(service) and not types[0].startswith("rcl_interfaces/")
         ]
-        ask.say_missing(name, own, "service")
+        api.say_missing(name, own, "service")
     client.wait_for_service()
 
 
@@ -127,7 +127,7 @@ def _filled(request: object, values: dict[str, Any]) -> object:
     try:
         set_message_fields(request, values)
     except Exception as error:
-        raise ask.Unhappy(f"Failed to populate field: {error}") from None
+        raise api.Unhappy(f"Failed to populate field: {error}") from None
     return request
 
 
@@ -136,12 +136,12 @@ def _call_once(node: Node, client: Client, request: object) -> None:
 
     print(f"requester: making request: {request!r}\n")
     future = client.call_async(request)
-    rclpy.spin_until_future_complete(node, future, timeout_sec=ask.WAIT_SECONDS)
+    rclpy.spin_until_future_complete(node, future, timeout_sec=api.WAIT_SECONDS)
     if not future.done():
-        ask.say_error(f"Still waiting for the response. {_silence(client)} {ask.ENDS_WAITING}")
+        api.say_error(f"Still waiting for the response. {_silence(client)} {api.ENDS_WAITING}")
         rclpy.spin_until_future_complete(node, future)
     if future.result() is None:
-        raise ask.Unhappy(f"Exception while calling service: {future.exception()!r}")
+        raise api.Unhappy(f"Exception while calling service: {future.exception()!r}")
     print(f"response:\n{future.result()!r}\n")
 
 

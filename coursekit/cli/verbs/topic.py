@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from coursekit.cli import ask, topic_echo, topic_pub, topic_rates
+from coursekit.cli import api, topic_echo, topic_pub, topic_rates
 
 if TYPE_CHECKING:
     import argparse
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 def register(subparsers: Any) -> None:
     """Add the command."""
     parser = subparsers.add_parser("topic", help="Various topic related sub-commands")
-    ask.add_hidden_flag(parser, "topics")
+    api.add_hidden_flag(parser, "topics")
     verbs = parser.add_subparsers(title="Verbs", dest="_verb", required=True)
     _register_list(verbs)
     info = verbs.add_parser("info", help="Print information about a topic")
@@ -26,7 +26,7 @@ def register(subparsers: Any) -> None:
     kind.set_defaults(main=show_type)
     find = verbs.add_parser("find", help="Output a list of available topics of a given type")
     find.add_argument("topic_type", help="Name of the ROS topic type to filter for").completer = (
-        ask.complete_interfaces("msg")
+        api.complete_interfaces("msg")
     )
     find.add_argument("-c", "--count-topics", action="store_true", help="Only display the number of topics")
     find.add_argument("--include-hidden-topics", action="store_true", dest="hidden_too", help="Hidden ones as well")
@@ -37,7 +37,7 @@ def register(subparsers: Any) -> None:
 
 
 def _topic_argument(parser: Any) -> None:
-    parser.add_argument("topic_name", help="Name of the ROS topic (e.g. '/chatter')").completer = ask.complete_topics
+    parser.add_argument("topic_name", help="Name of the ROS topic (e.g. '/chatter')").completer = api.complete_topics
 
 
 def _register_list(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -51,7 +51,7 @@ def _register_list(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -
 
 def list_topics(args: Namespace) -> int:
     """Print the topics."""
-    topics = ask.topics(args.hidden or args.hidden_too)
+    topics = api.topics(args.hidden or args.hidden_too)
     if args.count_topics:
         print(len(topics))
     elif args.verbose:
@@ -63,7 +63,7 @@ def list_topics(args: Namespace) -> int:
 
 
 def _list_verbose(topics: list[tuple[str, list[str]]]) -> None:
-    graph = ask.graph()
+    graph = api.graph()
     for title, word, ends in (
         ("Published topics:", "publisher", graph.publishers),
         ("\nSubscribed topics:", "subscriber", graph.subscriptions),
@@ -78,14 +78,14 @@ def _list_verbose(topics: list[tuple[str, list[str]]]) -> None:
 
 def show_info(args: Namespace) -> int:
     """Print a topic's type and endpoints."""
-    name = ask.full_name(args.topic_name)
-    types = dict(ask.topics(hidden=True)).get(name)
+    name = api.full_name(args.topic_name)
+    types = dict(api.topics(hidden=True)).get(name)
     if types is None:
-        ask.say_error(f"Unknown topic '{args.topic_name}'")
+        api.say_error(f"Unknown topic '{args.topic_name}'")
         return 1
     gap = "\n" if args.verbose else ""
     print(f"Type: {types[0] if len(types) == 1 else types}{gap}")
-    with ask.command_node() as node:
+    with api.command_node() as node:
         for title, infos in (
             ("Publisher", node.get_publishers_info_by_topic(name)),
             ("Subscription", node.get_subscriptions_info_by_topic(name)),
@@ -99,7 +99,7 @@ def show_info(args: Namespace) -> int:
 
 def show_type(args: Namespace) -> int:
     """Print a topic's types."""
-    types = dict(ask.topics(args.hidden)).get(ask.full_name(args.topic_name))
+    types = dict(api.topics(args.hidden)).get(api.full_name(args.topic_name))
     for type_name in types or ():
         print(type_name)
     return 0 if types else 1
@@ -107,7 +107,7 @@ def show_type(args: Namespace) -> int:
 
 def find_topics(args: Namespace) -> int:
     """Print the topics of a type."""
-    names = [name for name, types in ask.topics(args.hidden or args.hidden_too) if args.topic_type in types]
+    names = [name for name, types in api.topics(args.hidden or args.hidden_too) if args.topic_type in types]
     if args.count_topics:
         print(len(names))
     else:

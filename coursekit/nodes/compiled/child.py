@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 
 from coursekit.nodes.compiled.output import ChildOutput
 from coursekit.processes.process import Process
-from coursekit.systems import children, which
+from coursekit.systems import children, operating_system
 from coursekit.systems.signal_names import signal_called
 
 _ENDED_BY_CTRL_C = 0xC000013A
@@ -39,12 +39,12 @@ class Child:
     def wait(self) -> int:
         """Wait for its end. Returns its exit code, or minus the signal that ended it."""
         code = self._child.wait()
-        return -self._signalled if which.WINDOWS and code == _ENDED_BY_CTRL_C and self._signalled else code
+        return -self._signalled if operating_system.WINDOWS and code == _ENDED_BY_CTRL_C and self._signalled else code
 
     def send(self, signum: int) -> None:
         """Send it a signal; does nothing when it has ended."""
         self._signalled = signum
-        if which.WINDOWS and self._tell_signal(signum):
+        if operating_system.WINDOWS and self._tell_signal(signum):
             return
         if self._child.poll() is None:
             children.send_signal(self._child, signum)

@@ -9,7 +9,7 @@ import secrets
 import socket
 import tempfile
 
-from coursekit.systems import which
+from coursekit.systems import operating_system
 
 _WAITING = 64
 _TOKEN_S = 5.0
@@ -78,4 +78,4 @@ class LoopbackListener:
 
 def open_listener() -> UnixListener | LoopbackListener:
     """Return the kind of listener that this system and its compiled programs support."""
-    return LoopbackListener() if which.WINDOWS else UnixListener()
+    return LoopbackListener() if operating_system.WINDOWS else UnixListener()

@@ -9,7 +9,7 @@ from pathlib import Path
 from ament_index_python.resources import get_resource, get_resources
 from ament_index_python.search_paths import get_search_paths
 from coursekit.processes.unavailable_packages import remark
-from coursekit.systems import copies
+from coursekit.systems import link_copies
 
 
 class PackageNotFoundError(KeyError):
@@ -36,7 +36,7 @@ def get_package_prefix(package_name: str) -> str:
         text = f"package '{package_name}' not found, searching: {get_search_paths()}"
         why = remark(package_name)
         raise PackageNotFoundError(f"{text}; {why}" if why else text) from None
-    copies.renew(Path(prefix), package_name)
+    link_copies.renew(Path(prefix), package_name)
     return prefix
 
 

@@ -10,7 +10,7 @@ from coursekit.processes.patching import IMPORTS, Change, patch_manager
 from coursekit.processes.process import current_process
 from coursekit.processes.session import current
 from coursekit.processes.signal_waker import SignalWaker
-from coursekit.systems import which
+from coursekit.systems import operating_system
 from rclpy._rclpy_pybind11 import GuardCondition, SignalHandlerOptions
 from rclpy.context import shutdown_all
 
@@ -66,7 +66,7 @@ def _install_in_interpreter(options: SignalHandlerOptions) -> None:
     for signum, bit in ((signal.SIGINT, 1), (signal.SIGTERM, 2)):
         if options & bit and signum not in _interpreter["previous"]:
             _interpreter["previous"][signum] = signal.signal(signum, _handle)
-    if _interpreter["waker"] is None and not which.WINDOWS and not current().clock.virtual:
+    if _interpreter["waker"] is None and not operating_system.WINDOWS and not current().clock.virtual:
         _interpreter["waker"] = SignalWaker()
     _interpreter["options"] = options
     patch_manager.lend(_HANDLERS)

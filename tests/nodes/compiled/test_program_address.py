@@ -6,7 +6,7 @@ import threading
 import pytest
 
 from coursekit.nodes.compiled.program_address import LoopbackListener, UnixListener, open_listener
-from coursekit.systems import which
+from coursekit.systems import operating_system
 from tests.needs import posix
 
 
@@ -60,7 +60,7 @@ def test_who_waits_at_a_listener_that_is_closed_hears_of_it(kind):
 
 
 def test_windows_has_ports(monkeypatch):
-    monkeypatch.setattr(which, "WINDOWS", True)
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
     listener = open_listener()
     assert isinstance(listener, LoopbackListener)
     listener.close()

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from rclpy._node_graph import NodeGraph
 from rclpy.action import graph as action_graph
 
-from coursekit.cli import ask, daemon
+from coursekit.cli import api, daemon
 from ros2cli.helpers import get_ros_domain_id
 
 if TYPE_CHECKING:
@@ -26,7 +26,7 @@ class _View(NodeGraph):
     """A view of the graph without a node in it."""
 
     def __init__(self) -> None:
-        graph: Any = ask.graph()
+        graph: Any = api.graph()
         self._rclpy_graph_node = SimpleNamespace(graph=graph)
         self.handle = SimpleNamespace(check=lambda: None, resolve=lambda name, _kind: name)
 
@@ -77,17 +77,17 @@ def _lists(answer: Any) -> Any:
 
 def is_daemon_running(args: Namespace) -> bool:
     """Whether the daemon runs."""
-    return daemon.is_running(ask.graph())
+    return daemon.is_running(api.graph())
 
 
 def spawn_daemon(args: Namespace, timeout: float | None = None, debug: bool = False) -> bool:
     """Start the daemon; return False if it is already running."""
-    return daemon.start(ask.graph(), get_ros_domain_id())
+    return daemon.start(api.graph(), get_ros_domain_id())
 
 
 def shutdown_daemon(args: Namespace, timeout: float | None = None) -> bool:
     """Stop the daemon; return False if it is not running."""
-    return daemon.stop(ask.graph())
+    return daemon.stop(api.graph())
 
 
 def add_arguments(parser: ArgumentParser) -> None:

@@ -6,6 +6,6 @@ import os
 import sys
 
 WINDOWS = os.name == "nt"
-"""Read it as `which.WINDOWS`: tests set it to check Windows' behaviour on Linux."""
+"""Read it as `operating_system.WINDOWS`: tests set it to check Windows' behaviour on Linux."""
 MAC = sys.platform == "darwin"
-"""Read it as `which.MAC`, likewise."""
+"""Read it as `operating_system.MAC`, likewise."""

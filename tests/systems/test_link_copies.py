@@ -5,7 +5,7 @@ import os
 import pytest
 
 from coursekit.processes.executables import prefix_of
-from coursekit.systems import copies
+from coursekit.systems import link_copies
 
 
 @pytest.fixture
@@ -21,7 +21,7 @@ def prefix(tmp_path, monkeypatch):
 
 
 def test_who_looks_a_package_up_gets_files_as_new_as_their_sources(prefix):
-    copies.note(prefix, "talks", {"copy.yaml": prefix.parent / "source.yaml"})
+    link_copies.note(prefix, "talks", {"copy.yaml": prefix.parent / "source.yaml"})
     assert prefix_of("talks") == prefix
     assert (prefix / "copy.yaml").read_text(encoding="utf-8") == "new text"
     assert sorted(path.name for path in prefix.iterdir()) == ["copy.yaml", "share"]
@@ -31,14 +31,14 @@ def test_a_copy_that_is_newer_stays(prefix):
     source = prefix.parent / "source.yaml"
     source.write_text("NEW", encoding="utf-8")
     os.utime(source, ns=(0, 0))
-    copies.note(prefix, "talks", {"copy.yaml": source})
-    copies.renew(prefix, "talks")
+    link_copies.note(prefix, "talks", {"copy.yaml": source})
+    link_copies.renew(prefix, "talks")
     assert (prefix / "copy.yaml").read_text(encoding="utf-8") == "old"
 
 
 def test_a_source_that_is_gone_leaves_the_copy(prefix):
-    copies.note(prefix, "talks", {"copy.yaml": prefix / "gone.yaml"})
-    copies.renew(prefix, "talks")
+    link_copies.note(prefix, "talks", {"copy.yaml": prefix / "gone.yaml"})
+    link_copies.renew(prefix, "talks")
     assert (prefix / "copy.yaml").read_text(encoding="utf-8") == "old"
 
 
@@ -46,14 +46,14 @@ def test_nothing_outside_of_the_prefix_is_written(prefix):
     outside = prefix.parent / "mine.txt"
     outside.write_text("mine", encoding="utf-8")
     source = prefix.parent / "source.yaml"
-    copies.note(prefix, "talks", {"../mine.txt": source, str(outside): source})
-    copies.renew(prefix, "talks")
+    link_copies.note(prefix, "talks", {"../mine.txt": source, str(outside): source})
+    link_copies.renew(prefix, "talks")
     assert outside.read_text(encoding="utf-8") == "mine"
 
 
 @pytest.mark.parametrize("text", ["", "{", "[]", '{"files": 3, "modules": "x"}', '{"files": {"a": null}, "modules": {}}'])
 def test_a_list_that_is_none_is_no_list(prefix, text):
-    copies.note(prefix, "talks", {})
-    (prefix / copies.LISTS / "talks").write_text(text, encoding="utf-8")
-    copies.renew(prefix, "talks")
-    copies.fresh_sources(prefix, "talks")
+    link_copies.note(prefix, "talks", {})
+    (prefix / link_copies.LISTS / "talks").write_text(text, encoding="utf-8")
+    link_copies.renew(prefix, "talks")
+    link_copies.fresh_sources(prefix, "talks")

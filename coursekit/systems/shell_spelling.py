@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from . import which
+from . import operating_system
 
 
 def source_workspace() -> str:
@@ -11,9 +11,9 @@ def source_workspace() -> str:
     >>> source_workspace()
     'source install/setup.bash'
     """
-    if which.WINDOWS:
+    if operating_system.WINDOWS:
         return r". install\setup.ps1"
-    return "source install/setup.zsh" if which.MAC else "source install/setup.bash"
+    return "source install/setup.zsh" if operating_system.MAC else "source install/setup.bash"
 
 
 def set_variable(name: str, value: str) -> str:
@@ -22,7 +22,7 @@ def set_variable(name: str, value: str) -> str:
     >>> set_variable("ROS_DOMAIN_ID", "7")
     'export ROS_DOMAIN_ID=7'
     """
-    return f'$env:{name} = "{value}"' if which.WINDOWS else f"export {name}={value}"
+    return f'$env:{name} = "{value}"' if operating_system.WINDOWS else f"export {name}={value}"
 
 
 def line_here(command: str) -> str:
@@ -32,7 +32,7 @@ def line_here(command: str) -> str:
     'printenv ROS_DISTRO'
     """
     program, _, name = command.partition(" ")
-    return f"cmd /c set {name}" if which.WINDOWS and program == "printenv" else command
+    return f"cmd /c set {name}" if operating_system.WINDOWS and program == "printenv" else command
 
 
 def install(requirement: str) -> str:
@@ -50,7 +50,7 @@ def shortcut(key: str) -> str:
     >>> shortcut("S")
     'Ctrl+S'
     """
-    return f"Cmd+{key}" if which.MAC else f"Ctrl+{key}"
+    return f"Cmd+{key}" if operating_system.MAC else f"Ctrl+{key}"
 
 
 __all__ = ["install", "line_here", "set_variable", "shortcut", "source_workspace"]

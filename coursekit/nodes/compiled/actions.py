@@ -15,6 +15,7 @@ from rclpy.time import Time
 from coursekit.interfaces.cdr import deserialize, serialize
 from coursekit.interfaces.registry import load
 from coursekit.nodes.compiled.frames import Unpacker, packed
+from coursekit.nodes.compiled.valid_objects import check_node_of_client
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -255,6 +256,7 @@ def do_action_ready(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 def do_wait_for_action(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Wait for a client's server."""
     client, nanoseconds = host.things[frame.integer()], frame.integer()
+    check_node_of_client(client._node)
     return packed(int(client.wait_for_server(None if nanoseconds < 0 else nanoseconds / 1e9)))
 
 

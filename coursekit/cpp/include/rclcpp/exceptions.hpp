@@ -63,6 +63,12 @@ COURSEKIT_ERROR(UnimplementedError, std::runtime_error)
 COURSEKIT_ERROR(UnknownROSArgsError, std::runtime_error)
 COURSEKIT_ERROR(UnsupportedEventTypeException, RCLErrorBase)
 COURSEKIT_ERROR(InvalidEventError, std::runtime_error)
+class InvalidNodeError : public std::runtime_error
+{
+public:
+  explicit InvalidNodeError(const std::string & text = "node is invalid")
+  : std::runtime_error(text) {}
+};
 COURSEKIT_ERROR(InvalidParametersException, std::runtime_error)
 COURSEKIT_ERROR(InvalidParameterValueException, std::runtime_error)
 class InvalidParameterTypeException : public std::runtime_error

@@ -67,10 +67,13 @@ class CompiledActionServer(ActionServer):
 
     async def _accepted(self, request: Any) -> Any:
         self._asked.key = bytes(request.goal_id.uuid)
-        handle = await super()._accepted(request)
-        if handle is not None and self._asked.answer == _ACCEPT_AND_EXECUTE:
-            handle._update_state(GoalEvent.EXECUTE)
-        return handle
+        return await super()._accepted(request)
+
+    def _begin(self, handle: ServerGoalHandle) -> None:
+        if self._asked.answer == _ACCEPT_AND_EXECUTE:
+            handle._update_state(GoalEvent.EXECUTE)  # rclcpp tells of this state only, not of the one before
+        else:
+            super()._begin(handle)
 
     def _decide(self, goal: object) -> GoalResponse:
         answer = self._host.call(self._goal_handler, packed(self._asked.key) + serialize(goal)).integer()

@@ -16,6 +16,13 @@ class ProcessKilled(BaseException):
         self.signum = signum
 
 
+class CallbackAbandoned(BaseException):
+    """Raised by a callback that also ends what called it, such as a spin; `except Exception` lets it pass.
+
+    A future swallows the exceptions of its callbacks, as rclpy's does, and a spin would go on without its program.
+    """
+
+
 class ExecutionContext:
     """A thread of a program: it can be blocked, woken and interrupted.
 

@@ -56,9 +56,9 @@ FORWARDED = {
     "rmw/types.h": "qos_policy_kind.h time.h",
     "rcl/wait.h": "client.h event.h guard_condition.h service.h subscription.h timer.h",
     "rcl/init_options.h": "init.h",
-    "rclcpp_action/types.hpp": (
-        "qos /rcl_action/rcl_action.h /rcl_action/types.h /rcl_action/action_client.h /rcl_action/action_server.h"
-    ),
+    "rclcpp_action/types.hpp": "qos",
+    "rcl_action/types.h": "action_client.h action_server.h goal_handle.h rcl_action.h wait.h",
+    "rcl_lifecycle/data_types.h": "default_state_machine.h rcl_lifecycle.h transition_map.h",
     "rclcpp/qos_event.hpp": (
         "/rmw/event.h /rmw/incompatible_qos_events_statuses.h /rmw/events_statuses/events_statuses.h "
         "/rmw/events_statuses/incompatible_qos.h /rmw/events_statuses/liveliness_changed.h "

@@ -13,6 +13,8 @@ from coursekit.interfaces.registry import module_name
 
 _PARTS = ("struct", "builder", "traits", "type_support")
 """The inner headers of an interface."""
+_OF_ALL_ACTIONS = ("action_msgs/msg/GoalStatusArray", "action_msgs/srv/CancelGoal")
+"""The interfaces beside its own by which an action is watched and cancelled."""
 
 
 def header_name(name: str) -> str:
@@ -30,6 +32,8 @@ def header(interface: Interface, kind: str) -> str:
     inner = dict.fromkeys(
         base for message in messages_of(interface) for base in message.dependencies() if base not in own
     )
+    if isinstance(interface, Action):
+        inner |= dict.fromkeys(_OF_ALL_ACTIONS)
     includes = [f'#include "{p}/{k}/{header_name(n)}.hpp"' for p, k, n in (base.split("/") for base in inner)]
     return "\n".join([
         f"// Made by coursekit from {interface.full_name}: do not edit.",
@@ -102,6 +106,8 @@ def _action(name: str, full_name: str) -> list[str]:
         f"    using SendGoalService = {name}_SendGoal;",
         f"    using GetResultService = {name}_GetResult;",
         f"    using FeedbackMessage = {name}_FeedbackMessage;",
+        "    using CancelGoalService = action_msgs::srv::CancelGoal;",
+        "    using GoalStatusMessage = action_msgs::msg::GoalStatusArray;",
         "  };",
         "};",
     ]

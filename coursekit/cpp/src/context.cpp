@@ -40,6 +40,7 @@ template<class Error>
   COURSEKIT_THROW_ABOUT_NAME(InvalidNamespaceError)
   COURSEKIT_THROW_ABOUT_NAME(InvalidTopicNameError)
   COURSEKIT_THROW_ABOUT_NAME(InvalidServiceNameError)
+  COURSEKIT_THROW(InvalidNodeError)
   COURSEKIT_THROW(UnsupportedEventTypeException)
   COURSEKIT_THROW(ParameterAlreadyDeclaredException)
   COURSEKIT_THROW(ParameterNotDeclaredException)

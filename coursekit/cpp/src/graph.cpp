@@ -156,6 +156,9 @@ Event::SharedPtr NodeBaseInterface::get_graph_event()
 }
 void NodeBaseInterface::wait_for_graph_change(Event::SharedPtr event, std::chrono::nanoseconds timeout)
 {
+  if (!event) {
+    throw exceptions::InvalidEventError();
+  }
   auto seen = graph_seen_.find(event.get());
   if (seen == graph_seen_.end()) {
     throw exceptions::EventNotRegisteredError();

@@ -15,6 +15,7 @@ from rclpy.time import Time
 from coursekit.interfaces.cdr import deserialize, serialize
 from coursekit.interfaces.registry import load
 from coursekit.nodes.compiled.frames import Unpacker, packed
+from coursekit.nodes.compiled.valid_objects import check_node_of_client
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -66,10 +67,13 @@ class CompiledActionServer(ActionServer):
 
     async def _accepted(self, request: Any) -> Any:
         self._asked.key = bytes(request.goal_id.uuid)
-        handle = await super()._accepted(request)
-        if handle is not None and self._asked.answer == _ACCEPT_AND_EXECUTE:
-            handle._update_state(GoalEvent.EXECUTE)
-        return handle
+        return await super()._accepted(request)
+
+    def _begin(self, handle: ServerGoalHandle) -> None:
+        if self._asked.answer == _ACCEPT_AND_EXECUTE:
+            handle._update_state(GoalEvent.EXECUTE)  # rclcpp tells of this state only, not of the one before
+        else:
+            super()._begin(handle)
 
     def _decide(self, goal: object) -> GoalResponse:
         answer = self._host.call(self._goal_handler, packed(self._asked.key) + serialize(goal)).integer()
@@ -255,6 +259,7 @@ def do_action_ready(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 def do_wait_for_action(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Wait for a client's server."""
     client, nanoseconds = host.things[frame.integer()], frame.integer()
+    check_node_of_client(client._node)
     return packed(int(client.wait_for_server(None if nanoseconds < 0 else nanoseconds / 1e9)))
 
 

@@ -6,6 +6,7 @@ import socket
 import struct
 from typing import TYPE_CHECKING
 
+from coursekit.core.execution_context import CallbackAbandoned
 from coursekit.nodes.compiled.frames import FrameError, Unpacker, packed
 
 if TYPE_CHECKING:
@@ -15,11 +16,11 @@ _LIMIT = 1 << 30
 """The maximum size of a frame [bytes]: no message is larger, and a false length must not use all memory."""
 
 
-class Gone(Exception):
+class Gone(CallbackAbandoned):
     """The thread, or its whole program, has ended."""
 
 
-class CallbackFailed(Exception):
+class CallbackFailed(CallbackAbandoned):
     """A callback threw an exception: the program has abandoned the request during which it was called."""
 
 

@@ -23,7 +23,7 @@ from coursekit.nodes.compiled.frames import Unpacker, packed
 from coursekit.nodes.compiled.lifecycle import CompiledLifecycleNode
 from coursekit.nodes.compiled.node import CompiledNode
 from coursekit.nodes.compiled.shared_objects import facts
-from coursekit.nodes.compiled.valid_objects import check_context_of_timer, living_node
+from coursekit.nodes.compiled.valid_objects import check_context_of_timer, check_node_of_client, living_node
 from coursekit.nodes.components.loading import LoadedComponent
 
 if TYPE_CHECKING:
@@ -268,5 +268,6 @@ def do_service_ready(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 
 def do_wait_for_service(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Wait for a client's service."""
-    client, nanoseconds = host.things[frame.integer()][2], frame.integer()
+    (node, _how, client), nanoseconds = host.things[frame.integer()], frame.integer()
+    check_node_of_client(node)
     return packed(int(client.wait_for_service(None if nanoseconds < 0 else nanoseconds / 1e9)))

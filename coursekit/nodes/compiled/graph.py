@@ -59,7 +59,7 @@ def do_services(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
 def do_ends_of(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Return a node's endpoints with their types; a word such as "service" selects the kind."""
     node, which, name, namespace = host.things[frame.integer()], frame.text(), frame.text(), frame.text()
-    return _names_and_types(getattr(node, f"get_{which}_names_and_types_by_node")(name, namespace))
+    return _names_and_types(getattr(node, f"get_{which}_names_and_types_by_node")(name, namespace or "/"))
 
 
 def _names_and_types(pairs: list[tuple[str, list[str]]]) -> bytes:

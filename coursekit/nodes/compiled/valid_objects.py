@@ -19,6 +19,16 @@ class RCLError(Exception):
     """rclcpp's exception of that name."""
 
 
+class InvalidNodeError(Exception):
+    """rclcpp's exception of that name."""
+
+
+def check_node_of_client(node: Node) -> None:
+    """Raise InvalidNodeError if a client's node, whose graph would tell of servers, has been destroyed."""
+    if not node.handle.valid:
+        raise InvalidNodeError("node is invalid")
+
+
 def living_node(host: Host, frame: Unpacker, what: str) -> Any:
     """Return the node of a request for making an entity; RCLError if its context has ended."""
     node = host.things[frame.integer()]

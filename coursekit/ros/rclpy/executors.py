@@ -7,7 +7,7 @@ import warnings
 from collections.abc import Callable
 from typing import Any
 
-from coursekit.core.execution_context import ProcessKilled
+from coursekit.core.execution_context import CallbackAbandoned, ProcessKilled
 from coursekit.processes.session import current
 from rclpy._executor_base import Executor
 from rclpy._executor_work import (
@@ -159,7 +159,7 @@ class MultiThreadedExecutor(Executor):
             self._run(entity, work)
         except ProcessKilled:
             raise
-        except Exception as error:
+        except (Exception, CallbackAbandoned) as error:
             self._errors.append(error)
         except BaseException:  # such as SystemExit: it ends the callback, but neither its thread nor the program
             pass

@@ -96,6 +96,53 @@ int main(int argc, char ** argv)
 }
 """
 
+FAILING = """
+#include "example_interfaces/action/fibonacci.hpp"
+#include "example_interfaces/srv/add_two_ints.hpp"
+#include "rclcpp/rclcpp.hpp"
+#include "rclcpp_action/rclcpp_action.hpp"
+using Add = example_interfaces::srv::AddTwoInts;
+using Fibonacci = example_interfaces::action::Fibonacci;
+static void fail(const std::string & how)
+{
+  if (how == "throw") {
+    throw std::runtime_error("nothing to add");
+  }
+  std::abort();
+}
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  std::string how = argv[1], where = argv[2], threads = argv[3];
+  auto node = rclcpp::Node::make_shared("failing");
+  auto server = node->create_service<Add>("add", [](Add::Request::SharedPtr, Add::Response::SharedPtr) {});
+  auto client = node->create_client<Add>("add");
+  auto actions = rclcpp_action::create_server<Fibonacci>(
+    node, "count", [](auto, auto) {return rclcpp_action::GoalResponse::REJECT;},
+    [](auto) {return rclcpp_action::CancelResponse::REJECT;}, [](auto) {});
+  auto action_client = rclcpp_action::create_client<Fibonacci>(node, "count");
+  if (where == "goal") {
+    rclcpp_action::Client<Fibonacci>::SendGoalOptions options;
+    options.goal_response_callback = [&](auto) {fail(how);};
+    action_client->async_send_goal(Fibonacci::Goal(), options);
+  } else {
+    client->async_send_request(std::make_shared<Add::Request>(), [&](rclcpp::Client<Add>::SharedFuture) {fail(how);});
+  }
+  try {
+    if (threads == "one") {
+      rclcpp::spin(node);
+    } else {
+      rclcpp::executors::MultiThreadedExecutor executor(rclcpp::ExecutorOptions(), 2);
+      executor.add_node(node);
+      executor.spin();
+    }
+  } catch (const std::runtime_error & error) {
+    std::cout << error.what() << std::endl;
+    rclcpp::sleep_for(std::chrono::seconds(1));
+    std::cout << "and goes on" << std::endl;
+  }
+}
+"""
 
 def run(build, name, text, virtual=True):
     with (session := Session(virtual=virtual)).use():
@@ -136,3 +183,20 @@ def test_what_a_thread_writes_before_its_end_is_heard_while_the_others_wait(buil
         session.clock.sleep(5.0)
         assert process.output == "last words\n"
         process.kill()
+
+
+@pytest.mark.parametrize("where", ["service", "goal"])
+@pytest.mark.parametrize(
+    ("how", "threads", "end"),
+    [
+        ("abort", "one", (-6, [])),
+        ("abort", "two", (-6, [])),
+        ("throw", "one", (0, ["nothing to add", "and goes on"])),
+    ],
+)
+def test_a_callback_of_a_response_ends_what_called_it_like_any_other(build, capfd, where, how, threads, end):
+    with (session := Session(virtual=True)).use():
+        words = (how, where, threads)
+        process = session.launch(make_process(session, build("failing", FAILING), words, name="failing"))
+        assert (process.wait(30.0), process.output.splitlines()) == end
+    assert capfd.readouterr().err == ""

@@ -46,6 +46,12 @@ public:
     FeedbackCallback feedback_callback;
     ResultCallback result_callback;
   };
+  ~Client()
+  {
+    for (auto & [key, handle] : handles_) {
+      handle->invalidate();
+    }
+  }
   using GoalFuture = std::shared_future<typename GoalHandle::SharedPtr>;
   using CancelFuture = std::shared_future<typename CancelResponse::SharedPtr>;
 

@@ -37,6 +37,9 @@ public:
   rclcpp::Time get_goal_stamp() const {return stamp_;}
   int8_t get_status()
   {
+    if (invalid_) {
+      return GoalStatus::STATUS_UNKNOWN;
+    }
     int8_t ended = ended_;  // a result's code is its status, and the session forgets a goal that has one
     return ended ? ended : static_cast<int8_t>(rclcpp::ask("client_goal_status", with()).i());
   }
@@ -45,6 +48,13 @@ public:
 
 private:
   friend class Client<A>;
+  /// The client has ended: nobody will tell of the goal any more.
+  void invalidate()
+  {
+    aware_ = false;
+    invalid_ = true;
+    promise_.set_exception(std::make_exception_ptr(exceptions::UnawareGoalHandleError()));
+  }
   rclcpp::Packer with() const {return rclcpp::Packer{}.i(client_).s(bytes_of(goal_id_));}
   int64_t client_;
   GoalUUID goal_id_;
@@ -53,6 +63,7 @@ private:
   ResultCallback done_;
   bool aware_ = false;
   std::atomic<int8_t> ended_{0};
+  std::atomic<bool> invalid_{false};
   std::promise<WrappedResult> promise_;
   std::shared_future<WrappedResult> future_{promise_.get_future().share()};
 };

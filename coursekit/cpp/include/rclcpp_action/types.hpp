@@ -8,19 +8,8 @@
 #include "action_msgs/msg/goal_info.hpp"
 #include "action_msgs/msg/goal_status.hpp"
 #include "action_msgs/srv/cancel_goal.hpp"
+#include "rcl_action/types.h"
 #include "rclcpp/rclcpp.hpp"
-
-/// How long a server keeps results, as rcl_action has it.
-struct rcl_action_server_options_t
-{
-  struct
-  {
-    int64_t nanoseconds = 900'000'000'000;
-  } result_timeout;
-};
-struct rcl_action_client_options_t {};
-inline rcl_action_server_options_t rcl_action_server_get_default_options() {return {};}
-inline rcl_action_client_options_t rcl_action_client_get_default_options() {return {};}
 
 namespace rclcpp_action
 {

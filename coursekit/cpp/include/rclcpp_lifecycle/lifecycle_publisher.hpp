@@ -15,6 +15,12 @@ class LifecyclePublisher : public SimpleManagedEntity, public rclcpp::Publisher<
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(LifecyclePublisher)
   using typename Base::PublishedType;
+  LifecyclePublisher() = default;
+  /// One that publishes as soon as a node takes it in, with NodeTopicsInterface::add_publisher().
+  LifecyclePublisher(
+    rclcpp::node_interfaces::NodeBaseInterface * node_base, const std::string & topic, const rclcpp::QoS & qos,
+    const rclcpp::PublisherOptionsWithAllocator<Alloc> & options)
+  : Base(node_base, topic, qos, options) {}
 
   template<class Deleter>
   void publish(std::unique_ptr<PublishedType, Deleter> message)

@@ -142,8 +142,12 @@ class ActionServer(Waitable):
             handle = ServerGoalHandle(self, GoalInfo(goal_id=request.goal_id, stamp=stamp), request.goal)
             self._goal_handles[key] = handle
             self._result_futures[key] = Future()
-        self._publish_status()
+        self._begin(handle)
         return handle
+
+    def _begin(self, _handle: ServerGoalHandle) -> None:
+        """Tell everyone of a goal that was just accepted."""
+        self._publish_status()
 
     def notify_execute(
         self, goal_handle: ServerGoalHandle, execute_callback: Callable[[ServerGoalHandle], Any] | None

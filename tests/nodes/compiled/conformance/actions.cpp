@@ -70,6 +70,24 @@ int main(int argc, char ** argv)
   check("the result's goal", result.get().goal_id == handle->get_goal_id());
   check("all callbacks ran", spin_until(node, [&] {return done == 4 && answered == 1 && fed == 4;}),
     std::to_string(done) + std::to_string(answered) + std::to_string(fed));
+  auto leaving = rclcpp_action::create_client<Fibonacci>(node, "count");
+  auto left = leaving->async_send_goal(goal);
+  check("another client's goal is accepted", until(left) && left.get() != nullptr);
+  auto lost = leaving->async_get_result(left.get());
+  leaving.reset();
+  check("without its client nobody knows a goal's state", left.get()->get_status() == rclcpp_action::GoalStatus::STATUS_UNKNOWN);
+  check("nor waits for its result", !left.get()->is_result_aware());
+  throws<rclcpp_action::exceptions::UnawareGoalHandleError>("which does not come", [&] {lost.get();});
+  auto states = rclcpp::Node::make_shared("states");
+  std::vector<int> seen;
+  auto watching = states->create_subscription<action_msgs::msg::GoalStatusArray>(
+    "count/_action/status", 10, [&](const action_msgs::msg::GoalStatusArray & all) {seen.push_back(all.status_list.back().status);});
+  goal.order = 0;
+  auto watched = client->async_send_goal(goal);
+  check("a goal is accepted while its states are watched", until(watched) && watched.get() != nullptr);
+  check("its states come", spin_until(states, [&] {return seen.size() >= 2;}));
+  check("it is never told as accepted that runs at once", seen == std::vector<int>{2, 4});
+
   goal.order = -1;
   auto refused = client->async_send_goal(goal);
   check("a goal is rejected", until(refused) && refused.get() == nullptr);

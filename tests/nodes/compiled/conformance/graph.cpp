@@ -19,6 +19,8 @@ int main(int argc, char ** argv)
   equal("event is cleared", event->check(), false);
   throws<rclcpp::exceptions::EventNotRegisteredError>(
     "foreign event", [&] {node->wait_for_graph_change(std::make_shared<rclcpp::Event>(), 1s);});
+  throws<rclcpp::exceptions::InvalidEventError>("no event", [&] {node->wait_for_graph_change(nullptr, 1ms);});
+  check("no namespace is the global one", node->get_service_names_and_types_by_node("watcher", "").count("/watcher/get_parameters") == 1);
   auto subscription = node->create_subscription<String>("news", 7, [](const String &) {});
   auto service = node->create_service<Trigger>("ring", [](Trigger::Request::SharedPtr, Trigger::Response::SharedPtr) {});
 

@@ -101,6 +101,9 @@ void known_types()
   using Fibonacci = example_interfaces::action::Fibonacci;
   check("an action", traits::is_action<Fibonacci>::value && traits::is_action_goal<Fibonacci::Goal>::value);
   check("its services", traits::is_service<Fibonacci::Impl::SendGoalService>::value);
+  check("the service that cancels is that of all", std::is_same_v<Fibonacci::Impl::CancelGoalService, action_msgs::srv::CancelGoal>);
+  using States = action_msgs::msg::GoalStatusArray;
+  check("the states of goals, too", std::is_same_v<Fibonacci::Impl::GoalStatusMessage, States>);
 }
 
 int main()

@@ -1,5 +1,7 @@
 #include "check.hpp"
+#include "example_interfaces/action/fibonacci.hpp"
 #include "example_interfaces/srv/add_two_ints.hpp"
+#include "rclcpp_action/rclcpp_action.hpp"
 
 using example_interfaces::srv::AddTwoInts;
 using Request = AddTwoInts::Request::SharedPtr;
@@ -87,6 +89,13 @@ int main(int argc, char ** argv)
   equal("an answer that comes later", deferred.get()->sum, 99);
   server.reset();
   check("a service that is gone", !client->service_is_ready());
+
+  auto short_lived = rclcpp::Node::make_shared("short_lived");
+  auto widow = short_lived->create_client<AddTwoInts>("add");
+  auto action_widow = rclcpp_action::create_client<example_interfaces::action::Fibonacci>(short_lived, "count");
+  short_lived.reset();
+  throws<rclcpp::exceptions::InvalidNodeError>("nobody waits without a node", [&] {widow->wait_for_service(0s);});
+  throws<rclcpp::exceptions::InvalidNodeError>("for an action neither", [&] {action_widow->wait_for_action_server(0s);});
 
   // with the interfaces of a node, one by one
   auto far = rclcpp::create_service<AddTwoInts>(

@@ -61,9 +61,9 @@ def detected(image: np.ndarray, patterns: np.ndarray, size: int, correction: int
 
 def poses(corners: list[np.ndarray], side: float, camera: np.ndarray, distortion: np.ndarray | None) -> Any:
     """Return each marker's turn and place, (N, 1, 3), and where its corners are in its own frame [m]."""
-    from coursekit.view.older_opencv import estimatePoseSingleMarkers
+    import cv2
 
-    return estimatePoseSingleMarkers(corners, side, camera, distortion)
+    return cv2.aruco.estimatePoseSingleMarkers(corners, side, camera, distortion)  # type: ignore[attr-defined]  # in sessions
 
 
 def outlined(image: np.ndarray, corners: list[np.ndarray], ids: np.ndarray | None, color: tuple[float, ...]) -> Any:

@@ -16,9 +16,12 @@ _EVENTS_QOS = {"depth": 1000, "durability": "volatile", "history": "keep_last", 
 class CppNode(Node):
     """Has the QoS of its parameter events as parameters, subscribes to these events, and refuses parameters like rclcpp."""
 
+    declares_events_qos = True
+    """Managed nodes of rclcpp do not."""
+
     def __init__(self, node_name: str, **options: Any) -> None:
         super().__init__(node_name, **options)
-        for policy, value in _EVENTS_QOS.items():
+        for policy, value in _EVENTS_QOS.items() if self.declares_events_qos else ():
             name = f"qos_overrides./parameter_events.publisher.{policy}"
             self.declare_parameter(name, value, ParameterDescriptor(read_only=True))
         self.create_subscription(ParameterEvent, "/parameter_events", lambda _event: None, qos_profile_parameter_events)

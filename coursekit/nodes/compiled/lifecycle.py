@@ -21,6 +21,8 @@ _BY_ID = 1
 class CompiledLifecycleNode(LifecycleNodeMixin, CompiledNode):
     """Its transitions call the program's functions; error messages are rclcpp's."""
 
+    declares_events_qos = False
+
     def __init__(self, node_name: str, **options: Any) -> None:
         CompiledNode.__init__(self, node_name, **options)
 

@@ -87,6 +87,7 @@ def test_ros2_lifecycle_takes_it_through_its_states(session, start, ros2):
     listener.create_subscription(String, "opening", heard.append, 10)
     session.clock.sleep(0.2)
     assert ros2("lifecycle", "nodes") == "/valve\n"
+    assert ros2("param", "list", "/valve") == "  fault\n  use_sim_time\n"  # not the QoS of its events, as other nodes
     assert ros2("lifecycle", "get", "/valve") == "unconfigured [1]\n"
     assert "- configure [1]\n\tStart: unconfigured\n\tGoal: configuring\n" in ros2("lifecycle", "list", "/valve")
     assert ros2("lifecycle", "set", "/valve", "configure") == "Transitioning successful\n"

@@ -52,6 +52,8 @@ class Clock(Protocol):
     """The interface of a session's clock."""
 
     virtual: bool
+    phases: itertools.count[int]
+    """Numbers for timers, in the order in which their periods begin."""
 
     def now(self) -> int: ...
     def steady(self) -> int: ...
@@ -174,6 +176,7 @@ class WallClock:
     virtual = False
 
     def __init__(self) -> None:
+        self.phases = itertools.count()
         self._timers = _TimerThread()
 
     now = staticmethod(_time_ns)

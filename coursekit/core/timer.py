@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import itertools
-
 from .ready_queue import ReadyQueue, Source
 from .time_base import TimeBase
-
-_PHASES = itertools.count()
 
 
 class Timer(Source):
@@ -43,7 +39,7 @@ class Timer(Source):
     def _begin(self, now: int) -> None:
         self.last = now
         self.next = now + self.period
-        self.phase = next(_PHASES)
+        self.phase = next(self.base.clock.phases)
 
     def has_work(self) -> bool:
         """Whether it is due."""

@@ -111,6 +111,7 @@ class VirtualClock:
 
     def __init__(self) -> None:
         self.thread = _get_ident()
+        self.phases = itertools.count()
         self.running: ExecutionContext = GreenletContext(getcurrent())
         self.main = self.running
         self.children = 0

@@ -43,31 +43,32 @@ def drawn():
 
 def test_mat_is_memory_and_functions_do_what_cv2_does(said, tmp_path):
     lines = said("pictures")
-    assert lines[:7] == [
+    assert lines[:8] == [
         "177011 [3 x 2]5[  7,   1,   1,   1,   7] 1120",
         "[2.5, 4.5, 400.5]162114 3346",
         "[1, 2, 3;",
         " 4, 5, 6]6[1, 0;",
         " 0, 1]3",
+        "[0.3333333333333333, 0.6666666666666666, 1][0.40000001, 0.40000001][0.1, 2]0.3333333333",
         "104 12552",
         "refused -215",
     ]
     image = drawn()
     grey = cv2.cvtColor(image, cv2.COLOR_BGR2GRAY)
     edges = cv2.Canny(grey, 50, 150)
-    assert lines[7] == f"{image[..., 2].sum()} {cv2.countNonZero(edges)} [40 x 30]{cv2.mean(grey)[0]:.10g}"
+    assert lines[8] == f"{image[..., 2].sum()} {cv2.countNonZero(edges)} [40 x 30]{cv2.mean(grey)[0]:.10g}"
     limit = cv2.threshold(grey, 0, 255, cv2.THRESH_BINARY | cv2.THRESH_OTSU)[0]
-    assert lines[8] == f"{limit:g} 11[30 x 20 from (10, 10)]551 24.5"
+    assert lines[9] == f"{limit:g} 11[30 x 20 from (10, 10)]551 24.5"
     red = cv2.inRange(image, (0, 0, 200), (50, 50, 255))
     contours, _ = cv2.findContours(red, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE)
     cv2.drawContours(image, contours, -1, (255, 255, 255), 2)
     low, high, _, (x, y) = cv2.minMaxLoc(image[..., 0])
-    assert lines[9] == f"0{low:g}{high:g}[{x}, {y}] 255"
-    assert lines[10] == f"11111{cv2.GaussianBlur(image, (5, 5), 1.5)[..., 0].sum()}"
+    assert lines[10] == f"0{low:g}{high:g}[{x}, {y}] 255"
+    assert lines[11] == f"11111{cv2.GaussianBlur(image, (5, 5), 1.5)[..., 0].sum()}"
     assert (tmp_path / "small.png").is_file()  # in the program's folder, not in the session's
     (width, height), base = cv2.getTextSize("Vera", cv2.FONT_HERSHEY_SIMPLEX, 1.0, 2)
-    assert lines[11:13] == [f"[{width} x {height}]{base}", "refused 1"]
-    assert lines[13:] == ["20[6 x 4 from (0, 0)]31020 [9, 0, 7][50, 60, 70]"]  # a stamp on a page, by a mask
+    assert lines[12:14] == [f"[{width} x {height}]{base}", "refused 1"]
+    assert lines[14:] == ["20[6 x 4 from (0, 0)]31020 [9, 0, 7][50, 60, 70]"]  # a stamp on a page, by a mask
 
 
 def test_a_window_s_sliders_and_mouse_are_told_while_the_program_waits_for_a_key(session, build):

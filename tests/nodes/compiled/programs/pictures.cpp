@@ -22,6 +22,8 @@ static void memory()
   cv::Mat matrix = (cv::Mat_<double>(2, 3) << 1, 2, 3, 4, 5, 6);
   std::cout << matrix << cv::Mat(matrix.t()).at<double>(2, 1) << cv::Mat::eye(2, 2, CV_32F) << cv::Mat(matrix * 0.5).at<double>(1, 2)
             << std::endl;
+  std::cout << cv::Mat(matrix.row(0) / 3) << cv::Mat(1, 2, CV_32F, cv::Scalar(0.4))
+            << cv::Matx<double, 1, 2>(0.1, 2) << 1.0 / 3 << std::endl;
   int sum = 0;
   for (auto it = a.begin<uchar>(); it != a.end<uchar>(); ++it) {sum += *it;}
   std::cout << sum << " " << cv::Mat().empty() << int(cv::saturate_cast<uchar>(300.2))

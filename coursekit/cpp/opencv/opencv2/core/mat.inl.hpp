@@ -174,24 +174,29 @@ inline void Mat::push_back(const Mat & more)
   *this = made;
 }
 
+/// Numbers with a point have the digits that tell them apart: 8 as float, 16 as double, whatever the stream is set to.
 inline std::ostream & operator<<(std::ostream & out, const Mat & mat)
 {
-  out << "[";
+  std::ostringstream text;
+  text.precision(mat.depth() == CV_64F ? 16 : 8);
+  text << "[";
   detail::with_depth(
     mat.depth(), [&](auto kind) {
       for (int y = 0; y < mat.rows; ++y) {
-        out << (y ? ";\n " : "");
+        text << (y ? ";\n " : "");
         for (int i = 0; i < mat.cols * mat.channels(); ++i) {
-          out << (i ? ", " : "");
+          text << (i ? ", " : "");
           if constexpr (sizeof(kind) == 1) {
-            out.width(3);
+            text.width(3);
           }
-          out << +mat.ptr<decltype(kind)>(y)[i];
+          text << +mat.ptr<decltype(kind)>(y)[i];
         }
       }
     });
-  return out << "]";
+  return out << text.str() << "]";
 }
+template<class T, int m, int n>
+std::ostream & operator<<(std::ostream & out, const Matx<T, m, n> & small) {return out << Mat(small);}
 template<class T>
 std::ostream & operator<<(std::ostream & out, const std::vector<Point_<T>> & points) {return out << Mat(points);}
 template<class T>

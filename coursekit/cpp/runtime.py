@@ -63,8 +63,6 @@ PACKAGES = (
     "transmission_interface", "behaviortree_cpp_v3", "nav2_behavior_tree",
 )  # fmt: skip
 """The packages found here in addition to those with a folder in the underlay's share."""
-NOT_COMPILED = {"gazebo_plugins", "gazebo_ros"}
-"""Packages that come with coursekit, but without C++ headers for others."""
 _MADE_OF = (".hpp", ".h", ".cpp", ".txt", ".msg", ".srv", ".action", ".py")
 SHARED = "COURSEKIT_SHARED"
 COMPILER = "compiler"
@@ -134,7 +132,7 @@ def _make(folder: Path, tools: Toolchain) -> None:
 
 
 def _write_configs(folder: Path) -> None:
-    for name in {*PACKAGES, *(path.parent.name for path in UNDERLAY.glob("share/*/package.xml"))} - NOT_COMPILED:
+    for name in {*PACKAGES, *(path.parent.name for path in UNDERLAY.glob("share/*/package.xml"))}:
         place = folder / "share" / name / "cmake"
         place.mkdir(parents=True)
         exported, version = exported_by(name, UNDERLAY / "share"), version_of_package(name, UNDERLAY / "share")

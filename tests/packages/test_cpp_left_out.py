@@ -80,3 +80,29 @@ def test_a_target_that_nobody_has_made_is_not_left_out_in_silence(package, tmp_p
     file.write_text(file.read_text().replace("TARGETS plain more", "TARGETS plian"))
     done = colcon(tmp_path, "build")
     assert done.returncode == 1 and 'install TARGETS given target "plian" which does not exist' in done.stderr
+
+
+SIMULATED = """
+find_package(rclcpp REQUIRED)
+find_package(gazebo_ros REQUIRED)
+find_package(gazebo_plugins REQUIRED)
+add_executable(driver src/driver.cpp)
+ament_target_dependencies(driver rclcpp)
+add_library(wind SHARED src/wind.cpp)
+ament_target_dependencies(wind gazebo_ros)
+install(TARGETS driver DESTINATION lib/${PROJECT_NAME})
+install(TARGETS wind DESTINATION lib)
+ament_package()
+"""
+
+
+def test_a_package_that_starts_gazebo_is_built_and_a_plugin_of_gazebo_is_left_out(tmp_path):
+    compiler_or_skip()
+    plugin = "#include <gazebo/gazebo.hh>\nnamespace gazebo {class Wind : public WorldPlugin {};}\n"
+    files = {"src/driver.cpp": FILES["src/plain.cpp"], "src/wind.cpp": plugin}
+    lay_out(tmp_path, "k_wind", SIMULATED, files, ("rclcpp", "gazebo_ros", "gazebo_plugins"))
+    done = colcon(tmp_path, "build")
+    assert done.returncode == 0, done.stdout + done.stderr
+    why = "gazebo/gazebo.hh is not among what C++ has here; the rest is installed"
+    assert f"Skipped C++ of k_wind: wind ({why})" in done.stdout
+    assert sourced(tmp_path, "ros2 run k_wind driver").stdout == "plain\n"

@@ -54,7 +54,7 @@ PACKAGES = (
     "ament_cmake_google_benchmark", "ament_cmake_clang_format", "ament_cmake_clang_tidy", "ament_cmake_mypy",
     "ament_cmake_pycodestyle", "ament_cmake_pyflakes",
     "backward_ros", "console_bridge_vendor", "libyaml_vendor", "pybind11_vendor", "spdlog_vendor", "tinyxml2_vendor",
-    "tinyxml_vendor", "yaml_cpp_vendor",
+    "tinyxml_vendor", "yaml-cpp", "yaml_cpp_vendor",
     "rosidl_generator_c", "rosidl_generator_py", "rosidl_typesupport_introspection_c",
     "rosidl_typesupport_introspection_cpp",
     "rosidl_typesupport_fastrtps_c", "rosidl_typesupport_fastrtps_cpp", "rcl_logging_interface", "rcl_logging_spdlog",

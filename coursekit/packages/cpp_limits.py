@@ -32,9 +32,6 @@ _NOT_YET = re.compile(
 _OTHER_VERSION = {"behaviortree_cpp": "that of Humble is behaviortree_cpp_v3, version 3.8"}
 """Packages of another version than Humble's tutorials have, and what is here."""
 NO_EIGEN = "there is no Eigen for C++ here: `pip install cmeel-eigen` brings it"
-NO_YAML = "there is no yaml-cpp for C++ here: `sudo apt install libyaml-cpp-dev` brings it, on Debian and Ubuntu"
-_BROUGHT_BY = {"Eigen3": NO_EIGEN, "yaml-cpp": NO_YAML}
-"""Libraries that a robot has in any case, so many a package.xml does not name them, and the way to get them here."""
 _GAZEBO = {"gazebo", "gazebo_dev"}
 """Gazebo's own library, which came with gazebo_ros on a robot; plugins for it cannot be compiled here."""
 
@@ -61,10 +58,6 @@ def reason(text: str, depends: Collection[str], stood_for: bool) -> str:
     'there is no orocos_kdl for C++ here: `sudo apt install liborocos-kdl-dev` brings it, on Debian and Ubuntu'
     >>> reason('By not providing "FindEigen3.cmake" in CMAKE_MODULE_PATH', ["eigen"], False) == NO_EIGEN
     True
-    >>> reason('configuration file provided by "yaml-cpp" with', [], False) == NO_YAML
-    True
-    >>> reason("a.cpp:1:10: fatal error: yaml-cpp/yaml.h: No such file or directory", [], False) == NO_YAML
-    True
     >>> reason('By not providing "Findgazebo.cmake" in CMAKE_MODULE_PATH', ["gazebo_ros"], False)
     'C++ has no gazebo here'
     """
@@ -72,16 +65,13 @@ def reason(text: str, depends: Collection[str], stood_for: bool) -> str:
         command = " ".join(missing[2].split())
         return f"there is no {missing[1]} for C++ here: `{command}` brings it, on Debian and Ubuntu"
     for name in _PACKAGE.findall(text):
-        if name in _BROUGHT_BY:
-            return _BROUGHT_BY[name]
+        if name == "Eigen3":
+            return NO_EIGEN
         if name in depends or name in _GAZEBO or stood_for:
             return f"C++ has no {name} here{_instead(name)}"
     for name in _HEADER.findall(text):
-        library = name.partition("/")[0]
-        if library in _BROUGHT_BY:
-            return _BROUGHT_BY[library]
         if _NOT_YET.match(name):
-            return f"{name} is not among what C++ has here{_instead(library)}"
+            return f"{name} is not among what C++ has here{_instead(name.partition('/')[0])}"
     return ""
 
 

@@ -126,13 +126,40 @@ ament_package()
 
 def test_without_a_library_of_the_system_s_the_command_that_brings_it_is_named(tmp_path):
     compiler_or_skip()
-    if os.path.isfile("/usr/include/yaml-cpp/yaml.h"):
-        pytest.skip("has libyaml-cpp-dev")
+    if os.path.isfile("/usr/include/tinyxml2.h"):
+        pytest.skip("has libtinyxml2-dev")
     lay_out(tmp_path, "k_reader", VENDORS_CMAKE, {"src/reads.cpp": "int main() {}"}, ("yaml_cpp_vendor", "tinyxml2_vendor"))
     done = colcon(tmp_path, "build")
     assert done.returncode == 0
-    why = "there is no yaml-cpp for C++ here: `sudo apt install libyaml-cpp-dev` brings it, on Debian and Ubuntu"
+    why = "there is no tinyxml2 for C++ here: `sudo apt install libtinyxml2-dev` brings it, on Debian and Ubuntu"
     assert f"Skipped C++ of k_reader: reads ({why}; the rest is installed)" in done.stdout
+
+
+YAML_CMAKE = """
+find_package(yaml-cpp REQUIRED)
+add_executable(direct src/reads.cpp)
+target_link_libraries(direct yaml-cpp)
+add_executable(by_variable src/reads.cpp)
+target_include_directories(by_variable PRIVATE ${YAML_CPP_INCLUDE_DIR})
+target_link_libraries(by_variable ${YAML_CPP_LIBRARIES})
+add_executable(by_ament src/reads.cpp)
+ament_target_dependencies(by_ament "yaml-cpp")
+install(TARGETS direct by_variable by_ament DESTINATION lib/${PROJECT_NAME})
+ament_package()
+"""
+READS_YAML = """
+#include <iostream>
+#include <yaml-cpp/yaml.h>
+int main() {std::cout << YAML::Load("speed: 2.5")["speed"].as<double>() << std::endl;}
+"""
+
+
+def test_yaml_cpp_is_the_system_s_or_ours(tmp_path):
+    compiler_or_skip()
+    lay_out(tmp_path, "k_settings", YAML_CMAKE, {"src/reads.cpp": READS_YAML}, ())
+    built(tmp_path)
+    ran = [f"ros2 run k_settings {name}" for name in ("direct", "by_variable", "by_ament")]
+    assert sourced(tmp_path, "; ".join(ran)).stdout == "2.5\n" * 3
 
 
 CHECKED_CMAKE = """

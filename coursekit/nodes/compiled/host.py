@@ -46,6 +46,7 @@ from coursekit.nodes.compiled import (
     vision,
     waitables,
     waiting,
+    yaml_nodes,
 )
 from coursekit.nodes.compiled.channel import Channel, Gone
 from coursekit.nodes.compiled.child import Child
@@ -90,6 +91,7 @@ _NOT_VALID = (
 _ROOMS = (
     program, entities, topics, graph, parameters, executors, waiting, waitables, lifecycle, arrival_callbacks, actions,
     transforms, vision, bags, plugins, robot_descriptions, calibrations, components, hardware, shared_objects, tree_nodes,
+    yaml_nodes,
 )  # fmt: skip
 OPERATIONS = {name[3:]: do for room in _ROOMS for name, do in vars(room).items() if name.startswith("do_")}
 

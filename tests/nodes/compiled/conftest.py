@@ -57,7 +57,7 @@ def build(cpp_library: Path, tmp_path_factory: pytest.TempPathFactory) -> Callab
 
 
 def _compile(library: Path, *words: str) -> None:
-    own = [PROGRAMS.parent / "conformance", ROOM / "include", ROOM / "opencv"]
+    own = [PROGRAMS.parent / "conformance", ROOM / "include", ROOM / "opencv", ROOM / "yaml_cpp"]
     folders = [*(f"-I{folder}" for folder in own), "-isystem", str(library / "include"), "-isystem", "/usr/include/eigen3"]
     flags = ["-std=gnu++17", "-O0", "-Wall", "-Wextra", *folders]
     done = subprocess.run(["g++", *flags, *words], capture_output=True, encoding="utf-8")

@@ -32,7 +32,9 @@ static void algebra()
 {
   cv::Mat a = (cv::Mat_<double>(2, 2) << 4, 1, 2, 3), x, values, identity(2, 2, CV_64F);
   cv::solve(a, cv::Mat(cv::Vec2d(1, 2)), x);
-  std::cout << a.inv() << x.t() << cv::determinant(a) << cv::trace(a)[0] << std::endl;
+  cv::Mat inverse = a.inv();
+  std::cout << inverse.at<double>(0, 0) << inverse.at<double>(1, 0) << " " << x.at<double>(0) << " " << x.at<double>(1) << " "
+            << cv::determinant(a) << cv::trace(a)[0] << std::endl;
   cv::setIdentity(identity, cv::Scalar(3));
   cv::RNG rng(12345);
   std::cout << identity << rng.uniform(0, 256) << " " << rng.uniform(0, 256) << " " << rng.next() << std::endl;

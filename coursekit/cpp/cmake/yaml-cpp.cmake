@@ -1,0 +1,21 @@
+# yaml-cpp: the system's where it has one for its compiler, else the headers here, whose texts the session reads.
+#   COURSEKIT_YAML   `face` takes the headers here even where the system has yaml-cpp
+
+if(NOT TARGET yaml-cpp)
+  find_path(COURSEKIT_YAML_INCLUDE yaml-cpp/yaml.h PATHS /usr/include NO_CACHE)
+  find_library(COURSEKIT_YAML_LIBRARY yaml-cpp NO_CACHE)
+  _add_library(yaml-cpp INTERFACE IMPORTED GLOBAL)
+  if(COURSEKIT_YAML_INCLUDE AND COURSEKIT_YAML_LIBRARY AND NOT CMAKE_CXX_COMPILER MATCHES "zig" AND NOT COURSEKIT_YAML STREQUAL "face")
+    target_include_directories(yaml-cpp SYSTEM INTERFACE "${COURSEKIT_YAML_INCLUDE}")
+    target_link_libraries(yaml-cpp INTERFACE "${COURSEKIT_YAML_LIBRARY}")
+  else()
+    target_include_directories(yaml-cpp SYSTEM INTERFACE "${COURSEKIT_ROOT}/yaml_cpp")
+    target_link_libraries(yaml-cpp INTERFACE coursekit_headers)
+  endif()
+  target_link_libraries(yaml-cpp::yaml-cpp INTERFACE yaml-cpp)
+endif()
+get_target_property(YAML_CPP_INCLUDE_DIR yaml-cpp INTERFACE_INCLUDE_DIRECTORIES)
+set(YAML_CPP_LIBRARIES yaml-cpp)
+set(yaml-cpp_INCLUDE_DIRS "${YAML_CPP_INCLUDE_DIR}")
+set(yaml-cpp_LIBRARIES yaml-cpp)
+set(yaml-cpp_TARGETS yaml-cpp)

@@ -236,7 +236,7 @@ def test_markers_codes_corners_and_what_moves_are_found(said, tmp_path):
     code = cv2.QRCodeEncoder.create().encode("ROS 2")
     cv2.imwrite(str(tmp_path / "code.png"), np.pad(np.kron(code, np.ones((6, 6), np.uint8)), 30, constant_values=255))
     cv2.imwrite(str(tmp_path / "board.png"), board(7, 5, 30))
-    lines = said("markers")
+    lines = said("sights")
     assert lines[:4] == ["1 7 4 4", "33 300 100", "1", "00"]
     assert lines[4] == "0.3-0.2 0.1 0.6 107"
     assert "".join(lines[5:7]) == "[3, 0; 0, 3]58 7 967509983"

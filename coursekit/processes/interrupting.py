@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import signal
-import sys
 from abc import abstractmethod
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
@@ -14,6 +13,7 @@ from coursekit.core.execution_context import ExecutionContext, ProcessKilled
 from .base_process import BaseProcess
 from .current_process import owner
 from .output import Input
+from .thread_frames import thread_frames
 
 if TYPE_CHECKING:
     from .process import Process
@@ -143,7 +143,7 @@ def raise_in_thread(ident: int, kind: type[BaseException]) -> bool:
     In the import system's own code (not in that of the imported module) the exception would leave the import lock acquired,
     and no thread could ever import again.
     """
-    frame = sys._current_frames().get(ident)
+    frame = thread_frames().get(ident)
     if frame is not None and frame.f_code.co_filename.startswith("<frozen importlib"):
         return False
     ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), ctypes.py_object(kind))

@@ -11,7 +11,6 @@ import contextlib
 import itertools
 import os
 import signal
-import sys
 import threading
 import uuid
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -29,6 +28,7 @@ from . import current_session
 from .patches import patch_manager
 from .patching import IMPORTS, PROCESSES, VIRTUAL
 from .process import Process, current_process
+from .thread_frames import thread_frames
 
 _making = threading.RLock()
 
@@ -176,7 +176,7 @@ class Session:
         for graph in self.graphs.values():
             graph.clear()
         self.clock.close()
-        running = sys._current_frames()
+        running = thread_frames()
         if not any(ident in running for ident in self.cut_off):  # otherwise running threads would print as the interpreter
             patch_manager.leave(self)
 

@@ -1,85 +1,74 @@
-"""yaml-cpp's names where the system has no yaml-cpp: nodes, texts that are read and written."""
+"""Compiled programs: messages as YAML."""
 
 from __future__ import annotations
 
-import pytest
+import subprocess
 
-from coursekit.nodes.compiled.frames import Unpacker
-from coursekit.nodes.compiled.yaml_nodes import MOST, nodes
-from coursekit.processes.executables import make_process
-from tests.nodes.compiled.conftest import program
-
-ROBOT = """# A robot.
-name: mouse
-speed: 0.25
-on: yes
-code: 0x10
-none: ~
-wheels:
-  - {side: left, radius: 0.1}
-  - side: right
-    radius: 0.2
-limits: &limits
-  low: 1
-  high: 2.5
-gains: [1, 2.5, 3e-2]
-spots: [[1, 2], [3, 4]]
-same: *limits
+PROGRAM = """
+#include <iostream>
+#include "example_interfaces/srv/add_two_ints.hpp"
+#include "geometry_msgs/msg/polygon.hpp"
+#include "sensor_msgs/msg/joint_state.hpp"
+#include "std_msgs/msg/empty.hpp"
+#include "std_msgs/msg/u_int8_multi_array.hpp"
+#include "test_msgs/msg/w_strings.hpp"
+int main()
+{
+  sensor_msgs::msg::JointState state;
+  state.header.stamp.sec = 3;
+  state.header.frame_id = "a \\"b\\" \\\\";
+  state.name = {"left", "right"};
+  state.position = {1, 0.25};
+  std::cout << sensor_msgs::msg::to_yaml(state) << to_yaml(state, true) << std::endl;
+  geometry_msgs::msg::Polygon square;
+  square.points.resize(1);
+  std::cout << geometry_msgs::msg::to_yaml(square) << geometry_msgs::msg::to_yaml(square, true) << std::endl;
+  std_msgs::msg::Empty nothing;
+  std::cout << std_msgs::msg::to_yaml(nothing) << std_msgs::msg::to_yaml(nothing, true) << std::endl;
+  example_interfaces::srv::AddTwoInts::Request request;
+  request.a = -7;
+  example_interfaces::srv::to_flow_style_yaml(request, std::cout);
+  std_msgs::msg::UInt8MultiArray bytes;
+  bytes.data = {65, 0};
+  to_block_style_yaml(bytes, std::cout, 2);
+}
 """
-GROWING = "a: &a [1]\n" + "".join(
-    f"{name}: &{name} [{', '.join(['*' + before] * 30)}]\n" for before, name in zip("abcdef", "bcdefg", strict=True)
+STATE = """header:
+  stamp:
+    sec: 3
+    nanosec: 0
+  frame_id: "a \\"b\\" \\\\"
+name:
+- "left"
+- "right"
+position:
+- 1.00000
+- 0.250000
+velocity: []
+effort: []
+"""
+FLOW = (
+    '{header: {stamp: {sec: 3, nanosec: 0}, frame_id: "a \\"b\\" \\\\"}, name: ["left", "right"], '
+    "position: [1.00000, 0.250000], velocity: [], effort: []}\n"
 )
-"""Each line stands for thirty of the one before."""
-READ = """mouse20.2511610071
-left0.1 right0.2 low=1 high=2.5 3141
-yaml-cpp: error at line 2, column 7: bad conversion
-invalid node; first invalid key: "no"
-yaml-cpp: error at line 2, column 7: operator[] call on a scalar (key: "x")
-yaml-cpp: error at line 14, column 8: bad conversion
-bad file: /no/such/file.yaml
-""".splitlines()
-WRITTEN = """name: "robot: one"
-pose:
-  x: 2
-  up: true
-list:
-  - 1
-  - two
-321two
-waypoints:
-  - x: 0.5
-    on: true
-  - x: 1.25
-    on: true
-gains: [1, 2, 3]
-none: ~
-text: "5"
-1
-1.25[a, {b: c}]""".splitlines()
+POLYGON = """points:
+-
+  x: 0.00000
+  y: 0.00000
+  z: 0.00000
+{points: [{x: 0.00000, y: 0.00000, z: 0.00000}]}
+"""
+REST = """null
+null
+{a: -7, b: 0}  layout:
+    dim: []
+    data_offset: 0
+  data:
+  - 65
+  - 0
+"""
 
 
-def test_nodes_are_read_changed_and_written(session, build, tmp_path):
-    (tmp_path / "robot.yaml").write_text(ROBOT)
-    process = session.launch(make_process(session, build("yaml", program("yaml.cpp")), name="yaml", cwd=tmp_path))
-    assert process.wait(20.0) == 0, process.output
-    lines = process.output.splitlines()
-    assert lines[:7] == READ
-    assert lines[7].startswith("yaml-cpp: error at line 1, column 9: ")
-    assert lines[8] == "21!!oddinf931"
-    assert lines[9:] == WRITTEN
-
-
-@pytest.mark.parametrize(
-    ("text", "why"),
-    [
-        ("a: b: c", "mapping values are not allowed here"),
-        ("&a [*a]", "deep"),
-        (GROWING, str(MOST)),
-        ("[" * 5000, "deep"),
-    ],
-)
-def test_texts_that_are_none_or_grow_without_end_are_refused_in_words(text, why):
-    frame = Unpacker(nodes(text))
-    assert frame.integer() == -1
-    frame.integer(), frame.integer()
-    assert why in frame.text()
+def test_messages_are_written_as_humble_s_traits_do(build):
+    done = subprocess.run([build("yaml", PROGRAM)], capture_output=True, encoding="utf-8", check=True)
+    assert done.stdout == STATE + FLOW + POLYGON + REST

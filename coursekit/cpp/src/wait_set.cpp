@@ -42,7 +42,7 @@ bool SubscriptionBase::exchange_in_use_by_wait_set_state(void * part, bool in_us
     throw std::invalid_argument("pointer_to_subscription_part is unexpectedly nullptr");
   }
   if (part == this) {
-    return in_use_.exchange(in_use);
+    return WaitSetPart::exchange_in_use_by_wait_set_state(in_use);
   }
   for (auto & [kind, handler] : events) {
     if (part == handler.get()) {

@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "coursekit/entity.hpp"
+#include "coursekit/wait_set_part.hpp"
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/future_return_code.hpp"
 #include "rclcpp/macros.hpp"
@@ -38,7 +39,8 @@ struct FutureAndRequestId
 };
 }  // namespace detail
 
-class ClientBase : public coursekit::Entity, public std::enable_shared_from_this<ClientBase>
+class ClientBase
+  : public coursekit::Entity, public coursekit::WaitSetPart, public std::enable_shared_from_this<ClientBase>
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(ClientBase)
@@ -66,11 +68,7 @@ public:
     auto nanoseconds = std::chrono::duration_cast<std::chrono::nanoseconds>(timeout);
     return ask("wait_for_service", Packer{}.i(id).i(nanoseconds.count())).i();
   }
-  bool exchange_in_use_by_wait_set_state(bool in_use) {return in_use_.exchange(in_use);}
   QoS qos{10};
-
-private:
-  std::atomic<bool> in_use_{false};
 };
 
 template<class S>

@@ -62,18 +62,15 @@ COURSEKIT_NAME_ERROR(InvalidServiceNameError, "service name")
 COURSEKIT_ERROR(UnimplementedError, std::runtime_error)
 COURSEKIT_ERROR(UnknownROSArgsError, std::runtime_error)
 COURSEKIT_ERROR(UnsupportedEventTypeException, RCLErrorBase)
-class InvalidEventError : public std::runtime_error
-{
-public:
-  explicit InvalidEventError(const std::string & text = "event is invalid")
-  : std::runtime_error(text) {}
-};
-class InvalidNodeError : public std::runtime_error
-{
-public:
-  explicit InvalidNodeError(const std::string & text = "node is invalid")
-  : std::runtime_error(text) {}
-};
+#define COURSEKIT_ERROR_SAYING(Name, words) \
+  class Name : public std::runtime_error \
+  { \
+public: \
+    explicit Name(const std::string & text = words) \
+    : std::runtime_error(text) {} \
+  };
+COURSEKIT_ERROR_SAYING(InvalidEventError, "event is invalid")
+COURSEKIT_ERROR_SAYING(InvalidNodeError, "node is invalid")
 COURSEKIT_ERROR(InvalidParametersException, std::runtime_error)
 COURSEKIT_ERROR(InvalidParameterValueException, std::runtime_error)
 class InvalidParameterTypeException : public std::runtime_error

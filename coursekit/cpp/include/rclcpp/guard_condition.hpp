@@ -1,17 +1,17 @@
 // Flags that a program raises to end a wait.
 #pragma once
-#include <atomic>
 #include <functional>
 #include <mutex>
 
 #include "coursekit/entity.hpp"
+#include "coursekit/wait_set_part.hpp"
 #include "rclcpp/utilities.hpp"
 
 struct rcl_wait_set_t;
 
 namespace rclcpp
 {
-class GuardCondition : public coursekit::Entity
+class GuardCondition : public coursekit::Entity, public coursekit::WaitSetPart
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(GuardCondition)
@@ -34,7 +34,6 @@ public:
       ++untold_;
     }
   }
-  bool exchange_in_use_by_wait_set_state(bool state) {return in_use_.exchange(state);}
   void set_on_trigger_callback(std::function<void (size_t)> callback)
   {
     std::lock_guard<std::recursive_mutex> hold(lock_);
@@ -49,7 +48,6 @@ public:
 
 private:
   Context::SharedPtr context_;
-  std::atomic<bool> in_use_{false};
   std::recursive_mutex lock_;
   std::function<void (size_t)> on_trigger_;
   size_t untold_ = 0;

@@ -3,6 +3,7 @@
 #include <functional>
 
 #include "coursekit/entity.hpp"
+#include "coursekit/wait_set_part.hpp"
 #include "rclcpp/any_service_callback.hpp"
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/macros.hpp"
@@ -11,7 +12,8 @@
 
 namespace rclcpp
 {
-class ServiceBase : public coursekit::Entity, public std::enable_shared_from_this<ServiceBase>
+class ServiceBase
+  : public coursekit::Entity, public coursekit::WaitSetPart, public std::enable_shared_from_this<ServiceBase>
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(ServiceBase)
@@ -32,11 +34,7 @@ public:
   virtual bool take_type_erased_request(void * request, rmw_request_id_t & header) = 0;
   /// Run the callback with a request that was taken, and answer it.
   virtual void handle_request(std::shared_ptr<rmw_request_id_t> header, std::shared_ptr<void> request) = 0;
-  bool exchange_in_use_by_wait_set_state(bool in_use) {return in_use_.exchange(in_use);}
   QoS qos{10};
-
-private:
-  std::atomic<bool> in_use_{false};
 };
 
 template<class S>

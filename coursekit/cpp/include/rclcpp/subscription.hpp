@@ -1,5 +1,6 @@
 // Subscriptions.
 #pragma once
+#include "coursekit/wait_set_part.hpp"
 #include "rclcpp/any_subscription_callback.hpp"
 #include "rclcpp/message_memory_strategy.hpp"
 #include "rclcpp/network_flow_endpoint.hpp"
@@ -13,7 +14,8 @@ namespace node_interfaces
 class NodeBaseInterface;
 }
 
-class SubscriptionBase : public coursekit::Entity, public std::enable_shared_from_this<SubscriptionBase>
+class SubscriptionBase
+  : public coursekit::Entity, public coursekit::WaitSetPart, public std::enable_shared_from_this<SubscriptionBase>
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(SubscriptionBase)
@@ -114,9 +116,6 @@ protected:
     const node_interfaces::NodeBaseInterface & node, const std::string & type, const std::string & topic, const QoS & wanted,
     const SubscriptionOptionsBase & options);
   ContentFilterOptions filter_;
-
-private:
-  std::atomic<bool> in_use_{false};
 };
 
 template<class T, class Allocator = std::allocator<void>, class ...>

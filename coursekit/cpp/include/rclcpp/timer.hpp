@@ -1,18 +1,19 @@
 // Timers.
 #pragma once
-#include <atomic>
 #include <chrono>
 #include <functional>
 #include <optional>
 
 #include "coursekit/entity.hpp"
+#include "coursekit/wait_set_part.hpp"
 #include "rclcpp/clock.hpp"
 #include "rclcpp/exceptions.hpp"
 #include "rclcpp/macros.hpp"
 
 namespace rclcpp
 {
-class TimerBase : public coursekit::Entity, public std::enable_shared_from_this<TimerBase>
+class TimerBase
+  : public coursekit::Entity, public coursekit::WaitSetPart, public std::enable_shared_from_this<TimerBase>
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(TimerBase)
@@ -26,7 +27,6 @@ public:
   void execute_callback() {callback();}
   std::shared_ptr<coursekit::Entity> get_timer_handle() {return shared_from_this();}
   std::shared_ptr<const coursekit::Entity> get_timer_handle() const {return shared_from_this();}
-  bool exchange_in_use_by_wait_set_state(bool state) {return in_use_.exchange(state);}
 
   /// Have a function called when the timer rings, with the timer where it takes one.
   template<class F>
@@ -45,9 +45,6 @@ public:
   std::chrono::nanoseconds period{0};
   /// The clock that it rings by; null for a steady one of the session's.
   Clock::SharedPtr clock;
-
-private:
-  std::atomic<bool> in_use_{false};
 };
 /// A timer that rings from when a node has it: by create_timer(), or by add_timer() of a node's interface.
 template<class F = std::function<void ()>, class = void>

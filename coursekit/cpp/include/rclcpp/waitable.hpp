@@ -1,16 +1,16 @@
 // What a program makes itself for an executor or a wait set to wait for.
 #pragma once
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <stdexcept>
 
+#include "coursekit/wait_set_part.hpp"
 #include "rcl/wait.h"
 #include "rclcpp/macros.hpp"
 
 namespace rclcpp
 {
-class Waitable
+class Waitable : public coursekit::WaitSetPart
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS_NOT_COPYABLE(Waitable)
@@ -33,7 +33,6 @@ public:
     throw std::runtime_error("Custom waitables should override take_data_by_entity_id if they want to use it.");
   }
   virtual void execute(std::shared_ptr<void> & data) = 0;
-  bool exchange_in_use_by_wait_set_state(bool in_use) {return in_use_.exchange(in_use);}
   virtual void set_on_ready_callback(std::function<void (size_t, int)>)
   {
     throw std::runtime_error("Custom waitables should override set_on_ready_callback if they want to use it.");
@@ -44,8 +43,5 @@ public:
             "Custom waitables should override clear_on_ready_callback if they "
             "want to use it and make sure to call it on the waitable destructor.");
   }
-
-private:
-  std::atomic<bool> in_use_{false};
 };
 }  // namespace rclcpp

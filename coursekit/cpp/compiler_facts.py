@@ -6,12 +6,13 @@ import re
 import shutil
 from pathlib import Path
 
+from coursekit.cpp.cmake_cache import cache_entry
+
 FACTS = "facts.cmake"
 _TOOL = re.compile(r"^(CMAKE_\w+):(?:FILEPATH=(.*)|INTERNAL=(ELF|MACHO|XCOFF))$", re.M)
 """An entry of CMake's cache: a tool such as nm or strip, or the format of executables."""
-_KEPT = """# CMake deletes what it knows of a compiler from a folder in which this is not set.
-set(CMAKE_PLATFORM_INFO_INITIALIZED 1 CACHE INTERNAL "")
-"""
+_KEEPS = "CMAKE_PLATFORM_INFO_INITIALIZED"
+"""CMake deletes what it knows of a compiler from a folder in which this is not set."""
 
 
 def keep_facts(build: Path, folder: Path) -> None:
@@ -21,17 +22,18 @@ def keep_facts(build: Path, folder: Path) -> None:
         kept = folder / path.parent.name
         kept.mkdir(exist_ok=True)
         shutil.copy(path, kept)
-    (folder / FACTS).write_text(_KEPT + tools_of((build / "CMakeCache.txt").read_text(encoding="utf-8")), encoding="utf-8")
+    told = cache_entry(_KEEPS, "1", "INTERNAL") + tools_of((build / "CMakeCache.txt").read_text(encoding="utf-8"))
+    (folder / FACTS).write_text(told, encoding="utf-8")
 
 
 def tools_of(cache: str) -> str:
     """Return CMake's commands that set the tools named by a cache; the compiler is named elsewhere.
 
     >>> tools_of("CMAKE_NM:FILEPATH=/usr/bin/nm\\nCMAKE_C_COMPILER:FILEPATH=/usr/bin/gcc")
-    'set(CMAKE_NM [=[/usr/bin/nm]=] CACHE INTERNAL "")\\n'
+    'set(CMAKE_NM [=[/usr/bin/nm]=] CACHE INTERNAL "" FORCE)\\n'
     """
     told = {name: tool or form for name, tool, form in _TOOL.findall(cache) if not name.endswith(("_COMPILER", "_PROGRAM"))}
-    return "".join(f'set({name} [=[{value}]=] CACHE INTERNAL "")\n' for name, value in told.items())
+    return "".join(cache_entry(name, value, "INTERNAL") for name, value in told.items())
 
 
 def reuse_facts(folder: Path, build: Path) -> list[str]:

@@ -16,6 +16,7 @@ from colcon_cmake.task import cmake as colcon_tools
 from colcon_cmake.task.cmake import build as colcon_cmake
 from colcon_core.event.output import StderrLine, StdoutLine
 
+from coursekit.cpp.cmake_cache import cache_entry
 from coursekit.cpp.compiler_facts import reuse_facts
 from coursekit.cpp.runtime import COMPILER, ROOM, runtime_folder
 from coursekit.cpp.toolchain import Toolchain
@@ -104,23 +105,11 @@ def initial_cache(build: Path, prefix: Path, tools: Toolchain, left_out: Iterabl
         "CMAKE_POLICY_VERSION_MINIMUM": "3.5",
     }
     told = {name: value.as_posix() if isinstance(value, Path) else str(value) for name, value in facts.items()}
-    text = "".join(f'set({name} {bracketed(value)} CACHE STRING "" FORCE)\n' for name, value in told.items())
+    text = "".join(cache_entry(name, value) for name, value in told.items())
     path = build / f"coursekit-{hashlib.sha256(text.encode()).hexdigest()[:8]}.cmake"  # a new name: CMake configures again
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8")
     return path
-
-
-def bracketed(value: str) -> str:
-    """Quote a value for CMake without interpreting its content.
-
-    >>> bracketed('my "$ENV{HOME}"'), bracketed("a]=]b")
-    ('[=[my "$ENV{HOME}"]=]', '[==[a]=]b]==]')
-    """
-    level = "="
-    while f"]{level}]" in value:
-        level += "="
-    return f"[{level}[{value}]{level}]"
 
 
 def _complete(env: dict[str, str], runtime: Path) -> None:

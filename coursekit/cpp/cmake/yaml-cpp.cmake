@@ -2,8 +2,8 @@
 #   COURSEKIT_YAML   `face` takes the headers here even where the system has yaml-cpp
 
 if(NOT TARGET yaml-cpp)
-  find_path(COURSEKIT_YAML_INCLUDE yaml-cpp/yaml.h PATHS /usr/include NO_CACHE)
-  find_library(COURSEKIT_YAML_LIBRARY yaml-cpp NO_CACHE)
+  find_path(COURSEKIT_YAML_INCLUDE yaml-cpp/yaml.h)
+  find_library(COURSEKIT_YAML_LIBRARY yaml-cpp)
   _add_library(yaml-cpp INTERFACE IMPORTED GLOBAL)
   if(COURSEKIT_YAML_INCLUDE AND COURSEKIT_YAML_LIBRARY AND NOT CMAKE_CXX_COMPILER MATCHES "zig" AND NOT COURSEKIT_YAML STREQUAL "face")
     target_include_directories(yaml-cpp SYSTEM INTERFACE "${COURSEKIT_YAML_INCLUDE}")

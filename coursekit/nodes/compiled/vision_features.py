@@ -59,16 +59,28 @@ class Detector:
         return rows_of(points), descriptions
 
 
-def matched(query: np.ndarray | None, train: np.ndarray | None, norm: int, crossed: int, count: int) -> Any:
-    """Return the best match of each description, (N, 3), and the `count` best ones of each."""
+def match_rows(matches: Sequence[cv2.DMatch]) -> np.ndarray:
+    """Return matches as (N, 3)."""
+    rows = [(match.queryIdx, match.trainIdx, match.distance) for match in matches]
+    return np.array(rows, np.float64).reshape(-1, 3)
+
+
+def matched(query: np.ndarray | None, train: np.ndarray | None, norm: int, crossed: int) -> np.ndarray:
+    """Return the best match of each description, (N, 3)."""
+    import cv2
+
+    return match_rows(() if query is None or train is None else cv2.BFMatcher(norm, bool(crossed)).match(query, train))
+
+
+def matched_several(
+    query: np.ndarray | None, train: np.ndarray | None, norm: int, crossed: int, count: int
+) -> list[np.ndarray]:
+    """Return the `count` best matches of each description, (count, 3) or fewer."""
     import cv2
 
     if query is None or train is None:
-        return np.empty((0, 3)), []
-    matcher = cv2.BFMatcher(norm, bool(crossed))
-    found = [matcher.match(query, train)] if count == 1 else matcher.knnMatch(query, train, k=count)
-    rows = [np.array([(m.queryIdx, m.trainIdx, m.distance) for m in each], np.float64).reshape(-1, 3) for each in found]
-    return (rows[0], []) if count == 1 else (np.empty((0, 3)), rows)
+        return []
+    return [match_rows(each) for each in cv2.BFMatcher(norm, bool(crossed)).knnMatch(query, train, k=count)]
 
 
 def drawn(image: np.ndarray, points: np.ndarray | None, color: tuple[float, ...], flags: int) -> Any:
@@ -92,6 +104,7 @@ def matches_drawn(
 FACES: dict[str, Callable[..., Any]] = {
     "feature_detector": Detector,
     "match_features": matched,
+    "match_features_knn": matched_several,
     "draw_keypoints": drawn,
     "draw_matches": matches_drawn,
 }

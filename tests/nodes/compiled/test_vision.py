@@ -241,7 +241,7 @@ def test_markers_codes_corners_and_what_moves_are_found(said, tmp_path):
     assert lines[4] == "0.3-0.2 0.1 0.6 107"
     assert "".join(lines[5:7]) == "[3, 0; 0, 3]58 7 967509983"
     assert lines[7:10] == [f"{followed()[0]:.6g} {followed()[1]:.6g}", "4 3 2 1", "400[28, 37]1"]
-    assert lines[10:] == ["9600 400", "0100", "[ROS 2] 4", "1 24 30", "132 2 0 23", "31"]
+    assert lines[10:] == ["9600 400", "0100", "[ROS 2] 4", "1 24 30", "132 2 0 23", "3111"]
 
 
 def followed():

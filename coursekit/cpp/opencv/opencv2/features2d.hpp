@@ -1,5 +1,7 @@
 // Points of an image that are known again in another one, and what each looks like.
 #pragma once
+#include <array>
+
 #include "opencv2/core.hpp"
 #include "opencv2/imgproc.hpp"
 
@@ -37,44 +39,42 @@ struct DMatch
 
 namespace detail
 {
-/// Key points as rows of seven numbers, as they cross the link.
-inline Mat rows_of(const std::vector<KeyPoint> & points)
+/// The numbers of a key point, and of a match, as they cross the link.
+inline std::array<double, 7> numbers_of(const KeyPoint & p)
 {
-  Mat rows(static_cast<int>(points.size()), 7, CV_64F);
+  return {p.pt.x, p.pt.y, p.size, p.angle, p.response, double(p.octave), double(p.class_id)};
+}
+inline std::array<double, 3> numbers_of(const DMatch & m) {return {double(m.queryIdx), double(m.trainIdx), m.distance};}
+inline KeyPoint from_numbers(const std::array<double, 7> & v)
+{
+  return KeyPoint(
+    static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), static_cast<float>(v[3]),
+    static_cast<float>(v[4]), static_cast<int>(v[5]), static_cast<int>(v[6]));
+}
+inline DMatch from_numbers(const std::array<double, 3> & v)
+{
+  DMatch match(static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<float>(v[2]));
+  match.imgIdx = 0;
+  return match;
+}
+template<class T>
+Mat rows_of(const std::vector<T> & all)
+{
+  Mat rows(static_cast<int>(all.size()), static_cast<int>(numbers_of(T()).size()), CV_64F);
   for (int i = 0; i < rows.rows; ++i) {
-    auto & p = points[static_cast<size_t>(i)];
-    double values[] = {p.pt.x, p.pt.y, p.size, p.angle, p.response, double(p.octave), double(p.class_id)};
-    std::memcpy(rows.ptr(i), values, sizeof(values));
+    auto numbers = numbers_of(all[static_cast<size_t>(i)]);
+    std::memcpy(rows.ptr(i), numbers.data(), sizeof(numbers));
   }
   return rows;
 }
-inline void fill(std::vector<KeyPoint> & points, const Mat & rows)
+template<class T>
+void fill_from_rows(std::vector<T> & all, const Mat & rows)
 {
-  points.clear();
+  all.clear();
   for (int i = 0; i < rows.rows; ++i) {
-    const double * v = rows.ptr<double>(i);
-    points.emplace_back(
-      static_cast<float>(v[0]), static_cast<float>(v[1]), static_cast<float>(v[2]), static_cast<float>(v[3]),
-      static_cast<float>(v[4]), static_cast<int>(v[5]), static_cast<int>(v[6]));
-  }
-}
-inline Mat rows_of(const std::vector<DMatch> & matches)
-{
-  Mat rows(static_cast<int>(matches.size()), 3, CV_64F);
-  for (int i = 0; i < rows.rows; ++i) {
-    auto & m = matches[static_cast<size_t>(i)];
-    double values[] = {double(m.queryIdx), double(m.trainIdx), m.distance};
-    std::memcpy(rows.ptr(i), values, sizeof(values));
-  }
-  return rows;
-}
-inline void fill(std::vector<DMatch> & matches, const Mat & rows)
-{
-  matches.clear();
-  for (int i = 0; i < rows.rows; ++i) {
-    const double * v = rows.ptr<double>(i);
-    matches.emplace_back(static_cast<int>(v[0]), static_cast<int>(v[1]), static_cast<float>(v[2]));
-    matches.back().imgIdx = 0;
+    auto numbers = numbers_of(T());
+    std::memcpy(numbers.data(), rows.ptr(i), sizeof(numbers));
+    all.push_back(from_numbers(numbers));
   }
 }
 }  // namespace detail
@@ -88,18 +88,18 @@ public:
   : object_("feature_detector", kind, arguments ...) {}
   void detect(InputArray image, std::vector<KeyPoint> & points, InputArray mask = noArray())
   {
-    detail::fill(points, object_.call("detect", image, mask).mat);
+    detail::fill_from_rows(points, object_.call("detect", image, mask).mat);
   }
   void compute(InputArray image, std::vector<KeyPoint> & points, OutputArray descriptors)
   {
     auto found = object_.call("compute", image, detail::rows_of(points));
-    detail::fill(points, found[0].mat);
+    detail::fill_from_rows(points, found[0].mat);
     descriptors.assign(found[1]);
   }
   void detectAndCompute(InputArray image, InputArray mask, std::vector<KeyPoint> & points, OutputArray descriptors)
   {
     auto found = object_.call("detectAndCompute", image, mask);
-    detail::fill(points, found[0].mat);
+    detail::fill_from_rows(points, found[0].mat);
     descriptors.assign(found[1]);
   }
 
@@ -137,14 +137,14 @@ public:
   static Ptr<BFMatcher> create(int norm = NORM_L2, bool crossed = false) {return makePtr<BFMatcher>(norm, crossed);}
   void match(InputArray query, InputArray train, std::vector<DMatch> & matches) const
   {
-    detail::fill(matches, remote::call("match_features", query, train, norm_, crossed_, 1)[0].mat);
+    detail::fill_from_rows(matches, remote::call("match_features", query, train, norm_, crossed_).mat);
   }
   void knnMatch(InputArray query, InputArray train, std::vector<std::vector<DMatch>> & matches, int k) const
   {
-    auto found = remote::call("match_features", query, train, norm_, crossed_, k);
-    matches.resize(found[1].items.size());
+    auto found = remote::call("match_features_knn", query, train, norm_, crossed_, k);
+    matches.resize(found.items.size());
     for (size_t i = 0; i < matches.size(); ++i) {
-      detail::fill(matches[i], found[1][i].mat);
+      detail::fill_from_rows(matches[i], found[i].mat);
     }
   }
 

@@ -104,12 +104,14 @@ static void features()
   cv::BFMatcher(cv::NORM_HAMMING, true).match(descriptions, others, matches);
   std::vector<std::vector<cv::DMatch>> pairs;
   cv::BFMatcher(cv::NORM_HAMMING).knnMatch(descriptions, others, pairs, 2);
+  std::vector<std::vector<cv::DMatch>> single;
+  cv::BFMatcher(cv::NORM_HAMMING).knnMatch(descriptions, others, single, 1);
   auto best = *std::min_element(matches.begin(), matches.end());
   cv::drawMatches(board, first, moved, second, matches, shown);
   std::cout << (first.size() == static_cast<size_t>(descriptions.rows)) << descriptions.cols << " " << pairs[0].size() << " "
             << best.distance << " " << shown.cols / board.cols << shown.channels() << std::endl;
   cv::drawKeypoints(board, first, shown);
-  std::cout << shown.channels() << (first[0].size > 0) << std::endl;
+  std::cout << shown.channels() << (first[0].size > 0) << (single.size() == first.size()) << single.at(0).size() << std::endl;
 }
 int main()
 {

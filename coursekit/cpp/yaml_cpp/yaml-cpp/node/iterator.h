@@ -1,2 +1,2 @@
 #pragma once
-#include "yaml-cpp/yaml.h"
+#include "yaml-cpp/node/node.h"

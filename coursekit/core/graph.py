@@ -7,6 +7,8 @@ import threading
 from collections.abc import Callable, Iterable, Iterator
 from typing import Any, TypeVar
 
+from .clock import Clock
+from .interface import Interface
 from .qos import Qos
 from .service import Client, Server
 from .status import LIVELINESS, MATCHED
@@ -19,12 +21,12 @@ class GraphNode:
     """A node in the graph."""
 
     def __init__(
-        self, graph: Graph, name: str, namespace: str, process: Any = None, participant: object = None
+        self, graph: Graph, name: str, namespace: str, process: object = None, participant: object = None
     ) -> None:
         self.graph = graph
         self.name = name
         self.namespace = namespace
-        self.process = process
+        self.process: Any = process
         self.deaf_to_itself = False
         """Whether it ignores its own messages: a bridge in both directions would otherwise send them in circles."""
         self.participant = participant
@@ -46,19 +48,19 @@ class GraphNode:
         """For example 'robot1.camera'."""
         return self.full_name.strip("/").replace("/", ".")
 
-    def publisher(self, name: str, msg_type: Any, qos: Qos) -> Publisher:
+    def publisher(self, name: str, msg_type: Interface, qos: Qos) -> Publisher:
         """Create a publisher and match it with the existing subscriptions."""
         return self.graph.add_publisher(Publisher(self.graph, self, name, msg_type, qos))
 
-    def subscription(self, name: str, msg_type: Any, qos: Qos) -> Subscription:
+    def subscription(self, name: str, msg_type: Interface, qos: Qos) -> Subscription:
         """Create a subscription and match it with the existing publishers."""
         return self.graph.add_subscription(Subscription(self.graph, self, name, msg_type, qos))
 
-    def server(self, name: str, srv_type: Any, qos: Qos) -> Server:
+    def server(self, name: str, srv_type: Interface, qos: Qos) -> Server:
         """Create a service server."""
         return self.graph.add_server(Server(self.graph, self, name, srv_type, qos))
 
-    def client(self, name: str, srv_type: Any, qos: Qos) -> Client:
+    def client(self, name: str, srv_type: Interface, qos: Qos) -> Client:
         """Create a service client."""
         return self.graph.add_client(Client(self.graph, self, name, srv_type, qos))
 
@@ -78,7 +80,7 @@ class Graph:
     '/talker'
     """
 
-    def __init__(self, clock: Any, numbers: Iterator[int] | None = None) -> None:
+    def __init__(self, clock: Clock, numbers: Iterator[int] | None = None) -> None:
         self.clock = clock
         self._numbers = itertools.count(1) if numbers is None else numbers
         self.nodes: list[GraphNode] = []
@@ -98,7 +100,7 @@ class Graph:
         """Return a number for an endpoint; the graphs of a session share the numbering."""
         return next(self._numbers)
 
-    def add_node(self, name: str, namespace: str, process: Any = None, participant: object = None) -> GraphNode:
+    def add_node(self, name: str, namespace: str, process: object = None, participant: object = None) -> GraphNode:
         """Add a new node; two may have the same name, as in ROS."""
         return self.enter(GraphNode(self, name, namespace, process, participant))
 

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from .clock import Clock
     from .timer import Timer
 
 
@@ -40,7 +41,7 @@ class Source:
         """Whether it is ready now; checked when another executor takes it over."""
         return False
 
-    def attach(self, sink: ReadyQueue | None, item: Any) -> None:
+    def attach(self, sink: ReadyQueue | None, item: object) -> None:
         """Be served through `sink` from now on; None detaches."""
         self.item = item
         self.sink = sink
@@ -59,14 +60,14 @@ class ReadyQueue:
     ('scan', 'odometry', None)
     """
 
-    def __init__(self, clock: Any) -> None:
+    def __init__(self, clock: Clock) -> None:
         self.clock = clock
         self.items: deque[Any] = deque()
         self._timers: list[tuple[int, int, int, Timer]] = []
         self._waiter = clock.new_waiter()
         self._sleeping = False
 
-    def put(self, item: Any) -> None:
+    def put(self, item: object) -> None:
         """Append `item`; safe from any thread."""
         self.items.append(item)
         if self._sleeping:

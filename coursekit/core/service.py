@@ -6,6 +6,7 @@ from collections import deque
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from .interface import Interface, Message
 from .qos import Qos
 from .topic import Endpoint
 
@@ -38,7 +39,7 @@ class Server(Endpoint):
 
     __slots__ = ("queue",)
 
-    def __init__(self, graph: Graph, node: GraphNode, name: str, srv_type: Any, qos: Qos) -> None:
+    def __init__(self, graph: Graph, node: GraphNode, name: str, srv_type: Interface, qos: Qos) -> None:
         super().__init__(graph, node, name, srv_type, qos)
         self.queue: deque[tuple[Any, RequestId]] = deque()
 
@@ -53,14 +54,14 @@ class Server(Endpoint):
         except IndexError:
             return None
 
-    def push(self, request: Any, request_id: RequestId) -> None:
+    def push(self, request: Message, request_id: RequestId) -> None:
         """Queue a request."""
         self.queue.append((request, request_id))
         self.signal()
         if self.listener is not None:
             self.listener(request)
 
-    def respond(self, request_id: RequestId, response: Any) -> None:
+    def respond(self, request_id: RequestId, response: Message) -> None:
         """Send a copy of `response` to the client of the request.
 
         A client of the same executor receives it after the messages published by the callback: topics come before responses.
@@ -79,7 +80,7 @@ class Client(Endpoint):
 
     __slots__ = ("_next_number", "queue")
 
-    def __init__(self, graph: Graph, node: GraphNode, name: str, srv_type: Any, qos: Qos) -> None:
+    def __init__(self, graph: Graph, node: GraphNode, name: str, srv_type: Interface, qos: Qos) -> None:
         super().__init__(graph, node, name, srv_type, qos)
         self.queue: deque[tuple[int, Any]] = deque()
         self._next_number = 1
@@ -95,7 +96,7 @@ class Client(Endpoint):
         except IndexError:
             return None
 
-    def push(self, sequence_number: int, response: Any) -> None:
+    def push(self, sequence_number: int, response: Message) -> None:
         """Queue a response; a closed client drops it."""
         if self.alive:
             self.queue.append((sequence_number, response))
@@ -103,7 +104,7 @@ class Client(Endpoint):
             if self.listener is not None:
                 self.listener(response)
 
-    def send(self, request: Any) -> int:
+    def send(self, request: Message) -> int:
         """Send copies of `request` to every server and return the request's number."""
         number = self._next_number
         self._next_number += 1

@@ -5,7 +5,11 @@ from __future__ import annotations
 import itertools
 import weakref
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .clock import Clock
+    from .timer import Timer
 
 ROS_TIME, SYSTEM_TIME, STEADY_TIME = 1, 2, 3
 
@@ -21,14 +25,14 @@ class TimeBase:
     5
     """
 
-    def __init__(self, kind: int, clock: Any) -> None:
+    def __init__(self, kind: int, clock: Clock) -> None:
         self.kind = kind
         self.clock = clock
         self.active = False
         self.override = 0
-        self._watchers: list[tuple[Any, JumpCallback | None, JumpCallback | None]] = []
+        self._watchers: list[tuple[object, JumpCallback | None, JumpCallback | None]] = []
         self._numbers = itertools.count()
-        self._timers: weakref.WeakSet[Any] = weakref.WeakSet()
+        self._timers: weakref.WeakSet[Timer] = weakref.WeakSet()
 
     def now(self) -> int:
         """The time on this clock."""
@@ -40,11 +44,11 @@ class TimeBase:
         """Return a number for a timer of this clock: timers are notified of changes in the order of their creation."""
         return next(self._numbers)
 
-    def add_timer(self, timer: Any) -> None:
+    def add_timer(self, timer: Timer) -> None:
         """Notify `timer` when this clock is set or jumps."""
         self._timers.add(timer)
 
-    def add_watcher(self, token: Any, before: JumpCallback | None, after: JumpCallback | None) -> None:
+    def add_watcher(self, token: object, before: JumpCallback | None, after: JumpCallback | None) -> None:
         """Call `before` and `after` around each change with (delta ns, kind of change 1..4, went_active).
 
         >>> from coursekit.core.virtual_clock import VirtualClock
@@ -56,7 +60,7 @@ class TimeBase:
         """
         self._watchers.append((token, before, after))
 
-    def remove_watcher(self, token: Any) -> None:
+    def remove_watcher(self, token: object) -> None:
         """Remove callbacks."""
         self._watchers = [entry for entry in self._watchers if entry[0] is not token]
 

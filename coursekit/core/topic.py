@@ -6,6 +6,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from .interface import Interface, Message
 from .qos import AUTOMATIC, INFINITE, KEEP_ALL, TRANSIENT_LOCAL, Qos
 from .ready_queue import Source
 from .status import DEADLINE, INCOMPATIBLE, LIVELINESS, MATCHED, Status
@@ -19,12 +20,12 @@ class Endpoint(Source):
 
     __slots__ = ("alive", "gid", "graph", "msg_type", "name", "node", "qos", "statuses")
 
-    def __init__(self, graph: Graph, node: GraphNode, name: str, msg_type: Any, qos: Qos) -> None:
+    def __init__(self, graph: Graph, node: GraphNode, name: str, msg_type: Interface, qos: Qos) -> None:
         super().__init__()
         self.graph = graph
         self.node = node
         self.name = name
-        self.msg_type = msg_type
+        self.msg_type: Any = msg_type
         self.qos = qos.resolved()
         self.alive = True
         self.gid = b"\x01\x0f" + (0).to_bytes(10, "big") + graph.new_number().to_bytes(4, "big") + bytes(8)
@@ -48,7 +49,7 @@ class Publisher(Endpoint):
 
     __slots__ = ("_deadline_timer", "_history", "_last_sent", "_last_sign", "_lease_timer", "_live", "tap", "targets")
 
-    def __init__(self, graph: Graph, node: GraphNode, name: str, msg_type: Any, qos: Qos) -> None:
+    def __init__(self, graph: Graph, node: GraphNode, name: str, msg_type: Interface, qos: Qos) -> None:
         super().__init__(graph, node, name, msg_type, qos)
         self.tap: Callable[[Any, int], None] | None = None
         """Called with each message and its stamp, to carry it out of the graph; it must not keep or change the message."""
@@ -65,7 +66,7 @@ class Publisher(Endpoint):
         if self.qos.lease != INFINITE and self.qos.liveliness != AUTOMATIC:
             self._live = False  # alive only after its first assertion
 
-    def publish(self, msg: Any) -> None:
+    def publish(self, msg: Message) -> None:
         """Deliver a copy of `msg` to every matching subscription.
 
         >>> from std_msgs.msg import String
@@ -174,7 +175,7 @@ class Subscription(Endpoint):
 
     __slots__ = ("_deadline_timer", "_last_sign", "_lost", "queue", "reduce")
 
-    def __init__(self, graph: Graph, node: GraphNode, name: str, msg_type: Any, qos: Qos) -> None:
+    def __init__(self, graph: Graph, node: GraphNode, name: str, msg_type: Interface, qos: Qos) -> None:
         super().__init__(graph, node, name, msg_type, qos)
         self.queue: deque[tuple[Any, int, Publisher]] = deque(
             maxlen=None if self.qos.history == KEEP_ALL else self.qos.depth

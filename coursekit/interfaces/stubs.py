@@ -55,7 +55,8 @@ def _declare(interface: Interface) -> list[str]:
     lines = [line for message in _messages(interface) for line in _message(message)]
     if isinstance(interface, Service):
         names = {"Request": interface.request.name, "Response": interface.response.name}
-        return [*lines, f"class {interface.name}:", *(f"    {k}: TypeAlias = {v}" for k, v in names.items()), ""]
+        lines += [f"class {interface.name}:", "    _TYPE_NAME: ClassVar[str]"]
+        return [*lines, *(f"    {k}: TypeAlias = {v}" for k, v in names.items()), ""]
     if isinstance(interface, Action):
         parts = {"Goal": interface.goal, "Result": interface.result, "Feedback": interface.feedback}
         lines += [f"class {interface.name}:", *(f"    {k}: TypeAlias = {v.name}" for k, v in parts.items())]
@@ -65,7 +66,7 @@ def _declare(interface: Interface) -> list[str]:
 
 def _message(message: Message) -> list[str]:
     arguments = "".join(f", {f.name}: {_taken(f.type)} = ..." for f in message.fields)
-    lines = [f"class {message.name}:"]
+    lines = [f"class {message.name}:", "    _TYPE_NAME: ClassVar[str]", f"    def _clone(self) -> {message.name}: ..."]
     lines += [f"    {c.name}: ClassVar[{_scalar(c.type)}]" for c in message.constants]
     lines += [f"    def __init__(self{', *' if arguments else ''}{arguments}) -> None: ..."]
     lines += ["    SLOT_TYPES: ClassVar[tuple[Any, ...]]", "    @classmethod"]

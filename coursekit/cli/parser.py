@@ -44,7 +44,6 @@ _STRATEGY = {
     ("-s", "--use-sim-time"): "Enable ROS simulation time: follow /clock",
     ("--no-daemon",): "Do not ask the daemon (here there is none)",
 }
-_MODULES = {"wtf": "doctor"}
 _HIDDEN = {
     "gz": "coursekit.cli.gz_commands",
     "extension_points": "coursekit.cli.extension_lists",
@@ -59,7 +58,7 @@ def available() -> list[str]:
 
 
 def _module(command: str) -> str:
-    return f"coursekit.cli.verbs.{_MODULES.get(command, command)}"
+    return f"coursekit.cli.verbs.{command}"
 
 
 def make_parser(command: str | None = None) -> argparse.ArgumentParser:
@@ -78,8 +77,8 @@ def make_parser(command: str | None = None) -> argparse.ArgumentParser:
         importlib.import_module(_HIDDEN[command]).register(subparsers)
         return parser
     wanted = [command] if command in available() else available()
-    for module in dict.fromkeys(_module(str(name)) for name in wanted):
-        importlib.import_module(module).register(subparsers)
+    for name in wanted:
+        importlib.import_module(_module(str(name))).register(subparsers)
     for name, added in subparsers.choices.items():
         verbs = next((action for action in added._actions if isinstance(action, argparse._SubParsersAction)), None)
         if verbs is not None:

@@ -2,7 +2,7 @@
 
 import pytest
 
-from coursekit.cli.parser import make_parser
+from coursekit.cli.parser import COMMANDS, make_parser
 
 
 @pytest.mark.parametrize(
@@ -29,3 +29,11 @@ def test_flags_that_no_command_knows_are_refused(capsys):
     with pytest.raises(SystemExit):
         make_parser("node").parse_args(["node", "list", "--no-demon"])
     assert "--no-demon" in capsys.readouterr().err
+
+
+def test_help_lists_the_commands_by_name_and_says_that_wtf_is_the_doctor():
+    lines = [line.split(maxsplit=1) for line in make_parser().format_help().splitlines() if line.startswith("    ")]
+    names = [words[0] for words in lines if words[0] in COMMANDS]
+    assert names == sorted(COMMANDS)
+    assert lines[-1] == ["wtf", "Use `wtf` as alias to `doctor`"]
+    assert make_parser("wtf").parse_args(["wtf", "-r"]).report

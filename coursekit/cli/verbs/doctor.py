@@ -1,4 +1,4 @@
-"""`ros2 doctor` (and `wtf`): checks of the set-up and of the graph, and a report."""
+"""`ros2 doctor`: checks of the set-up and of the graph, and a report."""
 
 from __future__ import annotations
 
@@ -13,14 +13,17 @@ if TYPE_CHECKING:
 
 
 def register(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-    """Add the command under both names."""
-    for name in ("doctor", "wtf"):
-        parser = subparsers.add_parser(name, help="Check ROS setup and other potential issues")
-        parser.add_argument("-r", "--report", action="store_true", help="Print all reports")
-        parser.add_argument("-rf", "--report-failed", action="store_true", help="Print the reports when a check fails")
-        parser.add_argument("-iw", "--include-warnings", action="store_true", help="Count warnings as failures")
-        parser.set_defaults(main=main)
-        doctor_hello.register(parser.add_subparsers(title="Verbs", dest="_verb"))
+    """Add the command."""
+    add_arguments(subparsers.add_parser("doctor", help="Check ROS setup and other potential issues"))
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options and the verb, which `ros2 wtf` has as well."""
+    parser.add_argument("-r", "--report", action="store_true", help="Print all reports")
+    parser.add_argument("-rf", "--report-failed", action="store_true", help="Print the reports when a check fails")
+    parser.add_argument("-iw", "--include-warnings", action="store_true", help="Count warnings as failures")
+    parser.set_defaults(main=main)
+    doctor_hello.register(parser.add_subparsers(title="Verbs", dest="_verb"))
 
 
 def main(args: Namespace) -> int:

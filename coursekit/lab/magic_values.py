@@ -44,8 +44,12 @@ class Values(DollarFormatter):
         return f"\ue000{len(self._paths) - 1}\ue001"
 
     def restored(self, word: str) -> str:
-        """Return a word with its placeholders replaced by paths."""
-        return _PLACE.sub(lambda match: self._paths[int(match[1])], word)
+        """Return a word with its placeholders replaced by paths; right after YAML's quote an apostrophe is doubled."""
+        return _PLACE.sub(self._path, word)
+
+    def _path(self, place: re.Match[str]) -> str:
+        path = self._paths[int(place[1])]
+        return path.replace("'", "''") if place.string[: place.start()].endswith("'") else path
 
     def expanded(self, shell: Any, line: str) -> str:
         """Return the line of a magic with values of the calling cell or function inserted."""

@@ -127,6 +127,22 @@ class CourseMagics(Magics):
         total = len((written.append(cell) if append else written.write(cell)).splitlines())
         print(gettext(f"Wrote {workspace().name}/{name} ({total} lines)"))
 
+    @no_var_expand
+    @line_magic
+    def cd(self, line: str) -> None:
+        """Change the folder, as IPython's `%cd`, which refuses `{workspace()}` in a folder such as `Vera's course`."""
+        values = Values()
+        expanded = values.expanded(self.shell, line)
+        *options, folder = expanded.split() or [""]
+        path = values.restored(folder)
+        if path == folder:
+            self.shell.magics_manager.registry["OSMagics"].cd(expanded)
+            return
+        os.chdir(path)
+        self.shell.user_ns["_dh"].append(Path.cwd())  # for `%cd -`
+        if "-q" not in options:
+            print(path)
+
     @line_magic
     def show(self, line: str) -> None:
         """Print a file of the workspace, or list one of its folders: `%show src/my_package/setup.py`."""

@@ -25,6 +25,7 @@ def words(monkeypatch):
         shell.run_cell(line).raise_error()
         return titles.pop()
 
+    run.shell = shell
     return run
 
 
@@ -34,6 +35,25 @@ def test_a_path_is_one_word_with_what_stands_beside_it(words):
     ]  # fmt: skip
     assert words("%ros2 service call /s t \"{{filename: {place}/graph}}\"")[-1] == f"{{filename: {HOME}/graph}}"
     assert words("%ros2 run p e $place {place}")[2:] == ["e", HOME, HOME]
+
+
+def test_an_apostrophe_of_a_path_is_doubled_within_quotes_of_yaml(words):
+    doubled = HOME.replace("'", "''")
+    assert words("%ros2 service call /s t \"{{filename: '{place}/graph'}}\"")[-1] == f"{{filename: '{doubled}/graph'}}"
+
+
+def test_cd_goes_into_a_folder_whatever_its_name_and_back(words, tmp_path, monkeypatch, capsys):
+    course = tmp_path / HOSTILE
+    course.mkdir()
+    monkeypatch.chdir(tmp_path)
+    shell = words.shell
+    shell.user_ns["course"] = course
+    shell.run_cell("%cd -q {course}").raise_error()
+    assert Path.cwd() == course and not capsys.readouterr().out
+    shell.run_cell("%cd -q ..").raise_error()
+    assert Path.cwd() == tmp_path
+    shell.run_cell("%cd -").raise_error()
+    assert Path.cwd() == course and str(course) in capsys.readouterr().out
 
 
 def test_other_values_are_as_many_words_as_they_hold(words):

@@ -1,4 +1,7 @@
-"""A pytest plugin for `--nbval`: the chapters run in a course folder of their own, not in the checkout."""
+"""A pytest plugin for `--nbval`: the chapters run in a course folder of their own, not in the checkout.
+
+Its name has spaces, an accent, a comma and brackets, as folders of students have.
+"""
 
 import contextlib
 import os
@@ -15,7 +18,7 @@ from .alike import compare_alike
 from .running import clock_of, name_student, read
 
 compiler_cache.use()
-_folder = tempfile.TemporaryDirectory(prefix="course-")
+_folder = tempfile.TemporaryDirectory(prefix="ROS course, día (1) ")
 
 
 def pytest_configure(config):

@@ -17,6 +17,7 @@ from coursekit.grade.outputs import course_said, exit_code, last_words, said
 from coursekit.grade.plain import called, fields, shown, whole
 from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
+from coursekit.systems.command_lines import join_words
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -160,8 +161,10 @@ def _expect_step(costs: np.ndarray, before: Cell, after: Cell, told: str) -> Non
 def patrol(work: Work) -> None:
     """Check that the robot reaches every stop in order, and that the program reports it and ends."""
     work.built(PACKAGE)
+    course_map = join_words([f"map:={_course_map()}"])
+    navigation = f"launch nav2_bringup bringup_launch.py {course_map} use_sim_time:=True"
     seen = work.try_out(
-        beside=[SIMULATION, f"launch nav2_bringup bringup_launch.py map:={_course_map()} use_sim_time:=True"],
+        beside=[SIMULATION, navigation],
         later=[(3.0, f"run {PACKAGE} patrol_exe --ros-args -p use_sim_time:=true")],
         record=["/odom", "/plan", "/amcl_pose"],
         seconds=ROUND_SECONDS,

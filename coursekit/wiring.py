@@ -44,6 +44,7 @@ IMPORT_HOOKS = {
     "cv2": "coursekit.view.highgui",
     "matplotlib.pyplot": "coursekit.view.plots",
     "multiprocessing.connection": "coursekit.processes.worker_processes",
+    "numpy": "coursekit.processes.older_numpy",
 }
 """Imported module, and the module whose `install()` patches it for a session."""
 

@@ -12,8 +12,8 @@ from coursekit.core.execution_context import ExecutionContext, ProcessKilled
 
 from .base_process import BaseProcess
 from .current_process import owner
+from .importing import is_importing
 from .output import Input
-from .thread_frames import thread_frames
 
 if TYPE_CHECKING:
     from .process import Process
@@ -105,7 +105,10 @@ class Interruptible(BaseProcess):
             self.session.clock.call_at(alarm_at, self._cut_off)
 
     def _cut_off(self) -> None:
-        if self.exit_code is None:
+        context, clock = self._main_context, self.session.clock
+        if context is not None and is_importing(context.ident):  # it ends when the import does
+            clock.call_at(clock.steady() + RETRY_NS, self._cut_off)
+        elif self.exit_code is None:
             self.abandoned = True
             if self._main_context is not None and not self.session.clock.virtual:
                 self.session.cut_off.append(self._main_context.ident)
@@ -140,11 +143,10 @@ def raise_killed() -> None:
 def raise_in_thread(ident: int, kind: type[BaseException]) -> bool:
     """Raise `kind` in a thread that runs Python code, at its next bytecode; return False without raising during an import.
 
-    In the import system's own code (not in that of the imported module) the exception would leave the import lock acquired,
-    and no thread could ever import again.
+    In the import system's own code the exception would leave the import lock acquired, and no thread could ever import
+    again; in a module that programs share it would leave half a library for all of them.
     """
-    frame = thread_frames().get(ident)
-    if frame is not None and frame.f_code.co_filename.startswith("<frozen importlib"):
+    if is_importing(ident):
         return False
     ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(ident), ctypes.py_object(kind))
     return True

@@ -8,7 +8,7 @@ from rclpy import signals
 
 from coursekit.jupyter import kernel
 from coursekit.lab import shell_lines
-from coursekit.processes import patches, worker_processes
+from coursekit.processes import older_numpy, patches, worker_processes
 from coursekit.processes.patching import Patch
 from coursekit.view import highgui, plots
 
@@ -38,7 +38,7 @@ whole list. It is made from the tables in the code by `python -m tests.processes
 
 def rows() -> list[Patch]:
     """All patches of all rooms."""
-    rooms = (signals, highgui, plots, worker_processes, kernel, shell_lines)
+    rooms = (signals, older_numpy, highgui, plots, worker_processes, kernel, shell_lines)
     return [*patches.TABLE, *(patch for room in rooms for patch in room.patches())]
 
 

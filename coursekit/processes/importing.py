@@ -1,0 +1,53 @@
+"""Whether a thread is importing what all programs of this interpreter share.
+
+An exception in the midst of such an import would break the library for every later program: Python takes the module back,
+but keeps the parts of it that are complete, and they do not fit the module that the next import makes.
+"""
+
+from __future__ import annotations
+
+import os
+import site
+import sysconfig
+from collections.abc import Iterator
+from pathlib import Path
+from types import FrameType
+
+from .thread_frames import thread_frames
+
+_KINDS = ("stdlib", "platstdlib", "purelib", "platlib")
+
+
+def _folders() -> Iterator[str]:
+    yield from (sysconfig.get_path(kind) for kind in _KINDS)
+    yield from site.getsitepackages()
+    yield site.getusersitepackages()
+    yield str(Path(__file__).parents[1])
+
+
+def _in_one_form(path: str) -> str:
+    return os.path.normcase(os.path.join(path, ""))
+
+
+SHARED = tuple({_in_one_form(folder) for folder in _folders()})
+"""The folders with Python's, the installed and this package's modules, each with a separator at its end."""
+
+
+def is_importing(ident: int) -> bool:
+    """Return whether a thread executes the import system's own code, or a module that programs share."""
+    frame = thread_frames().get(ident)
+    if frame is not None and frame.f_code.co_filename.startswith("<frozen importlib"):
+        return True
+    while frame is not None:
+        if _begins_a_shared_module(frame):
+            return True
+        frame = frame.f_back
+    return False
+
+
+def _begins_a_shared_module(frame: FrameType) -> bool:
+    """Whether the frame is a module's first run; a program is no module, and a workspace's modules are its own."""
+    code = frame.f_code
+    if code.co_name != "<module>" or frame.f_globals.get("__name__") == "__main__":
+        return False
+    return os.path.normcase(code.co_filename).startswith(SHARED)

@@ -15,6 +15,10 @@ LATE = """import threading, time
 threading.Thread(target=lambda: (time.sleep(1), print("said late"))).start()
 time.sleep(2)"""
 
+SLOW = """from coursekit.view.progress_bar import ProgressBar
+with ProgressBar("Driving home"):
+    time.sleep(8)"""
+
 
 def outputs(page, source):
     """What stands below the cell with this text."""
@@ -40,3 +44,11 @@ def test_a_cell_that_misses_a_name_says_to_run_those_above(notebook, picture):
     page.locator(".jp-OutputArea-output", has_text="`robot` is made in another cell").wait_for(timeout=30_000)
     picture(page, "missing-name")
     assert "NameError" in outputs(page, "print(robot)")
+
+
+def test_the_bar_of_a_slow_cell_is_there_while_a_live_viewer_is_in_the_page(notebook, picture):
+    opened = notebook(LIVE, "view", "import time", SLOW, width=1300)
+    page = opened.page
+    page.evaluate("void jupyterapp.commands.execute('notebook:run-all-cells')")
+    page.locator(".jp-OutputArea-output", has_text="Driving home").wait_for(timeout=60_000)
+    picture(page, "bar-beside-viewer")

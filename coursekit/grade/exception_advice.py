@@ -14,7 +14,13 @@ UNPACKED = "Another number of values is taken there than came: what should your 
 NO_RESULT_YET = "A future's result() is None until it is done: spin until the future is complete before you read it."
 OTHER_TYPE = "A message's field takes exactly its type, and sys.argv holds texts: int(...) or float(...) makes numbers."
 NO_BASE = "Nothing of the node is there yet: begin __init__ with super().__init__(...) and the node's name."
+NO_DEPTH = "A publisher and a subscription take the depth of their queue as the last value, for example 10."
+NOT_YET = "A future is not yet the response: `await` it in an `async def`, or spin until it is done and take its result()."
+OWN_NAME = "The first of sys.argv is the program's own name: the arguments begin with sys.argv[1]."
 _CAUSES = (
+    (r"TypeError: .*missing 1 required positional argument: 'qos_profile'", NO_DEPTH),
+    (r"AttributeError: 'Future' object .*", NOT_YET),
+    (r"ValueError: invalid literal for int\(\) with base 10: '[^']*[/\\].*sys\.argv", OWN_NAME),
     (r"AttributeError: 'NoneType' object has no attribute .*\.result\(\)", NO_RESULT_YET),
     (r"AssertionError: The '\w+' field must be of type '(?:int|float|str|bool)'", OTHER_TYPE),
     (r"AttributeError: '\w+' object has no attribute '_(?:default_callback_group|parameter_overrides|logger)'", NO_BASE),
@@ -30,6 +36,12 @@ _CALL = re.compile(
 )
 """A method defined without `self`, or without the message: Python reports it at the call."""
 
+_UNKNOWN = re.compile(r"NameError: name '(?P<name>\w+)' is not defined")
+_OF_THE_NODE = re.compile(r"(?:create|get|declare|set|destroy)_\w+")
+_MAKES = re.compile(r"\(line .*create_(?:subscription|timer|service|client|publisher)\(")
+_CALLED = re.compile(r"TypeError: (?:\w+\.)+(?P<name>\w+)\(\) missing \d required .*\(line .*self\.(?P=name)\(\)")
+"""A callback that is called where it should be given."""
+
 
 def cause_of(died: str) -> str:
     """Return advice about an exception in the form of `exception_in`.
@@ -44,4 +56,18 @@ def cause_of(died: str) -> str:
             return f"`{call['name']}` gets one value, the object itself: begin it with `def {call['name']}(self):`."
         begin = f"begin it with `def {call['name']}(self, msg):`."
         return f"`{call['name']}` gets two values, the object itself and what it is called with: {begin}"
+    if unknown := _UNKNOWN.match(died):
+        return _about_a_name(unknown["name"], died)
+    if called := _CALLED.match(died):
+        given = f"self.{called['name']}"
+        return f"With brackets it is called there and then. Give the function itself, without brackets: `{given}`."
     return next((cause for pattern, cause in _CAUSES if re.match(pattern, died)), DIED)
+
+
+def _about_a_name(name: str, died: str) -> str:
+    """Return advice about a name that is not defined, in a line that makes a part of a node; else DIED."""
+    if _MAKES.search(died) and name[0].isupper():
+        return f"`{name}` is not imported: is there `from ... import {name}` at the top of its file, spelled so?"
+    if _OF_THE_NODE.fullmatch(name) or _MAKES.search(died):
+        return f"What belongs to the node is written with self before it: `self.{name}`."
+    return DIED

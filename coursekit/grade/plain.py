@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import linecache
 import math
+import re
 import sys
 import traceback
 from collections.abc import Callable, Mapping, Sequence
@@ -250,8 +251,12 @@ def _why_it_stopped(error: Exception) -> str:
         )
     if isinstance(error, NameError):
         return "Is it spelled so? After a restart, the cells above that make it have to be run again."
-    if isinstance(error, AttributeError) and "_Response'" in error_of(error):
-        return "The request comes first, then the response: does the function take them in this order?"
+    if isinstance(error, AttributeError) and (of := re.match(r"'\w+_(Request|Response)' .*'(\w+)'$", str(error))):
+        filled_in = re.search(rf"\.{of[2]} *=(?!=)", error_of(error)) is not None
+        if (of[1] == "Request") == filled_in:
+            return "The request comes first, then the response: does the function take them in this order?"
+        if filled_in:
+            return "The response has no field of this name: `ros2 interface show TYPE` lists them, below the three dashes."
     return "Your function stopped there."
 
 

@@ -43,9 +43,10 @@ def keep_output_in_cells(shell: Any) -> None:
     """Attach the output of threads to the cell that ran last, never to a widget's message.
 
     A thread started outside of any request prints to the latest request. A viewer sends thirty messages a second, and
-    output attached to a message is not shown: only cells may be that latest request.
+    output attached to a message is not shown: only cells may be that latest request. The publisher tells whether this
+    ipykernel has a latest request at all: the shell itself has the name only from its first request on.
     """
-    if not hasattr(shell, "_parent_header_global") or hasattr(shell.set_parent, "for_cells"):
+    if not hasattr(shell.display_pub, "_parent_header_global") or hasattr(shell.set_parent, "for_cells"):
         return
     set_parent = shell.set_parent
 

@@ -9,8 +9,10 @@ KNOWN: dict[str, Any] = {}
 
 
 def failed() -> list[Any]:
-    """Return the terminals whose programs ended with an error exit code, not by a signal."""
-    return [shown for shown in KNOWN.values() if (shown.process.exit_code or 0) > 0]
+    """Return the terminals whose programs ended with an error exit code by themselves: not by a signal, nor after Ctrl-C."""
+    return [
+        shown for shown in KNOWN.values() if (shown.process.exit_code or 0) > 0 and not shown.process.was_interrupted
+    ]
 
 
 __all__ = ["KNOWN", "failed"]

@@ -29,14 +29,17 @@ def _look(result: Any) -> None:
 def advice(name: str, cells: Iterable[str]) -> str:
     """Return advice about a missing name; empty unless one of these cells defines it.
 
-    >>> advice("robot", ["%cd -q src", "robot = load('vera.urdf')"])
-    '`robot` is made in another cell. After a restart run those above first: menu Run, Run All Above Selected Cell.'
+    >>> advice("robot", ["%cd -q src", "robot = load('vera.urdf')"]).split(".")[0]
+    '`robot` is made in another cell'
     >>> advice("robt", ["robot = 1"])
     ''
     """
     if not any(name in _made_by(source) for source in cells):
         return ""
-    first = gettext("After a restart run those above first: menu Run, Run All Above Selected Cell.")
+    first = gettext(
+        "After a restart run those above first: menu Run, Run All Above Selected Cell. "
+        "It stops at a check that is not passed yet: go on below it."
+    )
     return gettext(f"`{name}` is made in another cell. {first}")
 
 

@@ -28,10 +28,10 @@ def wait(seconds: float = 0.0, until: str = "", timeout_sec: float = PATIENCE_SE
     """
     session = current()
     what = gettext(f"Waiting for a message on {until}") if until else gettext("Waiting")
-    with ProgressBar(what, 0.0 if until else seconds):
+    with ProgressBar(what, 0.0 if until else seconds) as bar:
         if not until:
             session.clock.sleep(seconds)
-        elif not _wait_for(session, full_name(until), seconds, timeout_sec):
+        elif not _wait_for(session, full_name(until), seconds, timeout_sec, bar):
             if _nobody_runs(session):
                 raise NotNow(gettext(f"Nothing publishes {until}: no program runs. Run the cells above that start them."))
             said = gettext(
@@ -54,7 +54,13 @@ def _failed() -> str:
     return "".join(gettext(f"{shown.title} ended with {shown.state}. ") for shown in failed())
 
 
-def _wait_for(session: Session, topic: str, least: float, most: float) -> bool:
+def _while_nobody_publishes() -> str:
+    """Return what to show below the bar: programs that ended with an error, without which the wait may be in vain."""
+    ended = _failed()
+    return gettext(f"Nobody publishes it yet. {ended}The stop button (■) ends this wait.") if ended else ""
+
+
+def _wait_for(session: Session, topic: str, least: float, most: float, bar: ProgressBar) -> bool:
     clock = session.clock
     begin, hidden, heard = clock.steady(), HiddenNode("wait"), list[Any]()
     subscription = None
@@ -64,6 +70,7 @@ def _wait_for(session: Session, topic: str, least: float, most: float) -> bool:
                 subscription = listen(hidden, topic, heard.append)
             if subscription is None and passed >= least and _nobody_runs(session):
                 break
+            bar.note = _while_nobody_publishes() if subscription is None else ""
             clock.sleep(min(LOOK_SECONDS, least - passed) if passed < least else LOOK_SECONDS)
     finally:
         hidden.close()

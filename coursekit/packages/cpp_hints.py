@@ -103,6 +103,10 @@ _RULES: tuple[tuple[str, str | Mending], ...] = (
      "a subscription's callback takes the message, as SharedPtr or const &, and std::bind() one placeholder for it."),
     (r"no match for call to .{0,3}\(std::_Bind|no type named .{0,3}type.{0,3} in .{0,3}(struct|class) std::_?(result|Bind)",
      "the function given to std::bind() takes other arguments: one placeholder, std::placeholders::_1, ..., for each."),
+    (r"error: .this. was not captured|.this. cannot be implicitly captured",
+     "begin the lambda with [this]: what belongs to the node is used in it."),
+    (r"no matching (member )?function for call to .{0,3}(\w+::)*create_(wall_)?timer",
+     "a timer takes a time with its unit, such as 500ms, and then a function, such as [this] { speak(); }."),
     (r"invalid use of non-static member function", "write std::bind(&Class::function, this, ...): with &Class::, and this."),
     (r"undefined reference to [`‘']?main|undefined symbol: main", "a program needs int main(int argc, char ** argv)."),
     (rf"undefined reference to [`‘']{_BEFORE}(?P<name>[\w:~]+){_BEHIND}"

@@ -29,6 +29,8 @@ class BaseProcess(ABC):
         self.exit_code: int | None = None
         self.abandoned = False
         """Whether it could not be ended, and was detached."""
+        self.was_interrupted = False
+        """Whether it was sent Ctrl-C: the exit code that follows then says nothing of its work."""
         self.out = Output()
         self.tty = False
         """Whether its streams claim to be a terminal."""
@@ -87,6 +89,7 @@ class BaseProcess(ABC):
 
     def interrupt(self) -> None:
         """Send Ctrl-C (SIGINT)."""
+        self.was_interrupted = True
         self.send_signal(signal.SIGINT)
 
     def terminate(self) -> None:

@@ -28,6 +28,8 @@ class ProgressBar(AbstractContextManager["ProgressBar"]):
         """`late` is shown below the bar once the block has run for LATE_SECONDS."""
         self.share: float | None = None
         """The completed fraction, 0 to 1; None if unknown, or if the work lasts `seconds`."""
+        self.note = ""
+        """A sentence below the bar, for as long as it is set."""
         self._over = threading.Event()
         self._thread = threading.Thread(target=self._show, daemon=True)
         self._since = time.monotonic()
@@ -59,8 +61,9 @@ class ProgressBar(AbstractContextManager["ProgressBar"]):
         value = "" if share is None else f' value="{min(max(share, 0.0), 1.0):.3f}"'
         style = "font:13px system-ui,sans-serif;color:#68757d"
         bar = f'<progress max="1"{value} style="width:14rem;vertical-align:middle"></progress>'
-        late = f"<br>{html.escape(self.late)}" if self.late and passed >= LATE_SECONDS else ""
-        return f'<div style="{style}">{html.escape(self.what)} {bar} {passed:.0f} s{late}</div>'
+        notes = (self.note, self.late if passed >= LATE_SECONDS else "")
+        below = "".join(f"<br>{html.escape(note)}" for note in notes if note)
+        return f'<div style="{style}">{html.escape(self.what)} {bar} {passed:.0f} s{below}</div>'
 
 
 def _has_a_page() -> bool:

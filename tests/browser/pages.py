@@ -53,6 +53,20 @@ ASK = """async (code) => {
     await future.done;
     return text;
 }"""
+BROKEN_WORDS = """(node) => {
+    const broken = [];
+    const texts = document.createTreeWalker(node, NodeFilter.SHOW_TEXT);
+    while (texts.nextNode()) {
+        for (const { 0: word, index } of texts.currentNode.data.matchAll(/\\w+/g)) {
+            const range = document.createRange();
+            range.setStart(texts.currentNode, index);
+            range.setEnd(texts.currentNode, index + word.length);
+            if (new Set([...range.getClientRects()].map((line) => Math.round(line.top))).size > 1) broken.push(word);
+        }
+    }
+    return broken;
+}"""
+"""The words below an element that begin in one line and end in the next."""
 _TELLS_ITS_STACKS = """
 import faulthandler, os, signal
 if hasattr(signal, "SIGUSR1"):  # Windows has none

@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from tests.browser.pages import set_theme
+from tests.browser.pages import BROKEN_WORDS, set_theme
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(240)]
 
@@ -132,6 +132,7 @@ def test_parameters_topics_and_log_are_seen_and_set(notebook, picture):
     opened.run()
     page = opened.page
     row = page.locator(".ck-parameters .ck-row").filter(has_text="background_r")
+    assert page.locator(".ck-parameters").evaluate(BROKEN_WORDS) == [], "long names go on after a dot"
     row.locator('input[type="number"]').fill("200")
     row.locator('input[type="number"]').press("Enter")
     reads(page, ".ck-parameters .ck-note", "set")

@@ -18,6 +18,14 @@ def swapped(response, request):
     return request.data
 
 
+def swapped_and_filled_in(response, request):
+    response.success = True
+
+
+def misspelt_field(request, response):
+    response.sucess = request.data
+
+
 def misspelt(request, response):
     return stat  # noqa: F821
 
@@ -27,6 +35,8 @@ def misspelt(request, response):
     [
         (own_name, "To change one outside, change what is in it, or say `global`."),
         (swapped, "The request comes first, then the response"),
+        (swapped_and_filled_in, "The request comes first, then the response"),
+        (misspelt_field, "no field of this name"),
         (misspelt, "Is it spelled so?"),
         (lambda request, response: request.nothing, "Your function stopped there."),
     ],

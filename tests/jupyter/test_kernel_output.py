@@ -35,6 +35,7 @@ def request(kind, number, **content):
 def shell_with(monkeypatch):
     """A shell, mended twice; to be made in the test itself, because pytest has its own stdout before."""
     kernel_shell = Part()
+    del kernel_shell._parent_header_global  # ipykernel's shell has one only from its first request on
     kernel_shell.displayhook, kernel_shell.display_pub = Part(), Part()
     monkeypatch.setattr(sys, "stdout", Part())
     parts = [kernel_shell.displayhook, kernel_shell.display_pub, sys.stdout]

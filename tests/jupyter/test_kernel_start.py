@@ -54,6 +54,10 @@ def test_what_a_cell_starts_is_the_cell_s(kernel):
     assert kernel(line).startswith("Run again: replaced process ros2 run demo_nodes_py talker")
 
 
+def test_a_real_kernel_keeps_the_output_of_threads_in_cells(kernel):
+    assert kernel("print(get_ipython().set_parent.for_cells)") == "True\n"
+
+
 INIT = "import rclpy\nrclpy.init()\nnode = rclpy.create_node('n')\nprint(node.get_name())"
 
 

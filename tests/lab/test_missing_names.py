@@ -27,6 +27,10 @@ def test_a_name_that_another_cell_makes_is_told(cell):
     assert "`robot` is made in another cell" in missing_names.advice("robot", ["x = 1", cell])
 
 
+def test_the_advice_says_that_an_unsolved_exercise_stops_the_cells_above():
+    assert "stops at a check that is not passed yet" in missing_names.advice("robot", ["robot = 1"])
+
+
 @pytest.mark.parametrize("cell", ["robots = 1", "print(robot)", "robot = (", "%%bash\nrobot=1", "", "robot.arm = 1"])
 def test_other_names_are_not(cell):
     assert missing_names.advice("robot", [cell]) == ""

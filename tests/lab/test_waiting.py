@@ -3,11 +3,13 @@
 import pytest
 from IPython.core.interactiveshell import InteractiveShell
 
+from coursekit.lab import waiting
 from coursekit.lab.errors import NotNow, TooLate
-from coursekit.lab.known_terminals import KNOWN
+from coursekit.lab.known_terminals import KNOWN, failed
 from coursekit.lab.magics import CourseMagics, show_as
 from coursekit.lab.terminal import Terminal
 from coursekit.lab.waiting import wait
+from coursekit.view.progress_bar import ProgressBar
 
 
 def late_talker(session, delay):
@@ -73,6 +75,45 @@ def test_a_program_that_ended_with_an_error_is_named_with_what_never_came(sessio
     silent(session)
     with pytest.raises(TimeoutError, match=r"within 1 s\. client_exe ended with exit code 3\. `graph"):
         wait(until="/map", timeout_sec=1.0)
+
+
+def test_the_bar_names_a_program_that_ended_while_nobody_publishes(session, monkeypatch):
+    bars = []
+    monkeypatch.setattr(waiting, "ProgressBar", lambda *given: bars.append(ProgressBar(*given)) or bars[-1])
+    KNOWN.clear()
+    shown = Terminal(session.start(lambda: 3, name="client_exe"), "client_exe")
+    shown.wait()
+    show_as("client_exe", shown)
+    silent(session)
+    with pytest.raises(TooLate):
+        wait(until="/map", timeout_sec=1.0)
+    assert "Nobody publishes it yet. client_exe ended with exit code 3. The stop button" in bars[0].html()
+
+
+def test_the_bar_is_quiet_once_somebody_publishes(session, monkeypatch):
+    bars = []
+    monkeypatch.setattr(waiting, "ProgressBar", lambda *given: bars.append(ProgressBar(*given)) or bars[-1])
+    late_talker(session, 2.0)
+    wait(until="/map")
+    assert "Nobody" not in bars[0].html()
+
+
+def test_a_program_that_ended_by_ctrl_c_has_not_failed(session):
+    KNOWN.clear()
+
+    def main():
+        try:
+            session.clock.sleep(100.0)
+        except KeyboardInterrupt:
+            return 2  # as `ros2 topic pub` does
+        return 0
+
+    shown = Terminal(session.start(main, name="pub"), "pub")
+    show_as("pub", shown)
+    session.clock.sleep(1.0)
+    shown.interrupt()
+    shown.wait()
+    assert shown.process.exit_code == 2 and failed() == []
 
 
 def ros2(line):

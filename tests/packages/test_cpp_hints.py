@@ -46,6 +46,11 @@ SAID = {
     "a.cpp:8: undefined reference to `std::list<a::B, std::less<a::B> > Robot::path<a::B, 3>(int)'": "Robot::path is d",
     "ld.lld: error: undefined symbol: Robot::turn()": "Robot::turn is declared and not defined",
     "a.cpp:30:1: error: expected ‘}’ at end of input": "count the braces",
+    "a.cpp:11:49: error: ‘this’ was not captured for this lambda function\n"
+    "a.cpp:11:49: error: cannot call member function ‘void A::speak()’ without object": "begin the lambda with [this]",
+    "a.cpp:11:49: error: 'this' cannot be implicitly captured in this context": "begin the lambda with [this]",
+    "a.cpp:11:31: error: no matching function for call to ‘A::create_wall_timer(double, A::<lambda()>)’": "such as 500ms",
+    "a.cpp:11:31: error: no matching member function for call to 'create_wall_timer'": "such as 500ms",
 }
 
 

@@ -34,7 +34,8 @@ export default {
       const note = lines.get(row.name)?.note ?? make("span", { className: "ck-note" });
       const extent = row.least === undefined ? "" : `  ${row.least} … ${row.greatest}`;
       const about = make("span", { className: "ck-dim ck-about", textContent: row.type + extent + (row.locked ? `  ${gettext("read-only")}` : "") });
-      const title = make("span", { className: "ck-name" }, make("b", { textContent: row.name }));
+      const parts = row.name.split(/(?<=[./])/).flatMap((part) => [part, make("wbr")]);  // a long name goes on after a dot
+      const title = make("span", { className: "ck-name" }, make("b", {}, ...parts));
       if (row.description) title.append(make("span", { className: "ck-dim ck-description", textContent: row.description }));
       const controls = make("span", { className: "ck-control" }, ...control(row, set));
       return { row: make("div", { className: "ck-row" }, title, controls, about, note), note, said: JSON.stringify(row) };

@@ -140,5 +140,5 @@ class RobotModel(Display):
             self.say("Links", "Ok", f"{self.robot.name}: {total} of {total} links placed")
             return
         first, text = next(iter(missing.items()))
-        more = f" The same holds for {len(missing) - 1} more of {total} links." if len(missing) > 1 else ""
+        more = f". The same holds for {len(missing) - 1} more of {total} links." if len(missing) > 1 else ""
         self.say("Links", "Error", text + more if first else text)

@@ -1,5 +1,6 @@
 // JupyterLab says "Error displaying widget: model not found" for every view of a notebook that is opened anew. The output holds
-// more than that view: its picture or its text, which this shows instead, and says what to do. It also gives pictures their texts.
+// more than that view: its picture or its text, which this shows instead, and says what to do. It also gives pictures their texts,
+// and keeps the words of outputs whole, which JupyterLab breaks anywhere at the end of a line.
 (() => {
   const WIDGET = "application/vnd.jupyter.widget-view+json";
   const FAILED = /^Error displaying widget/;
@@ -81,7 +82,14 @@
     }
   }
 
+  function keepWordsWhole() {
+    const style = document.createElement("style");
+    style.textContent = ".jp-OutputArea .jp-OutputArea-output.jp-RenderedText pre { word-break: normal; overflow-wrap: anywhere; }";
+    document.head.append(style);
+  }
+
   function activate(app) {
+    keepWordsWhole();
     document.addEventListener("coursekit-desk", ({ detail }) => {
       keepDesks(app, detail);
       setTimeout(() => fitToolbars(app), SETTLED_MS);

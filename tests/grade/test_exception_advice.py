@@ -1,0 +1,40 @@
+"""The first mistakes with `self`, callbacks and futures: the advice names what to write."""
+
+import pytest
+
+from coursekit.grade.exception_advice import DIED, cause_of
+
+MAKES = 'self.subscription = self.create_subscription(String, "words",'
+SAID = {
+    f"NameError: name 'heard' is not defined (line 8 of ear.py: {MAKES} heard, 10))": "`self.heard`",
+    "NameError: name 'create_timer' is not defined (line 8 of ear.py: create_timer(0.5, self.speak))": "`self.create_timer`",
+    "NameError: name 'get_logger' is not defined (line 8 of ear.py: get_logger().info(text))": "`self.get_logger`",
+    f"NameError: name 'Int32' is not defined (line 8 of ear.py: {MAKES.replace('String', 'Int32')} self.heard, 10))": (
+        "`Int32` is not imported"
+    ),
+    f"TypeError: Ear.heard() missing 1 required positional argument: 'msg' (line 8 of ear.py: {MAKES} self.heard(), 10))": (
+        "without brackets: `self.heard`"
+    ),
+    "TypeError: Node.create_subscription() missing 1 required positional argument: 'qos_profile' "
+    f"(line 8 of ear.py: {MAKES} self.heard))": "for example 10",
+    "AttributeError: 'Future' object has no attribute 'sum' (line 11 of gate.py: self.client.call_async(ab).sum)": "`await`",
+    "ValueError: invalid literal for int() with base 10: '/ws/install/p/lib/p/client_exe' (line 8 of main.py: a, b = "
+    "map(int, sys.argv))": "sys.argv[1]",
+}
+
+
+@pytest.mark.parametrize("died", SAID)
+def test_a_first_mistake_is_named_with_its_cure(died):
+    assert SAID[died] in cause_of(died)
+
+
+@pytest.mark.parametrize(
+    "died",
+    [
+        "NameError: name 'speed' is not defined (line 8 of ear.py: return speed * 2)",
+        "TypeError: area() missing 1 required positional argument: 'width' (line 8 of ear.py: return area(2))",
+        "ValueError: invalid literal for int() with base 10: 'x' (line 8 of main.py: a = int(sys.argv[1]))",
+    ],
+)
+def test_where_the_cause_is_not_known_none_is_claimed(died):
+    assert cause_of(died) == DIED

@@ -1,4 +1,4 @@
-// Fills a buffer with what is broadcast, in a thread of the session's: a thread of its own only says that one may wait for transforms.
+// Fills a buffer with what is broadcast, in a thread of the session's; one of its own means that a program may wait for transforms.
 #pragma once
 #include "tf2_ros/buffer.h"
 #include "tf2_ros/qos.hpp"
@@ -15,8 +15,8 @@ public:
   }
   template<class N, class = std::enable_if_t<!std::is_same_v<std::decay_t<N>, bool>>>
   TransformListener(
-    tf2::BufferCore & buffer, N &&, bool spin_thread = true, const rclcpp::QoS & = DynamicListenerQoS(), const rclcpp::QoS & = StaticListenerQoS(),
-    bool static_only = false)
+    tf2::BufferCore & buffer, N &&, bool spin_thread = true, const rclcpp::QoS & = DynamicListenerQoS(),
+    const rclcpp::QoS & = StaticListenerQoS(), bool static_only = false)
   {
     listen(buffer, spin_thread, static_only);
   }

@@ -89,19 +89,22 @@ int main(int argc, char ** argv)
   rclcpp::init(argc, argv);
   rclcpp::executors::SingleThreadedExecutor executor;
   std::vector<rclcpp_components::NodeInstanceWrapper> nodes;
-  std::vector<std::unique_ptr<class_loader::ClassLoader>> loaders;
+  class_loader::MultiLibraryClassLoader all(false);
   for (int i = 1; i < argc; ++i) {
-    loaders.push_back(std::make_unique<class_loader::ClassLoader>(argv[i]));
-    class_loader::MultiLibraryClassLoader all(false);
     all.loadLibrary(argv[i]);
     for (auto & name : all.getAvailableClassesForLibrary<rclcpp_components::NodeFactory>(argv[i])) {
       std::cout << "makes " << name << std::endl;
-      auto factory = loaders.back()->createInstance<rclcpp_components::NodeFactory>(name);
+      auto factory = all.createInstance<rclcpp_components::NodeFactory>(name, argv[i]);
       nodes.push_back(factory->create_node_instance(rclcpp::NodeOptions()));
       executor.add_node(nodes.back().get_node_base_interface());
     }
   }
   executor.spin();
+  try {
+    class_loader::MultiLibraryClassLoader(true).createUniqueInstance<rclcpp_components::NodeFactory>("Any", "k_missing");
+  } catch (const class_loader::NoClassLoaderExistsException & error) {
+    std::cout << std::string(error.what()).substr(0, 82) << std::endl;
+  }
   try {
     class_loader::ClassLoader other(class_loader::systemLibraryFormat("k_missing"));
   } catch (const class_loader::LibraryLoadException & error) {
@@ -266,6 +269,7 @@ def test_a_component_is_loaded_from_its_library(workspace, by_name):
         "0 makes rclcpp_components::NodeFactoryTemplate<shop::Lathe>",
         "[INFO] [1700000000.000000000] [lathe]: twice",
         "[INFO] [1700000000.100000000] [lathe]: turns",
+        "There is no ClassLoader in MultiLibraryClassLoader bound to library k_missing Ensu",
         "Could not load library libk_missing.so:",
     ], said.stderr
 

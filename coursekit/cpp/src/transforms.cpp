@@ -125,31 +125,44 @@ Buffer::Buffer(rclcpp::Clock::SharedPtr clock, tf2::Duration cache_time, rclcpp:
     throw std::invalid_argument("clock must be a valid instance");
   }
 }
+bool Buffer::may_wait(tf2::Duration timeout, std::string * why_not) const
+{
+  if (isUsingDedicatedThread() || timeout == tf2::Duration::zero()) {
+    return true;
+  }
+  if (why_not) {
+    *why_not = threading_error;
+  }
+  RCLCPP_ERROR(rclcpp::get_logger("tf2_buffer"), "%s", threading_error);
+  return false;
+}
 geometry_msgs::msg::TransformStamped Buffer::lookupTransform(
   const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout) const
 {
-  auto answer = asked("tf_lookup", Packer{}.i(id).i(timeout.count()).s(target).s(source).i(count(time)));
+  const int64_t waits = may_wait(timeout) ? timeout.count() : 0;
+  auto answer = asked("tf_lookup", Packer{}.i(id).i(waits).s(target).s(source).i(count(time)));
   return answer.m<geometry_msgs::msg::TransformStamped>();
 }
 geometry_msgs::msg::TransformStamped Buffer::lookupTransform(
   const std::string & target, const tf2::TimePoint & target_time, const std::string & source, const tf2::TimePoint & source_time,
   const std::string & fixed, const tf2::Duration timeout) const
 {
-  Packer with = Packer{}.i(id).i(timeout.count()).s(target).i(count(target_time)).s(source).i(count(source_time)).s(fixed);
+  const int64_t waits = may_wait(timeout) ? timeout.count() : 0;
+  Packer with = Packer{}.i(id).i(waits).s(target).i(count(target_time)).s(source).i(count(source_time)).s(fixed);
   return asked("tf_lookup_full", with).m<geometry_msgs::msg::TransformStamped>();
 }
 bool Buffer::canTransform(
   const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout,
   std::string * why_not) const
 {
-  return can("tf_can", Packer{}.i(id).i(timeout.count()).s(target).s(source).i(count(time)), why_not);
+  return may_wait(timeout, why_not) && can("tf_can", Packer{}.i(id).i(timeout.count()).s(target).s(source).i(count(time)), why_not);
 }
 bool Buffer::canTransform(
   const std::string & target, const tf2::TimePoint & target_time, const std::string & source, const tf2::TimePoint & source_time,
   const std::string & fixed, const tf2::Duration timeout, std::string * why_not) const
 {
   Packer with = Packer{}.i(id).i(timeout.count()).s(target).i(count(target_time)).s(source).i(count(source_time)).s(fixed);
-  return can("tf_can_full", with, why_not);
+  return may_wait(timeout, why_not) && can("tf_can_full", with, why_not);
 }
 TransformStampedFuture Buffer::waitForTransform(
   const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration & timeout,
@@ -271,8 +284,11 @@ BufferServer::BufferServer(
 {
   id = asked("tf_server", Packer{}.i(buffer.id).i(node.id).s(ns).i(check_period.count())).i();
 }
-void TransformListener::listen(tf2::BufferCore & buffer, bool static_only)
+void TransformListener::listen(tf2::BufferCore & buffer, bool spin_thread, bool static_only)
 {
+  if (spin_thread) {
+    buffer.setUsingDedicatedThread(true);
+  }
   id = asked("tf_listener", Packer{}.i(buffer.id).i(static_only)).i();
 }
 }  // namespace tf2_ros

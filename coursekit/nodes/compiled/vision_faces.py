@@ -1,6 +1,6 @@
 """What a compiled program calls in OpenCV 4.5 and Python's newer cv2 does in other words: ArUco markers, cascades.
 
-Key points and their matches: vision_features.
+Key points and their matches: vision_features. Files of settings: vision_files.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from coursekit.nodes.compiled import vision_features
+from coursekit.nodes.compiled import vision_features, vision_files
 
 if TYPE_CHECKING:
     import cv2
@@ -91,5 +91,6 @@ FACES: dict[str, Callable[..., Any]] = {
     "aruco_draw": outlined,
     "cascade": cascade,
     **vision_features.FACES,
+    **vision_files.FACES,
 }
 """The functions by the names that C++ asks for."""

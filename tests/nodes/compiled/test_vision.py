@@ -244,6 +244,23 @@ def test_markers_codes_corners_and_what_moves_are_found(said, tmp_path):
     assert lines[10:] == ["9600 400", "0100", "[ROS 2] 4", "1 24 30", "132 2 0 23", "3111"]
 
 
+def test_settings_are_written_and_read_and_pixels_are_iterated(said, tmp_path):
+    (tmp_path / "plain.yaml").write_text("a: 1\n")  # without OpenCV's first line
+    lines = said("settings")
+    assert lines == [
+        "0",
+        "1640 0.25 front camera 300.5 0.55",
+        "12 a.png b.png 12.5",
+        "[3, 4.5]8[4 x 3]4Vera0 1111",
+        "001 0 6",
+        "15 [  0,   1,   2;",
+        "   3,   4,   5]236",
+    ]
+    file = cv2.FileStorage(str(tmp_path / "camera.yaml"), cv2.FILE_STORAGE_READ)
+    assert file.getNode("camera_matrix").mat().tolist() == [[300, 0, 160], [0, 300.5, 120], [0, 0, 1]]
+    assert file.getNode("corners").at(1).at(1).real() == 4.5
+
+
 def followed():
     """Where the program's KalmanFilter is at its end, by Python's."""
     kalman = cv2.KalmanFilter(2, 1)

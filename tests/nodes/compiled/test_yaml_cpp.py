@@ -55,7 +55,15 @@ gains: [1, 2, 3]
 none: ~
 text: "5"
 1
-1.25[a, {b: c}]""".splitlines()
+1.25[a, {b: c}]
+# what a robot may do
+speed: 0.5  # m/s
+spot: [1, 2]  # in m
+wheels:  # left first
+  - one
+  - two  # of two
+  # lines
+# nothing""".splitlines()
 
 
 def test_nodes_are_read_changed_and_written(session, build, tmp_path):

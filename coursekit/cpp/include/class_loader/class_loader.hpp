@@ -1,5 +1,6 @@
 // Classes by their names: of a library that is loaded while the program runs, or of what the program is linked with.
 #pragma once
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <string>
@@ -41,15 +42,15 @@ public:
   }
   const std::string & getLibraryPath() const {return path_;}
   bool isOnDemandLoadUnloadEnabled() const {return on_demand_;}
-  bool isLibraryLoaded() const {return loads_ > 0;}
+  bool isLibraryLoaded() const {return uses_->loads > 0;}
   bool isLibraryLoadedByAnyClassloader() const {return isLibraryLoaded();}
   void loadLibrary()
   {
     registry::load(path_);
-    ++loads_;
+    ++uses_->loads;
   }
-  /// How many loads are left. The code stays in memory, so that objects that were made outlive this.
-  int unloadLibrary() {return loads_ > 0 ? --loads_ : 0;}
+  /// How many loads are left; a library with objects stays. The code is kept in memory, so that objects outlive this.
+  int unloadLibrary() {return uses_->objects > 0 ? uses_->loads.load() : uses_->unload();}
 
   template<class Base>
   std::vector<std::string> getAvailableClasses() const {return registry::names(registry::key<Base>(), path_);}
@@ -73,19 +74,38 @@ public:
   template<class Base>
   std::shared_ptr<Base> createSharedInstance(const std::string & name)
   {
-    return std::shared_ptr<Base>(createUnmanagedInstance<Base>(name));
+    Base * made = createUnmanagedInstance<Base>(name);
+    return std::shared_ptr<Base>(made, counted<Base>());
   }
   template<class Base>
   std::shared_ptr<Base> createInstance(const std::string & name) {return createSharedInstance<Base>(name);}
   template<class Base>
   UniquePtr<Base> createUniqueInstance(const std::string & name)
   {
-    return UniquePtr<Base>(createUnmanagedInstance<Base>(name), std::default_delete<Base>());
+    Base * made = createUnmanagedInstance<Base>(name);
+    return UniquePtr<Base>(made, counted<Base>());
   }
 
 private:
+  struct Uses
+  {
+    std::atomic<int> loads{0}, objects{0};
+    int unload() {return loads > 0 ? --loads : 0;}
+  };
+  /// Deletes an object; a library that was loaded on demand is unloaded with the last.
+  template<class Base>
+  DeleterType<Base> counted()
+  {
+    ++uses_->objects;
+    return [uses = uses_, on_demand = on_demand_](Base * object) {
+             delete object;
+             if (--uses->objects == 0 && on_demand) {
+               uses->unload();
+             }
+           };
+  }
   std::string path_;
   bool on_demand_;
-  int loads_ = 0;
+  std::shared_ptr<Uses> uses_ = std::make_shared<Uses>();
 };
 }  // namespace class_loader

@@ -40,13 +40,7 @@ public:
   template<class Base>
   std::vector<std::string> getAvailableClassesForLibrary(const std::string & path) const
   {
-    auto found = loaders_.find(path);
-    if (found == loaders_.end()) {
-      throw NoClassLoaderExistsException(
-              "There is no ClassLoader in MultiLibraryClassLoader bound to library " + path +
-              " Ensure you called MultiLibraryClassLoader::loadLibrary()");
-    }
-    return found->second->template getAvailableClasses<Base>();
+    return loader_for(path).template getAvailableClasses<Base>();
   }
   template<class Base>
   bool isClassAvailable(const std::string & name) const {return loader_of<Base>(name) != nullptr;}
@@ -54,6 +48,22 @@ public:
   std::shared_ptr<Base> createSharedInstance(const std::string & name) {return found<Base>(name).template createSharedInstance<Base>(name);}
   template<class Base>
   std::shared_ptr<Base> createInstance(const std::string & name) {return createSharedInstance<Base>(name);}
+  /// The class of one of the libraries.
+  template<class Base>
+  std::shared_ptr<Base> createSharedInstance(const std::string & name, const std::string & library_path)
+  {
+    return loader_for(library_path).template createSharedInstance<Base>(name);
+  }
+  template<class Base>
+  std::shared_ptr<Base> createInstance(const std::string & name, const std::string & library_path)
+  {
+    return createSharedInstance<Base>(name, library_path);
+  }
+  template<class Base>
+  ClassLoader::UniquePtr<Base> createUniqueInstance(const std::string & name, const std::string & library_path)
+  {
+    return loader_for(library_path).template createUniqueInstance<Base>(name);
+  }
   template<class Base>
   ClassLoader::UniquePtr<Base> createUniqueInstance(const std::string & name)
   {
@@ -63,6 +73,16 @@ public:
   Base * createUnmanagedInstance(const std::string & name) {return found<Base>(name).template createUnmanagedInstance<Base>(name);}
 
 private:
+  ClassLoader & loader_for(const std::string & path) const
+  {
+    auto found = loaders_.find(path);
+    if (found == loaders_.end()) {
+      throw NoClassLoaderExistsException(
+              "There is no ClassLoader in MultiLibraryClassLoader bound to library " + path +
+              " Ensure you called MultiLibraryClassLoader::loadLibrary()");
+    }
+    return *found->second;
+  }
   template<class Base>
   ClassLoader * loader_of(const std::string & name) const
   {

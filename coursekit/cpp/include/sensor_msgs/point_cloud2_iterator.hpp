@@ -91,8 +91,8 @@ private:
 
 namespace impl
 {
-/// An iterator over one field; C is the cloud, T what the field's bytes are.
-template<class T, class C, class Byte>
+/// What the iterator V over one field is made of; C is the cloud, T what the field's bytes are.
+template<class V, class T, class C, class Byte>
 class FieldIterator
 {
 public:
@@ -104,21 +104,21 @@ public:
   }
   T & operator*() const {return *reinterpret_cast<T *>(at_);}
   T & operator[](size_t i) const {return reinterpret_cast<T *>(at_)[i];}
-  FieldIterator & operator++() {return *this += 1;}
-  FieldIterator & operator+=(int count)
+  V & operator++() {return *this += 1;}
+  V & operator+=(int count)
   {
     at_ += static_cast<ptrdiff_t>(count) * step_;
-    return *this;
+    return static_cast<V &>(*this);
   }
-  FieldIterator operator+(int count) const
+  V operator+(int count) const
   {
-    FieldIterator moved = *this;
+    V moved = static_cast<const V &>(*this);
     return moved += count;
   }
   bool operator!=(const FieldIterator & other) const {return at_ != other.at_;}
-  FieldIterator end() const
+  V end() const
   {
-    FieldIterator last = *this;
+    V last = static_cast<const V &>(*this);
     last.at_ = end_;
     return last;
   }
@@ -148,15 +148,16 @@ private:
 }  // namespace impl
 
 template<class T>
-class PointCloud2Iterator : public impl::FieldIterator<T, msg::PointCloud2, unsigned char>
+class PointCloud2Iterator : public impl::FieldIterator<PointCloud2Iterator<T>, T, msg::PointCloud2, unsigned char>
 {
 public:
-  using impl::FieldIterator<T, msg::PointCloud2, unsigned char>::FieldIterator;
+  using impl::FieldIterator<PointCloud2Iterator<T>, T, msg::PointCloud2, unsigned char>::FieldIterator;
 };
 template<class T>
-class PointCloud2ConstIterator : public impl::FieldIterator<const T, const msg::PointCloud2, const unsigned char>
+class PointCloud2ConstIterator
+  : public impl::FieldIterator<PointCloud2ConstIterator<T>, const T, const msg::PointCloud2, const unsigned char>
 {
 public:
-  using impl::FieldIterator<const T, const msg::PointCloud2, const unsigned char>::FieldIterator;
+  using impl::FieldIterator<PointCloud2ConstIterator<T>, const T, const msg::PointCloud2, const unsigned char>::FieldIterator;
 };
 }  // namespace sensor_msgs

@@ -1,5 +1,6 @@
 // From messages to what tf2 counts with, and back: tf2_geometry_msgs says how, for each pair.
 #pragma once
+#include <array>
 #include <type_traits>
 
 #include "rosidl_runtime_cpp/message.hpp"
@@ -33,8 +34,28 @@ void convert(const A & a, B & b)
     b = a;
   } else if constexpr (coursekit::is_message<B>::value) {
     b = toMsg(a);
-  } else {
+  } else if constexpr (coursekit::is_message<A>::value) {
     fromMsg(a, b);
+  } else {
+    fromMsg(toMsg(a), b);  // types of two libraries know only the message between them
   }
+}
+/// A covariance's rows.
+inline std::array<std::array<double, 6>, 6> covarianceRowMajorToNested(const std::array<double, 36> & flat)
+{
+  std::array<std::array<double, 6>, 6> rows{};
+  for (size_t at = 0; at < flat.size(); ++at) {
+    rows[at / 6][at % 6] = flat[at];
+  }
+  return rows;
+}
+/// Its rows, one after the other.
+inline std::array<double, 36> covarianceNestedToRowMajor(const std::array<std::array<double, 6>, 6> & rows)
+{
+  std::array<double, 36> flat{};
+  for (size_t at = 0; at < flat.size(); ++at) {
+    flat[at] = rows[at / 6][at % 6];
+  }
+  return flat;
 }
 }  // namespace tf2

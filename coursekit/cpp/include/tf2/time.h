@@ -14,7 +14,12 @@ static const TimePoint TimePointZero = TimePoint(Duration::zero());
 static const Duration BUFFER_CORE_DEFAULT_CACHE_TIME = std::chrono::seconds(10);
 
 inline TimePoint get_now() {return std::chrono::time_point_cast<Duration>(std::chrono::system_clock::now());}
-inline Duration durationFromSec(double seconds) {return Duration(static_cast<int64_t>(std::floor(seconds * 1e9)));}
+/// Rounded to nanoseconds; the whole seconds apart, since those of today leave too few digits for the rest.
+inline Duration durationFromSec(double seconds)
+{
+  const double whole = std::floor(seconds);
+  return std::chrono::seconds(static_cast<int64_t>(whole)) + Duration(std::llround((seconds - whole) * 1e9));
+}
 inline TimePoint timeFromSec(double seconds) {return TimePoint(durationFromSec(seconds));}
 inline double durationToSec(const Duration & duration) {return static_cast<double>(duration.count()) / 1e9;}
 inline double timeToSec(const TimePoint & time) {return durationToSec(time.time_since_epoch());}

@@ -201,26 +201,9 @@ inline void doTransform(const gm::Polygon & in, gm::Polygon & out, const gm::Tra
   }
   out = moved;
 }
-/// A covariance's rows.
-inline std::array<std::array<double, 6>, 6> covarianceRowMajorToNested(const std::array<double, 36> & flat)
-{
-  std::array<std::array<double, 6>, 6> rows{};
-  for (size_t at = 0; at < flat.size(); ++at) {
-    rows[at / 6][at % 6] = flat[at];
-  }
-  return rows;
-}
 inline std::array<std::array<double, 6>, 6> getCovarianceMatrix(const gm::PoseWithCovarianceStamped & message)
 {
   return covarianceRowMajorToNested(message.pose.covariance);
-}
-inline std::array<double, 36> covarianceNestedToRowMajor(const std::array<std::array<double, 6>, 6> & rows)
-{
-  std::array<double, 36> flat{};
-  for (size_t at = 0; at < flat.size(); ++at) {
-    flat[at] = rows[at / 6][at % 6];
-  }
-  return flat;
 }
 #define COURSEKIT_STAMPED(Type, field) \
   inline void doTransform(const gm::Type & in, gm::Type & out, const gm::TransformStamped & transform) \

@@ -27,6 +27,11 @@ private:
 };
 using TransformReadyCallback = std::function<void (const TransformStampedFuture &)>;
 
+static const char threading_error[] =
+  "Do not call canTransform or lookupTransform with a timeout unless you are using another thread for populating data. "
+  "Without a dedicated thread it will always timeout.  If you have a separate thread servicing tf messages, call "
+  "setUsingDedicatedThread(true) on your Buffer instance.";
+
 class Buffer : public BufferInterface, public tf2::BufferCore
 {
 public:
@@ -35,7 +40,10 @@ public:
     rclcpp::Clock::SharedPtr clock, tf2::Duration cache_time = tf2::BUFFER_CORE_DEFAULT_CACHE_TIME,
     rclcpp::Node::SharedPtr node = nullptr);
   Buffer(Shared buffer, rclcpp::Clock::SharedPtr clock)
-  : BufferCore(buffer), clock_(std::move(clock)) {}
+  : BufferCore(buffer), clock_(std::move(clock))
+  {
+    setUsingDedicatedThread(true);  // the server fills it
+  }
   ~Buffer() override;
 
   using tf2::BufferCore::canTransform;
@@ -107,6 +115,8 @@ private:
     CreateTimerInterface::SharedPtr timers;
     TimerHandle timer;
   };
+  /// Whether a time to wait for a transform may pass: only where something else than the waiting thread fills the buffer.
+  bool may_wait(tf2::Duration timeout, std::string * why_not = nullptr) const;
   void forget(TransformRequestHandle handle);
   rclcpp::Clock::SharedPtr clock_;
   CreateTimerInterface::SharedPtr timers_;

@@ -241,3 +241,4 @@ private:
 };
 }  // namespace cv
 #include "opencv2/core/algebra.hpp"
+#include "opencv2/core/persistence.hpp"

@@ -50,7 +50,13 @@ public:
     return *this;
   }
   Emitter & operator<<(const _Null &) {return add(Node());}
-  Emitter & operator<<(const _Comment &) {return *this;}  // what is read back has no comments
+  /// It follows what was written last, on the same line; the first of all has a line of its own.
+  Emitter & operator<<(const _Comment & comment)
+  {
+    std::string & text = last_.IsDefined() ? last_.content().comment : head_;
+    text += text.empty() ? comment.content : "  # " + comment.content;
+    return *this;
+  }
   Emitter & operator<<(const _Precision & digits)
   {
     digits_ = digits;
@@ -92,13 +98,15 @@ private:
   std::string text() const
   {
     const Node & whole = levels_.empty() ? root_ : levels_.front().node;
-    return whole.IsDefined() ? Dump(whole) : "";
+    const std::string head = head_.empty() ? "" : detail::commented(head_, 0);
+    return whole.IsDefined() ? (head.empty() ? head : head + "\n") + Dump(whole) : head;
   }
   void begin(NodeType::value type)
   {
     Node node(type);
     node.SetStyle(style_);
     style_ = EmitterStyle::Default;
+    last_.reset(node);
     levels_.push_back({node, false, Node()});
   }
   void end(NodeType::value type, const char * error)
@@ -107,14 +115,18 @@ private:
       error_ = error;
       return;
     }
-    Node done = levels_.back().node;
+    Node done = levels_.back().node, last = last_;
     levels_.pop_back();
     add(done);
+    if (detail::is_block(done)) {
+      last_.reset(last);  // its last line ends with its last value
+    }
   }
   Emitter & add(const Node & node)
   {
     node.content().quoted = node.content().quoted || quoted_;
     quoted_ = false;
+    last_.reset(node);
     if (style_ != EmitterStyle::Default) {
       node.content().style = style_;
       style_ = EmitterStyle::Default;
@@ -135,7 +147,8 @@ private:
 
   std::ostream * out_ = nullptr;
   std::vector<Level> levels_;
-  Node root_{NodeType::Undefined};
+  Node root_{NodeType::Undefined}, last_{NodeType::Undefined};
+  std::string head_;
   EmitterStyle::value style_ = EmitterStyle::Default;
   bool quoted_ = false;
   _Precision digits_{0, 0};

@@ -29,6 +29,18 @@ void doTransform(const Buoy & in, Buoy & out, const TransformStamped & transform
   out.x = in.x + transform.transform.translation.x;
 }
 }  // namespace tf2
+/// What another library counts with.
+struct Transport {double x;};
+namespace tf2
+{
+geometry_msgs::msg::PointStamped toMsg(const Stamped<Transport> & in)
+{
+  geometry_msgs::msg::PointStamped out;
+  out.header.frame_id = in.frame_id_;
+  out.point.x = in.x;
+  return out;
+}
+}  // namespace tf2
 
 int main(int argc, char ** argv)
 {
@@ -89,6 +101,18 @@ int main(int argc, char ** argv)
   buffer.transform(cloud, moved, "base");
   sensor_msgs::PointCloud2ConstIterator<float> at(moved, "x");
   check("a cloud is transformed", near(at[0], 1) && near(at[1], 2) && moved.header.frame_id == "base");
+  const std::string alone = "Do not call canTransform or lookupTransform with a timeout unless";
+  check("nobody fills it meanwhile", !buffer.canTransform("base", "moon", tf2::TimePointZero, 1h, &why) && why.rfind(alone, 0) == 0);
+  throws<tf2::LookupException>("so nobody waits", [&] {buffer.lookupTransform("base", "moon", tf2::TimePointZero, 1h);});
+  check("without a time it is only looked up", buffer.canTransform("base", "lidar", tf2::TimePointZero, 0s));
+  tf2_ros::TransformListener no_thread(buffer, node, false);
+  check("a listener in the node's thread", !buffer.isUsingDedicatedThread());
+  tf2_ros::TransformListener own_thread(buffer, node);
+  check("a listener in a thread of its own", buffer.isUsingDedicatedThread());
+  tf2::Stamped<Transport> carried(Transport{3}, tf2::TimePointZero, "base");
+  tf2::Stamped<tf2::Vector3> arrived;
+  tf2::convert(carried, arrived);
+  check("by a message from one type to another", near(arrived.x(), 3) && arrived.frame_id_ == "base");
   equal("a type of one's own", buffer.transform(Buoy{2, {}}, "base").x, 3.0);
   rclcpp::shutdown();
 }

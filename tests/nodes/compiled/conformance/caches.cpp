@@ -4,6 +4,7 @@
 #include "check.hpp"
 #include "image_transport/subscriber_filter.hpp"
 #include "message_filters/null_types.h"
+#include "sensor_msgs/point_cloud2_iterator.hpp"
 #include "sensor_msgs/point_cloud_conversion.hpp"
 #include "tf2/LinearMath/QuadWord.h"
 #include "tf2/LinearMath/Transform.h"
@@ -124,6 +125,10 @@ static void clouds()
   sensor_msgs::msg::PointCloud2 cloud;
   check("as the new cloud", sensor_msgs::convertPointCloudToPointCloud2(old, cloud) && cloud.point_step == 16 && cloud.width == 2);
   equal("a field's place", sensor_msgs::getPointCloud2FieldIndex(cloud, "intensity"), 3);
+  sensor_msgs::PointCloud2ConstIterator<float> first(cloud, "y"), second = first + 1;
+  check("an iterator to the next point", *second == 2.5f && second != first);
+  second = first.end();
+  check("one to the end", !(second != first.end()) && !(++++first != second));
   check("and back", sensor_msgs::convertPointCloud2ToPointCloud(cloud, back) && back == old);
   cloud.fields[0].name = "a";
   check("no x", !sensor_msgs::convertPointCloud2ToPointCloud(cloud, back));

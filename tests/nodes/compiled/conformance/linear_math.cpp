@@ -1,6 +1,7 @@
-// Matrices that are made diagonal, and what vectors, matrices and transforms are as plain numbers.
+// Matrices that are made diagonal, what vectors, matrices and transforms are as plain numbers, seconds and covariances.
 #include "check.hpp"
 #include "tf2/LinearMath/Transform.h"
+#include "tf2/convert.h"
 
 static bool near(const tf2::Matrix3x3 & a, const tf2::Matrix3x3 & b)
 {
@@ -53,5 +54,14 @@ int main(int argc, char ** argv)
   back.deSerializeFloat(short_numbers);
   check("half of the digits come back", back.getOrigin() == move.getOrigin() && !(back.getBasis() == move.getBasis()));
   check("the other half is small", tf2::Vector3(back.getBasis()[0] - move.getBasis()[0]).length() < 1e-6);
+
+  equal("seconds are rounded to nanoseconds", tf2::durationFromSec(2.3).count(), 2300000000);
+  equal("before zero, too", tf2::durationFromSec(-0.7).count(), -700000000);
+  equal("a late time keeps its nanoseconds", tf2::durationFromSec(1796079600.123456789).count() % 1000000000, 123456717);
+  std::array<double, 36> row_by_row{};
+  row_by_row[8] = 5;
+  auto nested = tf2::covarianceRowMajorToNested(row_by_row);
+  equal("a covariance's rows", nested[1][2], 5.0);
+  check("and back in a row", tf2::covarianceNestedToRowMajor(nested) == row_by_row);
   rclcpp::shutdown();
 }

@@ -121,6 +121,14 @@ int main(int argc, char ** argv)
   auto factory = loader->createInstance<rclcpp_components::NodeFactory>(classes[0]);
   auto made = factory->create_node_instance(rclcpp::NodeOptions());
   equal("one is made by its name", std::string(made.get_node_base_interface()->get_name()), "beacon");
+  class_loader::ClassLoader lazy("", true);
+  check("nothing is loaded before it is asked for", !lazy.isLibraryLoaded());
+  {
+    auto one = lazy.createInstance<rclcpp_components::NodeFactory>(classes[0]);
+    auto other = lazy.createUniqueInstance<rclcpp_components::NodeFactory>(classes[0]);
+    check("a library that is used stays", lazy.unloadLibrary() == 1 && lazy.isLibraryLoaded());
+  }
+  check("it goes with its last object", !lazy.isLibraryLoaded());
   throws<class_loader::LibraryLoadException>("a library cannot be loaded", [] {class_loader::ClassLoader("libother.so");});
   throws<class_loader::CreateClassException>("nor a class made that is not there", [&] {
       loader->createInstance<rclcpp_components::NodeFactory>("Nothing");

@@ -90,8 +90,19 @@ static void writes()
   std::ofstream("written.yaml") << out.c_str();
   std::cout << YAML::LoadFile("written.yaml")["waypoints"][1]["x"].as<double>() << YAML::Dump(YAML::Load("[a, {b: c}]")) << std::endl;
 }
+static void comments()
+{
+  YAML::Emitter out, only;
+  out << YAML::Comment("what a robot may do") << YAML::BeginMap << YAML::Key << "speed" << YAML::Value << 0.5 << YAML::Comment("m/s");
+  out << YAML::Key << "spot" << YAML::Value << YAML::Flow << YAML::BeginSeq << 1 << 2 << YAML::EndSeq << YAML::Comment("in m");
+  out << YAML::Key << "wheels" << YAML::Value << YAML::BeginSeq << YAML::Comment("left first");
+  out << "one" << "two" << YAML::Comment("of two\nlines") << YAML::EndSeq << YAML::EndMap;
+  only << YAML::Comment("nothing");
+  std::cout << out.c_str() << "\n" << only.c_str() << std::endl;
+}
 int main()
 {
   reads();
   writes();
+  comments();
 }

@@ -138,6 +138,10 @@ public:
   Iterator<T> begin() {return {this, 0};}
   template<class T>
   Iterator<T> end() {return {this, static_cast<int>(total())};}
+  template<class T>
+  Iterator<const T> begin() const {return {this, 0};}
+  template<class T>
+  Iterator<const T> end() const {return {this, static_cast<int>(total())};}
   template<class T, class F>
   void forEach(const F & visit)
   {
@@ -174,35 +178,52 @@ public:
   MatSize size;
 };
 
-/// Goes from pixel to pixel, row by row.
+/// Goes from pixel to pixel, row by row; a const T only reads.
 template<class T>
 class Mat::Iterator
 {
+  using Of = std::conditional_t<std::is_const_v<T>, const Mat, Mat>;
+
 public:
   using iterator_category = std::random_access_iterator_tag;
-  using value_type = T;
-  using difference_type = int;
+  using value_type = std::remove_const_t<T>;
+  using difference_type = std::ptrdiff_t;
   using pointer = T *;
   using reference = T &;
-  Iterator(Mat * mat, int at)
+  Iterator() = default;
+  Iterator(Of * mat, difference_type at)
   : mat_(mat), at_(at) {}
-  T & operator*() const {return mat_->at<T>(at_ / mat_->cols, at_ % mat_->cols);}
+  operator Iterator<const T>() const {return {mat_, at_};}
+  T & operator*() const {return (*this)[0];}
   T * operator->() const {return &**this;}
+  T & operator[](difference_type n) const
+  {
+    const int place = static_cast<int>(at_ + n);
+    return mat_->template at<value_type>(place / mat_->cols, place % mat_->cols);
+  }
   Iterator & operator++() {++at_; return *this;}
+  Iterator & operator--() {--at_; return *this;}
   Iterator operator++(int) {Iterator old = *this; ++at_; return old;}
-  Iterator & operator+=(int n) {at_ += n; return *this;}
-  Iterator operator+(int n) const {return {mat_, at_ + n};}
-  int operator-(const Iterator & o) const {return at_ - o.at_;}
+  Iterator operator--(int) {Iterator old = *this; --at_; return old;}
+  Iterator & operator+=(difference_type n) {at_ += n; return *this;}
+  Iterator & operator-=(difference_type n) {at_ -= n; return *this;}
+  Iterator operator+(difference_type n) const {return {mat_, at_ + n};}
+  Iterator operator-(difference_type n) const {return {mat_, at_ - n};}
+  difference_type operator-(const Iterator & o) const {return at_ - o.at_;}
   bool operator==(const Iterator & o) const {return at_ == o.at_;}
   bool operator!=(const Iterator & o) const {return at_ != o.at_;}
   bool operator<(const Iterator & o) const {return at_ < o.at_;}
+  bool operator>(const Iterator & o) const {return at_ > o.at_;}
+  Point pos() const {return {static_cast<int>(at_) % mat_->cols, static_cast<int>(at_) / mat_->cols};}
 
 private:
-  Mat * mat_;
-  int at_;
+  Of * mat_ = nullptr;
+  difference_type at_ = 0;
 };
 template<class T>
 using MatIterator_ = Mat::Iterator<T>;
+template<class T>
+using MatConstIterator_ = Mat::Iterator<const T>;
 
 /// A Mat whose type the compiler knows.
 template<class T>
@@ -228,6 +249,8 @@ public:
   T * operator[](int y) {return ptr<T>(y);}
   Mat::Iterator<T> begin() {return Mat::begin<T>();}
   Mat::Iterator<T> end() {return Mat::end<T>();}
+  Mat::Iterator<const T> begin() const {return Mat::begin<T>();}
+  Mat::Iterator<const T> end() const {return Mat::end<T>();}
 };
 template<class T>
 struct MatCommaInitializer_

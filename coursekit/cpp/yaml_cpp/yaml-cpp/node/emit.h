@@ -33,6 +33,25 @@ inline std::string written(const Content & scalar)
   }
   return made + "\"";
 }
+/// A comment's lines, all but the first behind so many spaces.
+inline std::string commented(const std::string & comment, size_t indent)
+{
+  std::string made = "# ";
+  for (char c : comment) {
+    made += c;
+    if (c == '\n') {
+      made += std::string(indent, ' ') + "# ";
+    }
+  }
+  return made;
+}
+/// The comment that follows on a line that has begun.
+inline void write_comment(std::ostream & out, const Node & node, size_t indent)
+{
+  if (!node.content().comment.empty()) {
+    out << "  " << commented(node.content().comment, indent);
+  }
+}
 inline void write_flow(std::ostream & out, const Node & node)
 {
   const char * between = "";
@@ -78,10 +97,12 @@ inline void write_block(std::ostream & out, const Node & node, size_t indent)
       if (!is_block(item)) {
         out << " ";
         write_flow(out, item);
-      } else if (item.IsMap()) {
+        write_comment(out, item, indent);
+      } else if (item.IsMap() && item.content().comment.empty()) {
         out << " ";
         write_block(out, item, indent + 2);
       } else {
+        write_comment(out, item, indent);
         out << "\n" << std::string(indent + 2, ' ');
         write_block(out, item, indent + 2);
       }
@@ -89,11 +110,13 @@ inline void write_block(std::ostream & out, const Node & node, size_t indent)
       write_flow(out, entry.first);
       out << ":";
       if (is_block(entry.second)) {
+        write_comment(out, entry.second, indent);
         out << "\n" << std::string(indent + 2, ' ');
         write_block(out, entry.second, indent + 2);
       } else {
         out << " ";
         write_flow(out, entry.second);
+        write_comment(out, entry.second, indent);
       }
     }
   }
@@ -103,9 +126,15 @@ inline void write_block(std::ostream & out, const Node & node, size_t indent)
 inline std::ostream & operator<<(std::ostream & out, const Node & node)
 {
   if (detail::is_block(node)) {
+    if (!node.content().comment.empty()) {
+      out << detail::commented(node.content().comment, 0) << "\n";
+    }
     detail::write_block(out, node, 0);
   } else {
     detail::write_flow(out, node);
+    if (node.IsDefined()) {
+      detail::write_comment(out, node, 0);
+    }
   }
   return out;
 }

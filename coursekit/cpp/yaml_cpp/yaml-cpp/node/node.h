@@ -29,6 +29,7 @@ struct Content
   EmitterStyle::value style = EmitterStyle::Default;
   bool quoted = false;
   std::string scalar, tag;
+  std::string comment;  // an Emitter's, behind the value, or behind what opens the collection
   Mark mark;
   std::vector<Node> items;
   std::vector<std::pair<Node, Node>> pairs;

@@ -3,6 +3,7 @@
 import contextlib
 import os
 import select
+import shlex
 import subprocess
 import sys
 import time
@@ -12,7 +13,7 @@ import pytest
 pty = pytest.importorskip("pty", exc_type=ImportError)  # Windows has none
 
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(180)]
-RUN = f"{sys.executable} -m coursekit.cli.ros2 run"
+RUN = f"{shlex.quote(sys.executable)} -m coursekit.cli.ros2 run"
 
 
 class Shell:

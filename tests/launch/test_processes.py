@@ -1,7 +1,9 @@
 from __future__ import annotations
 
 import re
+import shutil
 import sys
+from pathlib import Path
 
 import pytest
 from launch import LaunchContext
@@ -224,6 +226,19 @@ def test_ros2_commands_are_carried_out_in_the_session(launch, workspace, cmd, sh
         f"[ros2-1] {workspace.prefix}",
         "[INFO] [ros2-1]: process has finished cleanly [pid 1001]",
     ]
+
+
+@pytest.mark.parametrize("name", ["ros2", None])
+def test_a_program_in_a_folder_with_spaces_is_one_word_for_a_shell(launch, workspace, tmp_path, monkeypatch, name) -> None:
+    workspace.package("demo")
+    programs = tmp_path / "José Pérez (1)"
+    programs.mkdir()
+    shutil.copy(FindExecutable(name="ros2").perform(LaunchContext()), programs)
+    monkeypatch.setenv("PATH", str(programs))
+    ros2 = FindExecutable(name="ros2")
+    result = launch([ExecuteProcess(cmd=[[ros2, " pkg prefix demo"]], shell=True, name=name, output="screen")])
+    number = "ros2-1" if name else f"{Path(ros2.perform(LaunchContext())).name} pkg prefix demo-1"
+    assert f"[{number}] {workspace.prefix}" in result.lines
 
 
 @posix("there is no sh, env, nor an end by a signal")

@@ -7,11 +7,11 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from coursekit.systems.command_lines import split_words
+from coursekit.systems.command_lines import join_words, split_words
 
 from ..some_substitutions_type import SomeSubstitutionsType
 from ..substitution import Substitution
-from ..substitutions import LaunchConfiguration
+from ..substitutions import FindExecutable, LaunchConfiguration
 from ..utilities import normalize_to_list_of_substitutions, perform_substitutions
 
 if TYPE_CHECKING:
@@ -108,14 +108,15 @@ class Executable:
 
     def prepare(self, context: LaunchContext, action: Action | None = None) -> None:
         """Perform all substitutions, and number the process."""
-        cmd = [perform_substitutions(context, part) for part in self.__cmd]
+        pieces = [[(piece, context.perform_substitution(piece)) for piece in part] for part in self.__cmd]
+        program = os.path.basename("".join(text for _, text in pieces[0]))
+        join = _joined_for_shell if getattr(action, "shell", False) else _joined
+        cmd = [join(part) for part in pieces]
         context._process_count += 1
-        name = (
-            os.path.basename(cmd[0]) if self.__name is None else perform_substitutions(context, self.__name)
-        )
+        name = program if self.__name is None else perform_substitutions(context, self.__name)
         prefix = split_words(perform_substitutions(context, self.__prefix))
         wanted = perform_substitutions(context, self.__prefix_filter)
-        if prefix and re.match(wanted, os.path.basename(cmd[0])):
+        if prefix and re.match(wanted, program):
             cmd = [*prefix, *cmd]
         self.__final = {
             "name": f"{name}-{context._process_count}",
@@ -129,6 +130,15 @@ class Executable:
         for key, value in [*(self.__env or []), *(self.__additional_env or [])]:
             environment[perform_substitutions(context, key)] = perform_substitutions(context, value)
         return environment
+
+
+def _joined(pieces: Iterable[tuple[Substitution, str]]) -> str:
+    return "".join(text for _, text in pieces)
+
+
+def _joined_for_shell(pieces: Iterable[tuple[Substitution, str]]) -> str:
+    """Join the texts of substitutions; the path of a program stays one word, though its folder has spaces."""
+    return "".join(join_words([text]) if isinstance(piece, FindExecutable) else text for piece, text in pieces)
 
 
 def _pairs(environment: SomeEnvironment | None) -> EnvironmentPairs | None:

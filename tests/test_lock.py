@@ -15,7 +15,7 @@ LINES = (Path(__file__).resolve().parents[1] / "requirements.lock").read_text(en
 LOCKED = [Requirement(line) for line in LINES if line and not line.startswith("#")]
 COMPUTERS = [("linux", "x86_64"), ("linux", "aarch64"), ("darwin", "arm64"), ("darwin", "x86_64"), ("win32", "AMD64")]
 PYTHONS = ["3.10", "3.11", "3.12", "3.13", "3.14"]
-NEWEST_FOR_INTEL_MACS = {"numba": "0.62.1", "llvmlite": "0.45.1", "numpy": "2.3.5", "scipy": "1.17.1"}
+NEWEST_FOR_INTEL_MACS = {"numba": "0.62.1", "llvmlite": "0.45.1", "scipy": "1.17.1"}
 """Of packages that make none any more for these, or that Numba 0.62 does not take newer."""
 
 

@@ -65,3 +65,10 @@ print(hasattr(numpy, "NINF"))
 def test_the_names_are_there_for_as_long_as_a_session():
     done = subprocess.run([sys.executable, "-c", FIRST], capture_output=True, encoding="utf-8")
     assert done.stdout.split() == ["-inf", "False"], done.stderr
+
+
+@pytest.mark.filterwarnings("ignore:Conversion of an array:DeprecationWarning")
+def test_an_array_of_one_element_is_a_number_for_float_and_math():
+    """As on a robot: filters and controllers of programs take `x[2]` of a column for a number."""
+    column = np.array([[0.0], [1.5]])
+    assert float(column[1]) == 1.5 and math.cos(column[0]) == 1.0

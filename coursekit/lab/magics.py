@@ -131,15 +131,16 @@ class CourseMagics(Magics):
     @line_magic
     def cd(self, line: str) -> None:
         """Change the folder, as IPython's `%cd`, which refuses `{workspace()}` in a folder such as `Vera's course`."""
-        values = Values()
-        expanded = values.expanded(self.shell, line)
+        shell, values = self.shell, Values()
+        assert shell is not None  # it is what runs this
+        expanded = values.expanded(shell, line)
         *options, folder = expanded.split() or [""]
         path = values.restored(folder)
         if path == folder:
-            self.shell.magics_manager.registry["OSMagics"].cd(expanded)
+            shell.magics_manager.registry["OSMagics"].cd(expanded)
             return
         os.chdir(path)
-        self.shell.user_ns["_dh"].append(Path.cwd())  # for `%cd -`
+        shell.user_ns["_dh"].append(Path.cwd())  # for `%cd -`
         if "-q" not in options:
             print(path)
 

@@ -35,7 +35,8 @@ class LocalPlan:
         All is in the costmap's frame.
         """
         if self._plan_out.get_subscription_count():
-            self._plan_out.publish(self._message(arc(here, velocity, np.arange(0.0, horizon + 1e-9, _STEP_S))))
+            times: Array = np.arange(0.0, horizon + 1e-9, _STEP_S, dtype=np.float64)
+            self._plan_out.publish(self._message(arc(here, velocity, times)))
         if self._path_out.get_subscription_count():
             gaps = np.hypot(points[:, 0] - here.x, points[:, 1] - here.y)
             nearest = int(gaps.argmin())

@@ -3,6 +3,7 @@
 Its name has spaces, an accent, a comma and brackets, as folders of students have.
 """
 
+import asyncio
 import contextlib
 import os
 import tempfile
@@ -11,6 +12,7 @@ from pathlib import Path
 from nbval.plugin import IPyNbFile
 
 from coursekit.cpp.toolchain import NoToolchain, find_toolchain
+from coursekit.packages.prepare_cpp import prepared_toolchain
 from tests import compiler_cache
 from tests.needs import ON_WINDOWS
 
@@ -29,6 +31,8 @@ def pytest_configure(config):
     os.environ |= {"COURSEKIT_COURSE": str(course), "COURSEKIT_WORKSPACE": str(course / "ros2_ws")}
     os.environ |= {"COLUMNS": "120", "TZ": "UTC"}
     os.environ["COURSEKIT_RUNTIME_DIR"] = str(course)  # no terminal of the user's reaches these sessions
+    if compiles():
+        asyncio.run(prepared_toolchain())  # now, or a chapter's first build would say how long it took
 
 
 def pytest_collectstart(collector):

@@ -24,7 +24,7 @@ def archives(tmp_path_factory):
     folder = tmp_path_factory.mktemp("dist")
     _build(ROOT, "sdist", folder)
     with tarfile.open(next(folder.glob("*.tar.gz"))) as packed:
-        packed.extractall(folder / "unpacked", filter="data")
+        packed.extractall(folder / "unpacked", **({"filter": "data"} if hasattr(tarfile, "data_filter") else {}))
     unpacked = next((folder / "unpacked").iterdir())
     source = {path.relative_to(unpacked).as_posix(): path.read_bytes() for path in unpacked.rglob("*") if path.is_file()}
     _build(unpacked, "wheel", folder)

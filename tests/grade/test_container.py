@@ -14,7 +14,9 @@ from coursekit.grade import container, container_image, sandbox
 from coursekit.systems import operating_system
 from tests.needs import ON_WINDOWS, posix
 
-ENGINE = """#!{python}
+ENGINE = """#!/bin/sh
+'''exec' "{python}" "$0" "$@"
+''' # sh reads two lines, Python reads a text: a first line of Python's own ends at a space in its path
 import json, sys
 words = sys.argv[1:]
 with open({log!r}, "a", encoding="utf-8") as file:

@@ -74,7 +74,7 @@ def test_ctrl_c_in_oneself_is_a_keyboard_interrupt_and_no_end(windows):
 
 def test_a_python_child_writes_utf8_whatever_the_code_page(windows):
     env = children.with_utf8({**os.environ, "PYTHONIOENCODING": ""})
-    done = subprocess.run([sys.executable, "-c", "print('ñ ✓')"], env={**env, "LC_ALL": "C"}, capture_output=True)
+    done = subprocess.run([sys.executable, "-S", "-c", "print('ñ ✓')"], env={**env, "LC_ALL": "C"}, capture_output=True)
     assert done.stdout.decode().splitlines() == ["ñ ✓"]
     assert children.with_utf8({"PYTHONUTF8": "0"}) == {"PYTHONUTF8": "0"}
 

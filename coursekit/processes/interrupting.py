@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 RETRY_NS = 2_000_000
 """Retry interval for a thread that was importing [ns]."""
+LONGEST_IMPORT_NS = 120_000_000_000
+"""How long a killed program may go on importing [ns]: a module whose import never ends does not keep it for ever."""
 
 
 class Interruptible(BaseProcess):
@@ -102,12 +104,12 @@ class Interruptible(BaseProcess):
         self._deliver(raise_killed)
         if not self.session.clock.virtual:
             alarm_at = self.session.clock.steady() + 1_000_000_000
-            self.session.clock.call_at(alarm_at, self._cut_off)
+            self.session.clock.call_at(alarm_at, lambda: self._cut_off(alarm_at + LONGEST_IMPORT_NS))
 
-    def _cut_off(self) -> None:
+    def _cut_off(self, latest: int) -> None:
         context, clock = self._main_context, self.session.clock
-        if context is not None and is_importing(context.ident):  # it ends when the import does
-            clock.call_at(clock.steady() + RETRY_NS, self._cut_off)
+        if context is not None and clock.steady() < latest and is_importing(context.ident):  # it ends when the import does
+            clock.call_at(clock.steady() + RETRY_NS, lambda: self._cut_off(latest))
         elif self.exit_code is None:
             self.abandoned = True
             if self._main_context is not None and not self.session.clock.virtual:

@@ -7,7 +7,7 @@ import types
 
 import pytest
 
-from coursekit.processes import importing
+from coursekit.processes import importing, interrupting
 from coursekit.processes.interrupting import raise_in_thread
 from coursekit.processes.session import Session
 
@@ -88,6 +88,18 @@ def test_a_program_ends_after_the_import_in_which_the_signal_came(events, number
         process.wait(60)
         assert not process.abandoned
     assert sys.modules["slow_library"].part is sys.modules["slow_library.part"]
+
+
+@pytest.mark.usefixtures("shared")
+def test_an_import_that_never_ends_does_not_keep_a_killed_program(events, monkeypatch):
+    monkeypatch.setattr(interrupting, "LONGEST_IMPORT_NS", 0)
+    with Session().use() as session:
+        process = session.start(lambda: importlib.import_module("slow_library"), name="importer")
+        events.begun.wait()
+        process.kill()
+        process.wait(60)
+        assert process.abandoned
+        events.go_on.set()
 
 
 def test_the_modules_of_python_of_pip_and_of_this_package_are_shared():

@@ -122,7 +122,7 @@ def reset() -> None:
     """End every process and node of the session, as after a kernel restart; variables stay."""
     session = start()
     _claim_terminals()
-    ended = len(session.processes)
+    ended = _started(session)
     for process in list(session.processes):
         process.interrupt()
     for process in list(session.processes):
@@ -138,6 +138,13 @@ def reset() -> None:
     print(_farewell(ended, nodes))
     if left:
         print(gettext("The network was left. To join it again: %network ADDRESS"))
+
+
+def _started(session: Session) -> int:
+    """Count the processes, a `ros2 run` and the program that it runs as one: the user has started one thing."""
+    parents = [process.parent for process in session.processes]
+    passing_on = [process for process in parents if process is not None and process.argv[:2] == ["ros2", "run"]]
+    return len(session.processes) - len({process.pid for process in passing_on})
 
 
 def _farewell(processes: int, nodes: int) -> str:

@@ -15,7 +15,9 @@ from coursekit.lab.script import said_in
 from coursekit.words.gettext import FIELD, catalogue_of
 
 PACKAGE = Path(__file__).parents[1]
-_JUDGES = ("checking", "exception_advice", "outputs", "plain", "reader", "reading", "trial", "verdict", "work")
+_JUDGES = (
+    "cell_before", "checking", "exception_advice", "outputs", "plain", "reader", "reading", "trial", "verdict", "work",
+)  # fmt: skip
 _MARKING = (
     "examiner", "handing_in", "repair", "chapter_files", "collector", "mark", "recognising", "archives", "submission_parts",
 )  # fmt: skip

@@ -14,7 +14,8 @@ from coursekit.view.shell import running_shell
 from coursekit.words.gettext import gettext
 
 from . import events
-from .exception_advice import cause_of
+from .cell_before import explained
+from .exception_advice import cause_of, no_executable
 from .exercise import Exercise, find
 from .illustration import Illustration
 from .interruptions import Gone, NeedsWorkspace
@@ -46,9 +47,15 @@ def judge(
 
     `illustration` stores the picture to draw beside the verdict.
     """
+    return judge_work(exercise, _work(variables, folder, variants, illustration), tries)
+
+
+def _work(
+    variables: Mapping[str, Any], folder: Path, variants: Mapping[str, Any] | None, illustration: Illustration | None
+) -> Work:
     work = Work(variables, folder)
     work.variants, work.illustration = variants or {}, illustration
-    return judge_work(exercise, work, tries)
+    return work
 
 
 def judge_work(exercise: Exercise, work: Any, tries: int = 1) -> Verdict:
@@ -87,6 +94,8 @@ def _refused(exercise: Exercise, wrong: Wrong, noted: ObservedWork, tries: int) 
     died, got, cause, hint = noted.death(), wrong.got, wrong.cause, _hint(exercise.hints, wrong, tries)
     if died:
         got, cause, hint = _with_death(got, died), cause_of(died), ""
+    elif missing := noted.not_found():
+        cause, hint = no_executable(*missing), ""
     return Verdict(
         exercise.name,
         exercise.title,
@@ -127,12 +136,13 @@ def check(name: str, **variants: Any) -> None:
     progress = Progress.of_course()
     read_checks(progress.file.parent.parent / OWN)
     exercise, illustration = find(name), Illustration()
+    work = _work(_variables(), workspace(), variants, illustration)
     try:
         with ProgressBar(gettext(f"Trying out {name}"), late=gettext(ENDLESS)):
-            verdict = judge(exercise, _variables(), workspace(), progress.count_try(name), variants, illustration)
+            verdict = judge_work(exercise, work, progress.count_try(name))
     except KeyboardInterrupt:
         raise CheckFailed(gettext(f"{name} was stopped, so it is not judged. Is there a loop that never ends?")) from None
-    verdict = _with_cell_before(verdict, _fault_before())
+    verdict = explained(verdict, work.asked, running_shell())
     progress.note(verdict)
     events.note(progress.file.with_name("events.jsonl"), "check", name=name, points=verdict.points)
     _show(verdict, illustration)
@@ -150,25 +160,6 @@ def hint(name: str) -> str:
     number = Progress.of_course().count_hint(name)
     shown = min(number, len(exercise.hints))
     return gettext(f"Hint {shown} of {len(exercise.hints)}: {exercise.hints[shown - 1]}")
-
-
-def _with_cell_before(verdict: Verdict, fault: str) -> Verdict:
-    """Report first that the cell before the check stopped with an error, so an older answer was judged."""
-    if verdict.passed or verdict.fault or not fault:
-        return verdict
-    cause = f"The cell before this check stopped with {fault}. What was judged is older: mend that cell and run it."
-    return replace(verdict, cause=cause, hint="")
-
-
-def _fault_before() -> str:
-    """Return the error of the cell run before this one; empty if it succeeded or was a check."""
-    before = getattr(running_shell(), "last_execution_result", None)
-    error = before and (before.error_before_exec or before.error_in_exec)
-    if not isinstance(error, Exception) or isinstance(error, CheckFailed):
-        return ""
-    line = f" in its line {error.lineno}" if isinstance(error, SyntaxError) and error.lineno else ""
-    said = f"{type(error).__name__}: {error.msg if isinstance(error, SyntaxError) else error}"
-    return said[:200].removesuffix(": ") + line  # a stub's error has no text
 
 
 def _variables() -> Mapping[str, Any]:

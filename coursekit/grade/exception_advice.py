@@ -7,6 +7,8 @@ import re
 DIED = "The program ended with that error: mend the line that it names, build, and run it in a cell."
 NOT_LOADED = "It did not begin. Run the cells that write its file, its main and its line in setup.py, then build."
 """For an installed program whose module, `main` or line in setup.py is missing."""
+NOT_INSTALLED = "Run the cell that adds it to setup.py (in C++ to CMakeLists.txt), then build the package."
+"""For an executable that a package does not have."""
 NO_RESPONSE = "rclpy ends so where a service's callback gives back no response: is there `return response` in every case?"
 NO_RESULT = "Does the callback that judges parameters give back a SetParametersResult in every case?"
 STUB = "The stub is still there: write your code where that line stands."
@@ -29,6 +31,7 @@ _CAUSES = (
     (r"TypeError \(line", NO_RESPONSE),
     (r"TypeError: cannot unpack non-iterable|ValueError: (?:not enough|too many) values to unpack", UNPACKED),
     (r".*\.load\(\)\)$", NOT_LOADED),
+    (r".*executable '[^']*' not found on the libexec directory", NOT_INSTALLED),
 )
 """The beginnings of exception messages, and their causes."""
 _CALL = re.compile(
@@ -62,6 +65,16 @@ def cause_of(died: str) -> str:
         given = f"self.{called['name']}"
         return f"With brackets it is called there and then. Give the function itself, without brackets: `{given}`."
     return next((cause for pattern, cause in _CAUSES if re.match(pattern, died)), DIED)
+
+
+def no_executable(package: str, name: str) -> str:
+    """Return advice about an executable that `ros2 run` does not find.
+
+    >>> no_executable("s2_py_pubsub", "ear_exe").partition(". ")[0]
+    's2_py_pubsub has no executable ear_exe'
+    """
+    missing = f"{package} has no executable {name}."
+    return f"{missing} {NOT_INSTALLED}"
 
 
 def _about_a_name(name: str, died: str) -> str:

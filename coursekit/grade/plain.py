@@ -257,6 +257,10 @@ def _why_it_stopped(error: Exception) -> str:
             return "The request comes first, then the response: does the function take them in this order?"
         if filled_in:
             return "The response has no field of this name: `ros2 interface show TYPE` lists them, below the three dashes."
+    if isinstance(error, AssertionError) and (of := re.match(r"The '(\w+)' field must be (?:of type '(\w+)')?", str(error))):
+        if of[2]:
+            return f"`{of[1]}` is a field of type {of[2]}, and takes exactly this type: the line gives it another one."
+        return f"The field `{of[1]}` does not take this value: the error says what it takes."
     return "Your function stopped there."
 
 

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import random
+import re
 import tempfile
 from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from coursekit.suggestions import similar
 from coursekit.systems.command_lines import split_words
 
 from . import reading
@@ -42,6 +44,8 @@ class Work:
         """The values of this student's copy that differ from the course's notebook."""
         self.illustration: Illustration | None = None
         """Receives pictures if the verdict is displayed; None in grading."""
+        self.asked: dict[str, None] = {}
+        """The names that the judge looked for, in order: variables and functions, packages, files, executables."""
 
     def variant(self, name: str, usual: T) -> T:
         """Return this student's value of an exercise; the `usual` one if there are no variants.
@@ -75,8 +79,10 @@ class Work:
 
     def value(self, name: str, kind: type[T]) -> T:
         """Return a variable of the notebook, of exactly that type."""
+        self.asked[name] = None
         if name not in self.variables:
-            raise Wrong(f"a variable named `{name}`", NOTHING, "Was the cell above run, and is the name right?")
+            cause = "Was the cell above run, and is the name right?"
+            raise Wrong(f"a variable named `{name}`", NOTHING, self._alike(name, cause))
         value = self.variables[name]
         if type(value) is not kind:
             raise Wrong(f"`{name}` as {_a(kind.__name__)}", gave=f"{_a(type(value).__name__)}: {value!r:.80}", hint=NO_HINT)
@@ -84,14 +90,20 @@ class Work:
 
     def function(self, name: str) -> Any:
         """Return a function of the notebook."""
+        self.asked[name] = None
         function = self.variables.get(name)
         if not callable(function):
             cause = "Was the cell above run?"
             if name not in self.variables:
-                raise Wrong(f"a function named `{name}`", NOTHING, cause)
+                raise Wrong(f"a function named `{name}`", NOTHING, self._alike(name, cause))
             gave = f"{_a(type(function).__name__)}: {function!r:.80}"
             raise Wrong(f"a function named `{name}`", cause=cause, gave=gave, hint=NO_HINT)
         return function
+
+    def _alike(self, name: str, otherwise: str) -> str:
+        """Return the cause of a missing name: another that was probably meant to be this one."""
+        found = similar(name, [known for known in self.variables if type(known) is str], cutoff=0.8)
+        return f"There is `{found[0]}`. Is its name a slip?" if found else otherwise
 
     # -- the workspace
 
@@ -147,7 +159,12 @@ class Work:
         return parameters
 
     def _read(self, what: str, **arguments: Any) -> Any:
+        self._note(arguments.get("path", ""), arguments.get("package", ""))
         return reading.READINGS[what](self.workspace, **arguments)
+
+    def _note(self, *texts: str) -> None:
+        """Note the names in paths and commands; single words such as `run` and `src` are no names of an exercise."""
+        self.asked.update((name, None) for text in texts for name in re.findall(r"\w+", text) if "_" in name.strip("_"))
 
     @cached_property
     def _scratch(self) -> tempfile.TemporaryDirectory[str]:
@@ -164,6 +181,7 @@ class Work:
         `commands` and `later` are the student's; `beside` are the course's own programs, which run apart from all of
         a student's code.
         """
+        self._note(*commands)
         planned = Plan(
             run=[_words(command) for command in commands],
             later=[(when, _words(line)) for when, line in later],

@@ -11,10 +11,11 @@ from coursekit.interfaces.model import Action, Field, FieldType, Message
 _GOAL_ID = Field(FieldType("unique_identifier_msgs/msg/UUID"), "goal_id")
 
 
-def _refuse(what: str) -> Callable[[Any], None]:
+def _refuse(what: str, short: str) -> Callable[[Any], None]:
     def __init__(self: Any) -> None:
         raise NotImplementedError(f"{what} classes can not be instantiated")
 
+    __init__.__qualname__ = f"{short}.__init__"  # Python's own errors quote it
     return __init__
 
 
@@ -22,7 +23,7 @@ def _make_class(what: str, full_name: str, module: str, members: dict[str, Any])
     short = full_name.rsplit("/", 1)[1]
     meta = type(f"Metaclass_{short}", (InterfaceType,), {"__module__": module})
     body = {"__module__": module, "__doc__": f"{what} class '{short}'.", "_TYPE_NAME": full_name}
-    return meta(short, (), {**body, "__init__": _refuse(what), **members})
+    return meta(short, (), {**body, "__init__": _refuse(what, short), **members})
 
 
 def make_service(full_name: str, classes: dict[str, Any], module: str) -> Any:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections import Counter
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
@@ -58,9 +58,9 @@ class Cells:
         if self.cell:
             self.ran.pop(self.cell, None)  # the running cell moves to the end
             self.ran[self.cell] = str(getattr(info, "raw_cell", "") or "")
-        replaced = [_describe(thing) for thing in self.made.pop(self.cell, []) if _end_one(thing)]
+        replaced = [thing for thing in self.made.pop(self.cell, []) if _end_one(thing)]
         if replaced:
-            print(gettext(f"Run again: replaced {', '.join(dict.fromkeys(replaced))}."))
+            print(gettext(f"Run again: replaced {_listed(replaced)}."))
         self.session.in_cell = True
         self.on_begin()
 
@@ -113,13 +113,30 @@ def give_to(cell: str, process: Any) -> None:
         cells.made.setdefault(cell, []).append(process)
 
 
-def _describe(thing: Any) -> str:
-    """Describe a node by its name, a process by its command line, or by its own name if that has an absolute path."""
-    if hasattr(thing, "full_name"):
-        return gettext(f"node {thing.full_name}")
-    if hasattr(thing, "try_shutdown"):
-        return "rclpy.init()"
-    return gettext(f"process {thing.name if Path(thing.argv[0]).is_absolute() else ' '.join(thing.argv)}")
+def _listed(things: list[Any]) -> str:
+    """List what was replaced: first the processes, then the nodes, then the context, each with its kind once."""
+    processes = dict.fromkeys(_typed(thing) for thing in things if hasattr(thing, "argv"))
+    nodes = dict.fromkeys(thing.full_name for thing in things if hasattr(thing, "full_name"))
+    parts = []
+    if processes:
+        said = _joined([f"`{line}`" for line in processes])
+        parts.append(gettext(f"process {said}") if len(processes) == 1 else gettext(f"the processes {said}"))
+    if nodes:
+        parts.append(gettext(f"node {_joined(nodes)}") if len(nodes) == 1 else gettext(f"the nodes {_joined(nodes)}"))
+    if any(hasattr(thing, "try_shutdown") for thing in things):
+        parts.append("rclpy.init()")
+    return _joined(parts)
+
+
+def _joined(texts: Iterable[str]) -> str:
+    """Join texts as a sentence does: a, b and c."""
+    *first, last = texts
+    return gettext(" and ").join([", ".join(first), last] if first else [last])
+
+
+def _typed(process: Any) -> str:
+    """Return the command line of a process, or its own name if that has an absolute path."""
+    return str(process.name) if Path(process.argv[0]).is_absolute() else " ".join(process.argv)
 
 
 def _end_one(thing: Any) -> bool:

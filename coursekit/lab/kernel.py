@@ -20,7 +20,7 @@ from coursekit.processes.session import NETWORK_VARIABLE, Session, current
 from coursekit.view.shell import running_shell
 from coursekit.words.gettext import gettext
 
-from . import error_advice, missing_names, shell_lines
+from . import error_advice, interrupted, missing_names, shell_lines
 from .cells import Cells
 from .command_table import CommandMagics
 from .magics import CourseMagics
@@ -57,6 +57,7 @@ def start() -> Session:
         shell_lines.install(shell)
         missing_names.install(shell)
         error_advice.install(shell)
+        interrupted.install(shell)
         if cells.in_cell:
             _have_a_subshell(session, shell.kernel)
     if not session.clock.virtual:
@@ -121,7 +122,7 @@ def reset() -> None:
     """End every process and node of the session, as after a kernel restart; variables stay."""
     session = start()
     _claim_terminals()
-    ended = len(session.processes)
+    ended = _started(session)
     for process in list(session.processes):
         process.interrupt()
     for process in list(session.processes):
@@ -137,6 +138,13 @@ def reset() -> None:
     print(_farewell(ended, nodes))
     if left:
         print(gettext("The network was left. To join it again: %network ADDRESS"))
+
+
+def _started(session: Session) -> int:
+    """Count the processes, a `ros2 run` and the program that it runs as one: the user has started one thing."""
+    parents = [process.parent for process in session.processes]
+    passing_on = [process for process in parents if process is not None and process.argv[:2] == ["ros2", "run"]]
+    return len(session.processes) - len({process.pid for process in passing_on})
 
 
 def _farewell(processes: int, nodes: int) -> str:

@@ -34,27 +34,39 @@ def advice(name: str, cells: Iterable[str]) -> str:
     >>> advice("robt", ["robot = 1"])
     ''
     """
-    if not any(name in _made_by(source) for source in cells):
+    trees = [tree for source in cells if (tree := _parsed(source)) is not None]
+    made, imported = (any(name in names(tree) for tree in trees) for names in (_made_by, _imported_by))
+    if not made and not imported:
         return ""
     first = gettext(
         "After a restart run those above first: menu Run, Run All Above Selected Cell. "
         "It stops at a check that is not passed yet: go on below it."
     )
-    return gettext(f"`{name}` is made in another cell. {first}")
+    if made:
+        return gettext(f"`{name}` is made in another cell. {first}")
+    return gettext(f"`{name}` is imported in another cell. {first}")
 
 
-def _made_by(source: str) -> Iterator[str]:
-    """Yield the names that a cell assigns, defines or imports; none for a cell that is not Python."""
+def _parsed(source: str) -> ast.Module | None:
+    """Return the syntax of a cell; None for a cell that is not Python."""
     try:
-        tree = ast.parse(TransformerManager().transform_cell(source))
+        return ast.parse(TransformerManager().transform_cell(source))
     except SyntaxError:
-        return
+        return None
+
+
+def _made_by(tree: ast.Module) -> Iterator[str]:
+    """Yield the names that a cell assigns or defines."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
             yield node.id
         elif isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
             yield node.name
-        elif isinstance(node, ast.alias):
+
+
+def _imported_by(tree: ast.Module) -> Iterator[str]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.alias):
             yield node.asname or node.name.partition(".")[0]
 
 

@@ -104,6 +104,13 @@ def test_a_display_is_added_by_its_topic_changed_and_removed(panel, picture):
     opened.eventually("print(shown.displays)", "['Grid', 'TF', 'Marker']")
 
 
+def test_the_choice_of_the_fixed_frame_has_the_ink_of_what_can_be_used(panel):
+    ink = "(node) => getComputedStyle(node).color"
+    head = panel.locator(".ck-head")
+    assert head.locator("select").first.evaluate(ink) == head.locator("button").first.evaluate(ink)
+    assert head.locator("select").first.evaluate(ink) != head.locator("label").first.evaluate(ink)
+
+
 def test_the_list_is_used_with_keys_alone(panel):
     page, opened = panel.page, panel.opened
     panel.get_by_role("button", name="Add", exact=True).focus()

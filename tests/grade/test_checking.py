@@ -107,7 +107,7 @@ def test_a_check_that_is_stopped_says_so_in_one_line(tmp_path, monkeypatch):
         raise KeyboardInterrupt
 
     monkeypatch.setenv("COURSEKIT_WORKSPACE", str(tmp_path / "ros2_ws"))
-    monkeypatch.setattr(checking, "judge", endless)
+    monkeypatch.setattr(checking, "judge_work", endless)
     with pytest.raises(CheckFailed) as caught:
         checking.check("ch08.q3")
     assert caught.value._render_traceback_() == [

@@ -53,3 +53,28 @@ def test_after_a_failed_build_its_output_is_named(tmp_path, monkeypatch):
     with pytest.raises(Wrong) as caught:
         Failed({}, tmp_path).built("p")
     assert caught.value.cause == "The build's output says why. Mend that, then run: %colcon build --packages-select p"
+
+
+@pytest.mark.parametrize(
+    ("command", "output", "cause"),
+    [
+        ("run p my_exe --ros-args -p x:=1", "No executable found\n", "p has no executable my_exe. Run the cell that"),
+        ("run p my_exe", "I say: No executable found\n", "Does it start?"),
+        (
+            "launch p l.py",
+            "[ERROR] [launch]: Caught exception in launch (see debug for traceback): executable 'my_exe' not found on the "
+            "libexec directory '/ws/install/p/lib/p' \n",
+            "Run the cell that adds it to setup.py",
+        ),
+    ],
+)
+def test_an_executable_that_is_not_there_is_told_as_such(command, output, cause):
+    class Tried(Work):
+        def try_out(self, *commands, **plan):
+            return Seen(outputs=[output], exit_codes=[1])
+
+    def judge_trial(work):
+        work.try_out(command)
+        raise Wrong("a node", "none", "Does it start?", hint=0)
+
+    assert judge_work(Exercise("ch99.q1", "Try", 1, ("a hint",), judge_trial), Tried({}, None), 3).cause.startswith(cause)

@@ -1,6 +1,7 @@
 """What a verdict says of an exception of a student's function."""
 
 import pytest
+from std_msgs.msg import UInt8
 from std_srvs.srv import SetBool
 
 from coursekit.grade.plain import called
@@ -26,6 +27,14 @@ def misspelt_field(request, response):
     response.sucess = request.data
 
 
+def other_type(request, response):
+    response.message = 1
+
+
+def out_of_range(request, response):
+    UInt8(data=-1)
+
+
 def misspelt(request, response):
     return stat  # noqa: F821
 
@@ -37,6 +46,8 @@ def misspelt(request, response):
         (swapped, "The request comes first, then the response"),
         (swapped_and_filled_in, "The request comes first, then the response"),
         (misspelt_field, "no field of this name"),
+        (other_type, "`message` is a field of type str, and takes exactly this type"),
+        (out_of_range, "The field `data` does not take this value"),
         (misspelt, "Is it spelled so?"),
         (lambda request, response: request.nothing, "Your function stopped there."),
     ],

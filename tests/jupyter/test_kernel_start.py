@@ -51,7 +51,7 @@ def test_what_a_cell_starts_is_the_cell_s(kernel):
     kernel.client.session.metadata = {"cellId": "one"}
     line = "%ros2 run demo_nodes_py talker &"
     assert "Run again" not in kernel(line)
-    assert kernel(line).startswith("Run again: replaced process ros2 run demo_nodes_py talker")
+    assert kernel(line).startswith("Run again: replaced process `ros2 run demo_nodes_py talker`")
 
 
 def test_a_real_kernel_keeps_the_output_of_threads_in_cells(kernel):
@@ -64,7 +64,7 @@ INIT = "import rclpy\nrclpy.init()\nnode = rclpy.create_node('n')\nprint(node.ge
 def test_a_cell_that_initialises_rclpy_may_be_run_again(kernel):
     kernel.client.session.metadata = {"cellId": "one"}
     assert kernel(INIT) == "n\n"
-    assert kernel(INIT) == "Run again: replaced node /n, rclpy.init().\nn\n"
+    assert kernel(INIT) == "Run again: replaced node /n and rclpy.init().\nn\n"
 
 
 def test_a_cell_that_initialises_rclpy_after_another_says_what_to_do(kernel):

@@ -12,8 +12,6 @@ from coursekit.lab import missing_names
     "cell",
     [
         "robot = 1",
-        "import robot",
-        "from urdf import robot_of as robot",
         "def robot():\n    pass",
         "class robot:\n    pass",
         "for robot in ():\n    pass",
@@ -25,6 +23,12 @@ from coursekit.lab import missing_names
 )
 def test_a_name_that_another_cell_makes_is_told(cell):
     assert "`robot` is made in another cell" in missing_names.advice("robot", ["x = 1", cell])
+
+
+@pytest.mark.parametrize("cell", ["import robot", "from urdf import robot_of as robot", "import robot.arm"])
+def test_a_name_that_another_cell_imports_is_told_as_such(cell):
+    assert "`robot` is imported in another cell" in missing_names.advice("robot", ["x = 1", cell])
+    assert "`robot` is made in another cell" in missing_names.advice("robot", [cell, "robot = 1"])
 
 
 def test_the_advice_says_that_an_unsolved_exercise_stops_the_cells_above():

@@ -134,3 +134,9 @@ def test_a_command_that_has_said_it_early_still_has_its_time(session, capsys):
 
 def test_a_command_that_ends_is_not_waited_for(session):
     assert seconds(session, lambda: ros2('--until "never" node list')) < 5
+
+
+def test_a_program_that_only_repeats_its_line_is_ended_and_the_reason_said(session, capsys):
+    line = '--stop-after 1.5 --until "At time" run tf2_ros tf2_echo odom nobody'
+    assert 15 < seconds(session, lambda: ros2(line)) < 30
+    assert '"At time" did not come' in capsys.readouterr().out

@@ -6,12 +6,14 @@ from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from rclpy._executor_work import TimeoutObject, Work, never
+from rclpy._qualified_names import one_class
 from rclpy.task import Future, Task
 
 if TYPE_CHECKING:
     from rclpy.node import Node
 
 
+@one_class
 class Executor(Work):
     """The base of all executors; a subclass defines in `spin_once` how a ready callback is run."""
 

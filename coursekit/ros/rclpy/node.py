@@ -15,6 +15,7 @@ from rclpy._node_entities import NodeEntities
 from rclpy._node_graph import NodeGraph, core_qos
 from rclpy._node_names import NodeNames
 from rclpy._node_parameters import NodeParameters
+from rclpy._qualified_names import one_class
 from rclpy._rclpy_pybind11 import NodeNameNonExistentError
 from rclpy.callback_groups import MutuallyExclusiveCallbackGroup
 from rclpy.client import Client
@@ -58,6 +59,7 @@ _ROSOUT_QOS = QoSProfile(
 )
 
 
+@one_class
 class Node(NodeEntities, NodeNames, NodeParameters, NodeGraph):
     """A participant of the ROS graph.
 

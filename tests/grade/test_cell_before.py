@@ -1,0 +1,86 @@
+"""What a check says of the cells run before it: only what has to do with the exercise, in the student's words."""
+
+from types import SimpleNamespace
+
+import pytest
+from IPython.core.error import UsageError
+
+from coursekit.grade.cell_before import explained
+from coursekit.grade.checking import judge
+from coursekit.grade.exercise import Exercise
+from coursekit.grade.verdict import Verdict
+from coursekit.grade.work import Work
+from coursekit.lab.errors import NotThere
+
+WRONG = Verdict("ch02.q1", "Names", 0, 1, "a name", "another", "the judge's own cause", "a hint")
+OTHER = "def shown(x):\n    pass"
+FIRST, SECOND = "def full_name(name):\n    return name", "def full_nam(name):\n    return '/' + name"
+
+
+def shell(cell="", error=None, cells=()):
+    """A notebook in which this cell ended with this error."""
+    info = SimpleNamespace(raw_cell=cell)
+    before = SimpleNamespace(error_before_exec=None, error_in_exec=error, info=info)
+    return SimpleNamespace(last_execution_result=before, user_ns={"In": ["", *cells]})
+
+
+def cause(asked, **of):
+    return explained(WRONG, dict.fromkeys(asked), shell(**of)).cause
+
+
+@pytest.mark.parametrize(
+    ("cell", "asked"),
+    [
+        ("full_name = 3 / 0", ["full_name"]),
+        ("%%writefile -a src/s2_py_pubsub/s2_py_pubsub/py_ear.py\nx", ["s2_py_pubsub", "py_ear"]),
+        ("anything", []),
+    ],
+)
+def test_a_failed_cell_about_the_exercise_is_blamed(cell, asked):
+    assert "The cell before this check stopped with KeyError: 'x'" in cause(asked, cell=cell, error=KeyError("x"))
+
+
+@pytest.mark.parametrize("cell", ["%show nowhere.py", "1 / 0", "full_names = 1 / 0"])
+def test_another_cell_is_not(cell):
+    assert cause(["full_name"], cell=cell, error=KeyError("x")) == WRONG.cause
+
+
+def test_words_for_students_are_shown_without_the_name_of_a_class():
+    said = cause(["robot"], cell="robot = load('vera')", error=NotThere("There is no vera. Is the name right?"))
+    assert 'stopped with "There is no vera. Is the name right?".' in said and "NotThere" not in said
+
+
+def test_other_errors_keep_theirs():
+    assert "stopped with UsageError: no" in cause(["robot"], cell="%robot", error=UsageError("no"))
+
+
+def test_an_older_function_under_the_right_name_is_told():
+    said = cause(["full_name"], cells=[FIRST, SECOND])
+    assert said.startswith("A newer cell defines `full_nam`. What was judged is `full_name`, which is older.")
+
+
+@pytest.mark.parametrize(
+    "cells",
+    [[FIRST], [SECOND, FIRST], [SECOND, FIRST, SECOND], [FIRST, OTHER], [f"{FIRST}\n{SECOND}"], [SECOND]],
+)
+def test_a_function_that_is_the_newest_is_judged_without_a_word(cells):
+    assert cause(["full_name"], cells=cells) == WRONG.cause
+
+
+def test_a_solved_exercise_needs_no_explanation():
+    solved = Verdict("ch02.q1", "Names", 1, 1)
+    assert explained(solved, {"full_name": None}, shell(cells=[FIRST, SECOND])) == solved
+
+
+@pytest.mark.parametrize("ask", [lambda work: work.function("full_name"), lambda work: work.value("full_name", str)])
+def test_a_missing_name_is_looked_for_under_a_similar_one(ask):
+    exercise = Exercise("ch99.q1", "Try", 1, (), ask)
+    assert judge(exercise, {"full_nam": len, "x": 1}, None).cause == "There is `full_nam`. Is its name a slip?"
+    assert "Was the cell above run" in judge(exercise, {"x": 1}, None).cause
+
+
+def test_work_knows_the_names_that_a_judge_looked_for(tmp_path):
+    work = Work({"full_name": len}, tmp_path)
+    work.function("full_name")
+    work.exists("src/s2_py_pubsub/py_ear.py")
+    assert list(work.asked) == ["full_name", "s2_py_pubsub", "py_ear"]

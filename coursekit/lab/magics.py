@@ -216,16 +216,23 @@ def _attend(begin: Callable[[], Any], title: str, options: dict[str, str], backg
         show_as(title, shown)
         return shown
     least = float(options["stop-after"]) if "stop-after" in options else None
+    said = True
     try:
         if "until" in options:
-            until_said(process, options["until"], least or 0.0)
+            said = until_said(process, options["until"], least or 0.0, repeated=False)
         else:
             process.wait(least)
     except KeyboardInterrupt:
         pass
     if process.exit_code is None:
         _end(process)
+        if not said:
+            print(_nothing_said(options["until"]))
     return None
+
+
+def _nothing_said(text: str) -> str:
+    return gettext(f'"{text}" did not come, so the program was ended. Is a cell or an exercise above not done yet?')
 
 
 def _end(process: Any) -> None:

@@ -19,7 +19,7 @@ from .panel_node import HiddenNode
 LOOK_SECONDS = 0.05
 PATIENCE_SECONDS = 180.0
 """The default timeout [s]: the first start of SLAM compiles it, which takes a slow machine two minutes."""
-REPEATED_LINES = 20
+REPEATED_LINES = 30
 """A program that waits in vain says so once a second: `tf2_echo` for a frame that nobody sends."""
 
 
@@ -80,23 +80,31 @@ def _wait_for(session: Session, topic: str, least: float, most: float, bar: Prog
     return bool(heard)
 
 
-def until_said(process: Any, text: str, least: float = 0.0, most: float = PATIENCE_SECONDS) -> None:
-    """Wait `least` seconds, then until a process has printed `text`, repeats itself or ended; at most `most` s more."""
+def until_said(
+    process: Any, text: str, least: float = 0.0, most: float = PATIENCE_SECONDS, *, repeated: bool = True
+) -> bool:
+    """Wait `least` seconds, then until a process has printed `text` or ended, at most `most` seconds more; whether it did.
+
+    Without `repeated` a process that only repeats its line is not waited for either.
+    """
     clock = process.session.clock
     said = clock.new_event()
-    process.on_output(lambda _stream, _text: said.set() if text in process.output or _repeats(process.output) else None)
+    process.on_output(lambda _stream, _text: said.set() if _is_enough(process.output, text, repeated) else None)
     process.on_exit(lambda _process: said.set())
     if process.wait(least) is None and text not in process.output:
         said.wait(most)
         process.wait(4 * LOOK_SECONDS)  # for the rest of the same output
-        if text not in process.output and process.exit_code is None:
-            print(gettext(f'"{text}" did not come, so the program was ended. Is a cell or an exercise above not done yet?'))
+    return text in process.output
+
+
+def _is_enough(output: str, text: str, repeated: bool) -> bool:
+    return text in output or (not repeated and _repeats(output))
 
 
 def _repeats(output: str) -> bool:
     """Whether the last lines of an output are the same one again and again, but for its numbers.
 
-    >>> _repeats("[1.0] no map\\n" * 20), _repeats("[1.0] no map\\n" * 10)
+    >>> _repeats("[1.0] no map\\n" * 30), _repeats("[1.0] no map\\n" * 10)
     (True, False)
     """
     last = output.splitlines()[-REPEATED_LINES:]

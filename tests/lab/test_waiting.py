@@ -138,5 +138,5 @@ def test_a_command_that_ends_is_not_waited_for(session):
 
 def test_a_program_that_only_repeats_its_line_is_ended_and_the_reason_said(session, capsys):
     line = '--stop-after 1.5 --until "At time" run tf2_ros tf2_echo odom nobody'
-    assert 15 < seconds(session, lambda: ros2(line)) < 30
+    assert 25 < seconds(session, lambda: ros2(line)) < 40
     assert '"At time" did not come' in capsys.readouterr().out

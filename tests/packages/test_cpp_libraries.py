@@ -112,6 +112,28 @@ def test_arms_are_counted_with_by_the_system_s_kdl(tmp_path):
     assert sourced(tmp_path, "ros2 run k_arm plain").stdout == "3.74166\n"
 
 
+FIT_CMAKE = """
+find_package(tf2_geometry_msgs REQUIRED)
+add_executable(fits src/fits.cpp)
+ament_target_dependencies(fits tf2_geometry_msgs)
+install(TARGETS fits DESTINATION lib/${PROJECT_NAME})
+ament_package()
+"""
+FITS = """
+#include <Eigen/Dense>
+#include <iostream>
+int main() {std::cout << Eigen::Matrix2d::Identity().inverse().trace() << std::endl;}
+"""
+
+
+def test_messages_of_tf2_bring_eigen_as_on_a_robot(tmp_path):
+    if not os.path.isdir("/usr/include/eigen3"):
+        pytest.skip("needs libeigen3-dev")
+    lay_out(tmp_path, "k_fit", FIT_CMAKE, {"src/fits.cpp": FITS}, ("tf2_geometry_msgs",))
+    built(tmp_path)
+    assert sourced(tmp_path, "ros2 run k_fit fits").stdout == "2\n"
+
+
 VENDORS_CMAKE = """
 find_package(yaml_cpp_vendor REQUIRED)
 find_package(yaml-cpp REQUIRED)

@@ -117,13 +117,23 @@ namespace tf2_ros
 namespace
 {
 constexpr tf2::Duration LOOKS_EACH = std::chrono::milliseconds(10);
+/// Every jump back, and another source of time; none forwards.
+constexpr rcl_jump_threshold_t BACK = {true, {0}, {-1}};
 }  // namespace
 Buffer::Buffer(rclcpp::Clock::SharedPtr clock, tf2::Duration cache_time, rclcpp::Node::SharedPtr node)
-: BufferCore(cache_time, node ? node->get_node_base_interface()->id : 0), clock_(std::move(clock))
+: BufferCore(cache_time, node ? node->get_node_base_interface()->id : 0), clock_(std::move(clock)), node_(std::move(node))
 {
   if (!clock_) {
     throw std::invalid_argument("clock must be a valid instance");
   }
+  jumps_ = clock_->create_jump_callback(nullptr, [this](const rcl_time_jump_t & jump) {clear_after(jump);}, BACK);
+}
+rclcpp::Logger Buffer::logger() const {return node_ ? node_->get_logger() : rclcpp::get_logger("tf2_buffer");}
+void Buffer::clear_after(const rcl_time_jump_t & jump)
+{
+  const bool same = jump.clock_change == RCL_ROS_TIME_NO_CHANGE;
+  RCLCPP_WARN(logger(), "Detected %s. Clearing TF buffer.", same ? "jump back in time" : "time source change");
+  clear();
 }
 bool Buffer::may_wait(tf2::Duration timeout, std::string * why_not) const
 {
@@ -133,8 +143,22 @@ bool Buffer::may_wait(tf2::Duration timeout, std::string * why_not) const
   if (why_not) {
     *why_not = threading_error;
   }
-  RCLCPP_ERROR(rclcpp::get_logger("tf2_buffer"), "%s", threading_error);
+  RCLCPP_ERROR(logger(), "%s", threading_error);
   return false;
+}
+bool Buffer::timed(tf2::Duration timeout, std::string * why_not, const std::function<bool()> & can) const
+{
+  if (!may_wait(timeout, why_not)) {
+    return false;
+  }
+  const rclcpp::Time begin = clock_->now();
+  const bool found = can();
+  if (why_not) {
+    std::ostringstream took;
+    took << ". canTransform returned after " << (clock_->now() - begin).seconds() << " timeout was " << tf2::durationToSec(timeout);
+    *why_not += took.str() + ".";
+  }
+  return found;
 }
 geometry_msgs::msg::TransformStamped Buffer::lookupTransform(
   const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout) const
@@ -155,14 +179,15 @@ bool Buffer::canTransform(
   const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration timeout,
   std::string * why_not) const
 {
-  return may_wait(timeout, why_not) && can("tf_can", Packer{}.i(id).i(timeout.count()).s(target).s(source).i(count(time)), why_not);
+  Packer with = Packer{}.i(id).i(timeout.count()).s(target).s(source).i(count(time));
+  return timed(timeout, why_not, [&] {return can("tf_can", with, why_not);});
 }
 bool Buffer::canTransform(
   const std::string & target, const tf2::TimePoint & target_time, const std::string & source, const tf2::TimePoint & source_time,
   const std::string & fixed, const tf2::Duration timeout, std::string * why_not) const
 {
   Packer with = Packer{}.i(id).i(timeout.count()).s(target).i(count(target_time)).s(source).i(count(source_time)).s(fixed);
-  return may_wait(timeout, why_not) && can("tf_can_full", with, why_not);
+  return timed(timeout, why_not, [&] {return can("tf_can_full", with, why_not);});
 }
 TransformStampedFuture Buffer::waitForTransform(
   const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration & timeout,
@@ -183,9 +208,7 @@ TransformStampedFuture Buffer::waitForTransform(
       if (can) {
         promise->set_value(lookupTransform(target, source, time, tf2::Duration::zero()));
       } else {
-        promise->set_exception(
-          std::make_exception_ptr(tf2::TimeoutException(std::string("Timed out waiting for transform from ") +
-          source + " to " + target)));
+        promise->set_exception(std::make_exception_ptr(tf2::TimeoutException("Timed out waiting for transform")));
       }
       callback(future);
       return true;

@@ -19,8 +19,11 @@ if TYPE_CHECKING:
 
 
 def do_tf_buffer(host: Host, _channel: Channel, frame: Unpacker) -> bytes:
-    """Make a buffer with a cache time; with a node it serves `tf2_frames`."""
-    return packed(host.keep(Buffer(Duration(nanoseconds=frame.integer()), host.things.get(frame.integer()))))
+    """Make a buffer with a cache time; with a node it serves `tf2_frames`. The program itself clears it after a jump."""
+    buffer = Buffer(Duration(nanoseconds=frame.integer()), host.things.get(frame.integer()))
+    if hasattr(buffer, "jump_handle"):
+        buffer.jump_handle.unregister()
+    return packed(host.keep(buffer))
 
 
 def do_tf_listener(host: Host, _channel: Channel, frame: Unpacker) -> bytes:

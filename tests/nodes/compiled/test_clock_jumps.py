@@ -52,3 +52,46 @@ def test_jumps_that_reach_the_threshold_are_told(build):
         assert process.wait(5.0) == 0, process.output
     told = [line for line in process.output.splitlines() if "signal" not in line]
     assert told == ["before", "1 10000000000", "before", "1 4000000000", "before", "1 -1000000000", "no more", "1"]
+
+
+BUFFERS = """
+#include "rclcpp/rclcpp.hpp"
+#include "tf2_ros/buffer.h"
+int main(int argc, char ** argv)
+{
+  rclcpp::init(argc, argv);
+  auto node = std::make_shared<rclcpp::Node>(
+    "mapper", rclcpp::NodeOptions().append_parameter_override("use_sim_time", true));
+  tf2_ros::Buffer usual(node->get_clock());
+  tf2_ros::Buffer served(node->get_clock(), tf2::BUFFER_CORE_DEFAULT_CACHE_TIME, node);
+  geometry_msgs::msg::TransformStamped transform;
+  transform.header.frame_id = "map";
+  transform.child_frame_id = "base";
+  transform.transform.rotation.w = 1;
+  usual.setTransform(transform, "test");
+  served.setTransform(transform, "test");
+  auto timer = rclcpp::create_timer(node, std::make_shared<rclcpp::Clock>(), rclcpp::Duration(0, 100000000), [&] {
+      auto known = [](auto & buffer) {return buffer.canTransform("map", "base", tf2::TimePointZero);};
+      std::cout << node->now().seconds() << " " << known(usual) << known(served) << std::endl;
+    });
+  rclcpp::spin(node);
+}
+"""
+
+
+def test_a_jump_back_clears_buffers(build):
+    with (session := Session(virtual=True)).use():
+        process = session.launch(make_process(session, build("mapper", BUFFERS), name="mapper"))
+        session.clock.sleep(0.15)
+        rclpy.init()
+        publisher = rclpy.create_node("clock").create_publisher(Clock, "/clock", 10)
+        for seconds in (10, 30, 29):  # a bag that begins again, or a simulator that is reset
+            publisher.publish(Clock(clock=Time(sec=seconds)))
+            session.clock.sleep(0.1)
+        process.interrupt()
+        assert process.wait(5.0) == 0, process.output
+    lines = process.output.splitlines()
+    assert [line for line in lines if line[0].isdigit()] == ["0 11", "10 11", "30 11", "29 00"]
+    warned = "Detected jump back in time. Clearing TF buffer."
+    said = sorted(line.partition("] [")[2].partition("] ")[2] for line in lines if "Detected" in line)
+    assert said == [f"[mapper]: {warned}", f"[tf2_buffer]: {warned}"]

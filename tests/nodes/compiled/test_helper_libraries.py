@@ -84,6 +84,16 @@ int main(int argc, char ** argv)
   Eigen::Quaterniond turn;
   tf2::convert(pose.orientation, turn);
   std::cout << read.isApprox(Eigen::Affine3d(motion)) << point.z << " " << turn.z() << std::endl;
+  Eigen::VectorXd push(6), moved;
+  push << 3, 0, 0, 0, 0, 1;  // a force and a torque
+  tf2::doTransform(push, moved, transform);
+  geometry_msgs::msg::Accel accel;
+  accel.linear.x = 1;
+  accel.angular.z = 2;
+  Eigen::Matrix<double, 6, 1> six;
+  tf2::fromMsg(accel, six);
+  std::cout << moved.array().round().abs().transpose() << std::endl;
+  std::cout << six.transpose() << " " << tf2::toMsg2(push.head<3>()).x << std::endl;
 }
 """
 
@@ -92,7 +102,9 @@ int main(int argc, char ** argv)
 def test_eigen_s_classes_become_messages_and_are_transformed(session, build):
     process = session.launch(make_process(session, build("eigen", EIGEN), name="eigen"))
     assert process.wait(20.0) == 0, process.output
-    assert process.output.splitlines() == ["1 2 0", "1 0.707107", "3.5 -2 -0  0 base", "16 0.707107"]
+    lines = process.output.splitlines()
+    assert lines[:4] == ["1 2 0", "1 0.707107", "3.5 -2 -0  0 base", "16 0.707107"]
+    assert lines[4:] == ["0 3 0 0 0 4", "1 0 0 0 0 2 3"]
 
 
 DIAGNOSTICS = """

@@ -5,6 +5,8 @@
 
 #include "coursekit/entity.hpp"
 #include "geometry_msgs/msg/transform_stamped.hpp"
+#include "geometry_msgs/msg/velocity_stamped.hpp"
+#include "tf2/LinearMath/Vector3.h"
 #include "tf2/buffer_core_interface.h"
 #include "tf2/exceptions.h"
 #include "tf2/time.h"
@@ -32,6 +34,16 @@ public:
   bool canTransform(
     const std::string & target, const TimePoint & target_time, const std::string & source, const TimePoint & source_time,
     const std::string & fixed, std::string * why_not = nullptr) const override;
+
+  /// How fast a frame moves as seen from another, on average over an interval around a time.
+  geometry_msgs::msg::VelocityStamped lookupVelocity(
+    const std::string & tracking_frame, const std::string & observation_frame, const TimePoint & time,
+    const Duration & averaging_interval) const;
+  /// The same along the axes of a reference frame, for a point that moves with what is tracked.
+  geometry_msgs::msg::VelocityStamped lookupVelocity(
+    const std::string & tracking_frame, const std::string & observation_frame, const std::string & reference_frame,
+    const Vector3 & reference_point, const std::string & reference_point_frame, const TimePoint & time,
+    const Duration & averaging_interval) const;
 
   bool setTransform(const geometry_msgs::msg::TransformStamped & transform, const std::string & authority, bool is_static = false);
   void clear() override;

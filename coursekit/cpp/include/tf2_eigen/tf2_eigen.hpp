@@ -2,6 +2,7 @@
 #pragma once
 #include <Eigen/Geometry>
 
+#include "geometry_msgs/msg/accel.hpp"
 #include "geometry_msgs/msg/twist.hpp"
 #include "geometry_msgs/msg/wrench.hpp"
 #include "tf2_geometry_msgs/tf2_geometry_msgs.hpp"
@@ -16,6 +17,8 @@ inline gm::Vector3 & toMsg(const Eigen::Vector3d & v, gm::Vector3 & m)
 {
   return m = gm::Vector3().set__x(v.x()).set__y(v.y()).set__z(v.z());
 }
+/// The same, for who expects one argument: toMsg() of one makes a point.
+inline gm::Vector3 toMsg2(const Eigen::Vector3d & v) {return gm::Vector3().set__x(v.x()).set__y(v.y()).set__z(v.z());}
 inline void fromMsg(const gm::Vector3 & m, Eigen::Vector3d & v) {v = Eigen::Vector3d(m.x, m.y, m.z);}
 inline gm::Quaternion toMsg(const Eigen::Quaterniond & q)
 {
@@ -30,6 +33,10 @@ inline gm::Twist toMsg(const Vector6d & v)
   return twist;
 }
 inline void fromMsg(const gm::Twist & m, Vector6d & v)
+{
+  v << m.linear.x, m.linear.y, m.linear.z, m.angular.x, m.angular.y, m.angular.z;
+}
+inline void fromMsg(const gm::Accel & m, Vector6d & v)
 {
   v << m.linear.x, m.linear.y, m.linear.z, m.angular.x, m.angular.y, m.angular.z;
 }
@@ -79,6 +86,15 @@ template<>
 inline void doTransform(const Eigen::Vector3d & in, Eigen::Vector3d & out, const gm::TransformStamped & transform)
 {
   out = transformToEigen(transform) * in;
+}
+/// Of six numbers, such as a force and a torque: what turns is turned, and what it moves beside it is added to the rest.
+template<>
+inline void doTransform(const Eigen::VectorXd & in, Eigen::VectorXd & out, const gm::TransformStamped & transform)
+{
+  const Eigen::Isometry3d motion = transformToEigen(transform);
+  const Eigen::Vector3d first = motion.linear() * in.head<3>(), second = motion.linear() * in.tail<3>();
+  out.resize(6);
+  out << first, second + motion.translation().cross(first);
 }
 template<>
 inline void doTransform(const Eigen::Quaterniond & in, Eigen::Quaterniond & out, const gm::TransformStamped & transform)

@@ -182,8 +182,13 @@ inline void doTransform(const gm::PoseWithCovariance & in, gm::PoseWithCovarianc
 }
 inline void doTransform(const gm::Wrench & in, gm::Wrench & out, const gm::TransformStamped & transform)
 {
+  Vector3 shift, force, torque;
   doTransform(in.force, out.force, transform);
   doTransform(in.torque, out.torque, transform);
+  fromMsg(transform.transform.translation, shift);
+  fromMsg(out.force, force);
+  fromMsg(out.torque, torque);
+  out.torque = toMsg(torque + shift.cross(force));  // a force turns what is beside it
 }
 inline void doTransform(const gm::Point32 & in, gm::Point32 & out, const gm::TransformStamped & transform)
 {

@@ -117,8 +117,15 @@ private:
   };
   /// Whether a time to wait for a transform may pass: only where something else than the waiting thread fills the buffer.
   bool may_wait(tf2::Duration timeout, std::string * why_not = nullptr) const;
+  /// What is asked, with how long it took behind why not.
+  bool timed(tf2::Duration timeout, std::string * why_not, const std::function<bool()> & can) const;
   void forget(TransformRequestHandle handle);
+  /// Transforms of a time that has not been yet would hide the new ones.
+  void clear_after(const rcl_time_jump_t & jump);
+  rclcpp::Logger logger() const;
   rclcpp::Clock::SharedPtr clock_;
+  rclcpp::Node::SharedPtr node_;
+  rclcpp::JumpHandler::SharedPtr jumps_;
   CreateTimerInterface::SharedPtr timers_;
   std::list<Wait> waiting_;
   std::atomic<TransformRequestHandle> waits_{0};

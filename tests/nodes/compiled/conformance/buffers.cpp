@@ -10,6 +10,10 @@
 using geometry_msgs::msg::PoseWithCovarianceStamped;
 using geometry_msgs::msg::TransformStamped;
 
+static bool ends(const std::string & text, const std::string & with)
+{
+  return text.size() >= with.size() && text.compare(text.size() - with.size(), with.size(), with) == 0;
+}
 static bool near(double a, double b) {return std::abs(a - b) < 1e-6;}
 
 struct Buoy
@@ -109,6 +113,13 @@ int main(int argc, char ** argv)
   check("a listener in the node's thread", !buffer.isUsingDedicatedThread());
   tf2_ros::TransformListener own_thread(buffer, node);
   check("a listener in a thread of its own", buffer.isUsingDedicatedThread());
+  check("a buffer waits", !buffer.canTransform("base", "moon", tf2::TimePointZero, 20ms, &why));
+  const std::string unknown = "Invalid frame ID \"moon\" passed to canTransform argument source_frame - frame does not exist";
+  check("and says how long", why.rfind(unknown + ". canTransform returned after 0.0", 0) == 0 && ends(why, " timeout was 0.02."), why);
+  buffer.canTransform("base", rclcpp::Time(), "moon", rclcpp::Time(), "base", 20ms, &why);
+  check("also between two times", why.find(". canTransform returned after 0.0") != why.npos && ends(why, " timeout was 0.02."), why);
+  core.canTransform("base", "moon", tf2::TimePointZero, &why);
+  equal("a core does not", why, unknown);
   tf2::Stamped<Transport> carried(Transport{3}, tf2::TimePointZero, "base");
   tf2::Stamped<tf2::Vector3> arrived;
   tf2::convert(carried, arrived);

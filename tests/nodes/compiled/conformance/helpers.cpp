@@ -180,6 +180,11 @@ static void geometry()
   up.transform.translation.z = 2;
   tf2::doTransform(shape, moved, up);
   check("a polygon is moved", moved.header.frame_id == "map" && moved.polygon.points[1].x == 1 && moved.polygon.points[0].z == 2);
+  geometry_msgs::msg::WrenchStamped push, below;
+  push.wrench.force.x = 5;
+  push.wrench.torque.y = 1;
+  tf2::doTransform(push, below, up);
+  check("a force turns what is beside it", below.wrench.force.x == 5 && below.wrench.torque.y == 11 && below.wrench.torque.x == 0);
   geometry_msgs::msg::PoseWithCovarianceStamped pose;
   pose.pose.covariance[35] = 3;
   equal("a covariance's rows", tf2::getCovarianceMatrix(pose)[5][5], 3.0);

@@ -1,5 +1,8 @@
 """The names of OpenCV 4.5, which robots with Humble have, where a newer OpenCV lacks them."""
 
+import subprocess
+import sys
+
 import cv2
 import numpy as np
 import pytest
@@ -92,3 +95,10 @@ def test_after_the_last_session_opencv_is_as_it_was_found():
     undo = older_opencv.add_aruco(None)
     undo()
     assert {name for name in older_opencv.ARUCO if name in vars(cv2.aruco)} == added
+
+
+@pytest.mark.parametrize("order", [("cv2", "rclpy"), ("rclpy", "cv2")])
+def test_a_plain_script_finds_the_markers_above_its_first_node(order):
+    lines = "\n".join([*(f"import {name}" for name in order), "print(cv2.aruco.Dictionary_get(0).markerSize)"])
+    done = subprocess.run([sys.executable, "-c", lines], capture_output=True, encoding="utf-8")
+    assert done.stdout.split() == ["4"], done.stderr

@@ -82,7 +82,7 @@ print(numpy.NINF)
 rclpy.init()
 rclpy.create_node("n").destroy_node()
 rclpy.shutdown()
-print(NINF)
+print(numpy.NINF)
 """
 
 

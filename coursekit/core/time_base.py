@@ -68,9 +68,7 @@ class TimeBase:
         """Switch the override on or off."""
         if active == self.active:
             return
-        before = self.now()
-        after = self.override if active else self.clock.now()
-        self._change(after - before, True, lambda: setattr(self, "active", active))
+        self._change(0, True, lambda: setattr(self, "active", active))  # as in rcl, it has no length
 
     def set_override(self, nanoseconds: int) -> None:
         """Set the time used while the override is active."""

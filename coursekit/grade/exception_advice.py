@@ -14,6 +14,7 @@ NO_RESULT = "Does the callback that judges parameters give back a SetParametersR
 STUB = "The stub is still there: write your code where that line stands."
 UNPACKED = "Another number of values is taken there than came: what should your function return?"
 NO_RESULT_YET = "A future's result() is None until it is done: spin until the future is complete before you read it."
+NO_ANSWER = "Each callback of a managed node ends with `return TransitionCallbackReturn.SUCCESS`, or FAILURE."
 OTHER_TYPE = "A message's field takes exactly its type, and sys.argv holds texts: int(...) or float(...) makes numbers."
 NO_BASE = "Nothing of the node is there yet: begin __init__ with super().__init__(...) and the node's name."
 NO_DEPTH = "A publisher and a subscription take the depth of their queue as the last value, for example 10."
@@ -23,6 +24,7 @@ _CAUSES = (
     (r"TypeError: .*missing 1 required positional argument: 'qos_profile'", NO_DEPTH),
     (r"AttributeError: 'Future' object .*", NOT_YET),
     (r"ValueError: invalid literal for int\(\) with base 10: '[^']*[/\\].*sys\.argv", OWN_NAME),
+    (r"AttributeError: '\w+' object has no attribute 'to_label'", NO_ANSWER),
     (r"AttributeError: 'NoneType' object has no attribute .*\.result\(\)", NO_RESULT_YET),
     (r"AssertionError: The '\w+' field must be of type '(?:int|float|str|bool)'", OTHER_TYPE),
     (r"AttributeError: '\w+' object has no attribute '_(?:default_callback_group|parameter_overrides|logger)'", NO_BASE),

@@ -6,13 +6,13 @@ import importlib
 import importlib.abc
 import importlib.machinery
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from types import ModuleType
 from typing import Any
 
 from coursekit.wiring import IMPORT_HOOKS
 
-from .patching import is_imported
+from .patching import is_imported, patch_manager
 from .unavailable_packages import remark
 
 
@@ -78,7 +78,17 @@ def watch_imports(_nothing: object = None) -> Callable[[], None]:
 
 def lend_to_imported() -> None:
     """Patch libraries that have been imported already; harmless when that is done."""
-    for name, helper in IMPORT_HOOKS.items():
+    _help_imported(IMPORT_HOOKS)
+
+
+def lend_older_names() -> None:
+    """Give libraries the names of Humble's versions: what says them above its first node has no session yet."""
+    patch_manager.put_at_once("sys.meta_path (first)")
+    _help_imported({name: IMPORT_HOOKS[name] for name in ("numpy", "cv2")})
+
+
+def _help_imported(hooks: Mapping[str, str]) -> None:
+    for name, helper in hooks.items():
         if is_imported(name):
             _help(helper)
 

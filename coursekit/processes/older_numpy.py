@@ -63,8 +63,8 @@ _PATCH = Patch("numpy.__getattr__", _also_older, "programs for Humble's NumPy 1.
 
 
 def install() -> None:
-    """Give NumPy the names that it lacks, while sessions are open."""
-    patch_manager.lend(_PATCH)
+    """Give NumPy the names that it lacks."""
+    patch_manager.lend(_PATCH, at_once=True)
 
 
 def patches() -> list[Patch]:

@@ -187,13 +187,16 @@ class PatchManager:
             if not self.is_open() and vars(sys).get(HELD) is self:
                 del vars(sys)[HELD]
 
-    def lend(self, *patches: Patch) -> None:
-        """Add the patches of an imported library; harmless when they are already added."""
+    def lend(self, *patches: Patch, at_once: bool = False) -> None:
+        """Add the patches of an imported library; harmless when they are already added.
+
+        Those that only add names can be applied `at_once`, before any session: a script says them above its first node.
+        """
         with self._lock:
             known = {patch.target for patch in self._lent}
             self._lent += [patch for patch in patches if patch.target not in known]
             for patch in self._lent:
-                if self._wanted[patch.group]:
+                if self._wanted[patch.group] or (at_once and patch in patches):
                     patch.put_once()
 
     def is_open(self) -> bool:

@@ -164,7 +164,7 @@ def install() -> None:
         patch_manager.lend(*_WINDOW_PATCHES)
     if not has_camera():
         patch_manager.lend(_CAMERA_PATCH)
-    patch_manager.lend(*older_opencv.PATCHES)
+    patch_manager.lend(*older_opencv.PATCHES, at_once=True)
 
 
 def patches() -> list[Patch]:

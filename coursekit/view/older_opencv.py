@@ -46,6 +46,40 @@ def drawAxis(image: Any, cameraMatrix: Any, distCoeffs: Any, rvec: Any, tvec: An
     return cv2.drawFrameAxes(image, cameraMatrix, distCoeffs, rvec, tvec, length)
 
 
+def refineDetectedMarkers(
+    image: Any, board: Any, detectedCorners: Any, detectedIds: Any, rejectedCorners: Any, *camera: Any, **named: Any
+) -> Any:
+    """Find markers of a board that were rejected; return corners, numbers, what is still rejected, and which were found."""
+    detector = cv2.aruco.ArucoDetector(board.getDictionary())
+    return detector.refineDetectedMarkers(image, board, detectedCorners, detectedIds, rejectedCorners, *camera, **named)
+
+
+def estimatePoseBoard(
+    corners: Any,
+    ids: Any,
+    board: Any,
+    cameraMatrix: Any,
+    distCoeffs: Any,
+    rvec: Any,
+    tvec: Any,
+    useExtrinsicGuess: bool = False,
+) -> tuple[int, Any, Any]:
+    """Return how many markers of the board are seen, and its turn and place: x right, y up, z out of a grid board."""
+    if ids is None or len(ids) == 0:
+        return 0, rvec, tvec
+    points, pixels = board.matchImagePoints(corners, ids)
+    if points is None:
+        return 0, rvec, tvec
+    if isinstance(board, cv2.aruco.GridBoard):  # a newer OpenCV counts y downwards from the upper left corner
+        points = points * (1, -1, 1) + (0, board.getRightBottomCorner()[1], 0)
+    _, rvec, tvec = cv2.solvePnP(points, pixels, cameraMatrix, distCoeffs, rvec, tvec, useExtrinsicGuess)
+    return len(points) // 4, rvec, tvec
+
+
+def _draw_board(board: Any, outSize: Any, *more: Any, **named: Any) -> Any:
+    return board.generateImage(outSize, *more, **named)
+
+
 ARUCO: dict[str, Callable[..., Any]] = {
     "Dictionary_get": lambda dict: cv2.aruco.getPredefinedDictionary(dict),
     "Dictionary_create": lambda nMarkers, markerSize, *_: cv2.aruco.extendDictionary(nMarkers, markerSize),
@@ -53,7 +87,13 @@ ARUCO: dict[str, Callable[..., Any]] = {
     "detectMarkers": detectMarkers,
     "estimatePoseSingleMarkers": estimatePoseSingleMarkers,
     "drawAxis": drawAxis,
-    "drawMarker": lambda dictionary, id, sidePixels, *more: cv2.aruco.generateImageMarker(dictionary, id, sidePixels, *more),
+    "drawMarker": lambda dictionary, id, sidePixels, *more, **named: cv2.aruco.generateImageMarker(
+        dictionary, id, sidePixels, *more, **named
+    ),
+    "refineDetectedMarkers": refineDetectedMarkers,
+    "estimatePoseBoard": estimatePoseBoard,
+    "drawPlanarBoard": _draw_board,
+    "Board_create": lambda objPoints, dictionary, ids: cv2.aruco.Board(objPoints, dictionary, ids),
     "GridBoard_create": lambda markersX, markersY, markerLength, markerSeparation, dictionary, *_: cv2.aruco.GridBoard(
         (markersX, markersY), markerLength, markerSeparation, dictionary
     ),
@@ -66,14 +106,16 @@ ARUCO: dict[str, Callable[..., Any]] = {
 
 def add_aruco(_found: Any) -> Callable[[], None]:
     """Add the functions that OpenCV lacks; return what takes them away."""
-    mine = {name: function for name, function in ARUCO.items() if name not in vars(cv2.aruco)}
-    for name, function in mine.items():
-        setattr(cv2.aruco, name, function)
+    boards = [(board, "draw", _draw_board) for board in (cv2.aruco.Board, cv2.aruco.GridBoard, cv2.aruco.CharucoBoard)]
+    functions = [(cv2.aruco, name, function) for name, function in ARUCO.items()]
+    mine = [(owner, name, function) for owner, name, function in [*functions, *boards] if name not in vars(owner)]
+    for owner, name, function in mine:
+        setattr(owner, name, function)
 
     def remove() -> None:
-        for name, function in mine.items():
-            if vars(cv2.aruco).get(name) is function:
-                delattr(cv2.aruco, name)
+        for owner, name, function in mine:
+            if vars(owner).get(name) is function:
+                delattr(owner, name)
 
     return remove
 

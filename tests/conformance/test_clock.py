@@ -96,6 +96,15 @@ def test_a_change_of_clock_is_a_jump():
     assert (len(pre), len(post)) == (1, 1)
 
 
+def test_the_change_itself_has_no_length():
+    clock = ROSClock()
+    clock.set_ros_time_override(Time(seconds=10, clock_type=ROS))
+    _pre, post, _handler = jumps_of(clock, threshold())
+    clock._set_ros_time_is_active(True)
+    clock._set_ros_time_is_active(False)
+    assert [jump.delta for jump in post] == [Duration(), Duration()]
+
+
 def test_a_long_step_forward_is_a_jump():
     clock = ROSClock()
     clock._set_ros_time_is_active(True)

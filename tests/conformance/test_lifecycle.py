@@ -107,6 +107,14 @@ def test_the_whole_life(managed):
     ]
 
 
+def test_a_callback_that_forgets_its_return_ends_the_program(world):
+    node = scripted(world, answers={"configure": None})
+    with pytest.raises(AttributeError, match="'NoneType' object has no attribute 'to_label'"):
+        node.trigger_configure()
+    assert [call for call, _ in node.calls] == ["configure"]
+    assert state_of(node) == "configuring"
+
+
 def test_labels_work_as_well(managed):
     managed_node = managed()
     assert managed_node.change(label="configure")

@@ -112,6 +112,33 @@ def test_a_read_only_parameter_is_not_changed(node):
         node.set_descriptor("fixed", ParameterDescriptor())
 
 
+def of_integers(**fields):
+    return ParameterDescriptor(type=ParameterType.PARAMETER_INTEGER, **fields)
+
+
+def up_to(last):
+    return of_integers(integer_range=[IntegerRange(from_value=0, to_value=last)])
+
+
+def test_a_new_descriptor_keeps_a_value_that_fits_and_else_takes_the_other(node):
+    node.declare_parameter("speed", 7)
+    other = ParameterValue(type=ParameterType.PARAMETER_INTEGER, integer_value=2)
+    assert node.set_descriptor("speed", of_integers(description="in cm/s"), other).integer_value == 7
+    assert node.describe_parameter("speed").description == "in cm/s"
+    assert node.set_descriptor("speed", up_to(5), other).integer_value == 2
+    with pytest.raises(InvalidParameterValueException):
+        node.set_descriptor("speed", up_to(1))
+    assert node.get_parameter("speed").value == 2
+
+
+def test_a_new_descriptor_says_the_type(node):
+    node.declare_parameter("speed", 7)
+    with pytest.raises(InvalidParameterValueException, match="Wrong parameter type, expected"):
+        node.set_descriptor("speed", ParameterDescriptor(description="in cm/s"))
+    node.set_descriptor("speed", ParameterDescriptor(description="in cm/s", dynamic_typing=True))
+    assert node.describe_parameter("speed").type == ParameterType.PARAMETER_INTEGER
+
+
 def test_undeclaring_forgets(node):
     node.declare_parameter("speed", 1, ParameterDescriptor(dynamic_typing=True))
     node.undeclare_parameter("speed")

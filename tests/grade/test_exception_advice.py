@@ -18,6 +18,9 @@ SAID = {
     "TypeError: Node.create_subscription() missing 1 required positional argument: 'qos_profile' "
     f"(line 8 of ear.py: {MAKES} self.heard))": "for example 10",
     "AttributeError: 'Future' object has no attribute 'sum' (line 11 of gate.py: self.client.call_async(ab).sum)": "`await`",
+    "AttributeError: 'NoneType' object has no attribute 'to_label' (line 30 of camera.py: rclpy.spin(node))": (
+        "`return TransitionCallbackReturn.SUCCESS`"
+    ),
     "ValueError: invalid literal for int() with base 10: '/ws/install/p/lib/p/client_exe' (line 8 of main.py: a, b = "
     "map(int, sys.argv))": "sys.argv[1]",
 }

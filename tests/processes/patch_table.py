@@ -27,7 +27,8 @@ whole list. It is made from the tables in the code by `python -m tests.processes
   opened the session counts as inside; in a kernel, only the cell that runs.
 - Two things last longer: a kernel's patches stay as long as the kernel, and nothing is taken back while the thread of a
   program that could not be ended still runs, because its output would be taken for the interpreter's.
-- `import rclpy` alone puts the last finder of `sys.meta_path` in place, so that a plain script is told of missing packages.
+- `import rclpy` alone puts the finders of `sys.meta_path` in place, so that a plain script is told of missing packages, and
+  gives NumPy and OpenCV the names of Humble's versions, which a script may say above its first node.
 - "In place with" says what brings a patch: any session, one with processes, one on the virtual clock, one whose processes
   have modules of their own, or a kernel.
 

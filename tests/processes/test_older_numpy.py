@@ -72,3 +72,22 @@ def test_an_array_of_one_element_is_a_number_for_float_and_math():
     """As on a robot: filters and controllers of programs take `x[2]` of a column for a number."""
     column = np.array([[0.0], [1.5]])
     assert float(column[1]) == 1.5 and math.cos(column[0]) == 1.0
+
+
+PLAIN = """
+import numpy
+import rclpy
+from numpy import NINF
+print(numpy.NINF)
+rclpy.init()
+rclpy.create_node("n").destroy_node()
+rclpy.shutdown()
+print(numpy.NINF)
+"""
+
+
+@pytest.mark.parametrize("order", [("numpy", "rclpy"), ("rclpy", "numpy")])
+def test_a_plain_script_finds_them_above_its_first_node(order):
+    lines = PLAIN.replace("import numpy\nimport rclpy", "\n".join(f"import {name}" for name in order))
+    done = subprocess.run([sys.executable, "-c", lines], capture_output=True, encoding="utf-8")
+    assert done.stdout.split() == ["-inf", "-inf"], done.stderr

@@ -1,5 +1,8 @@
 """The names of OpenCV 4.5, which robots with Humble have, where a newer OpenCV lacks them."""
 
+import subprocess
+import sys
+
 import cv2
 import numpy as np
 import pytest
@@ -61,6 +64,41 @@ def test_boards_are_made_from_numbers():
     assert squares.getChessboardSize() == (5, 7)
 
 
+def board_before_the_camera(place, **options):
+    """A board of 3 by 2 markers, and what a camera sees of it at this place, looking straight at it."""
+    dictionary = cv2.aruco.Dictionary_get(cv2.aruco.DICT_4X4_50)
+    board = cv2.aruco.GridBoard_create(3, 2, 0.08, 0.02, dictionary)
+    drawn = board.draw((280, 180), **options)
+    left, below, away = place
+    scale = CAMERA[0, 0] / away / 1000
+    to_pixels = np.array([[scale, 0, 320 + CAMERA[0, 0] * left / away], [0, scale, 240 + CAMERA[0, 0] * below / away]])
+    return board, dictionary, cv2.warpAffine(drawn, to_pixels, (640, 480), borderValue=255)
+
+
+def test_a_board_is_located_by_its_lower_left_corner_with_y_upwards():
+    board, dictionary, image = board_before_the_camera([-0.1, -0.05, 0.5])
+    corners, ids, rejected = cv2.aruco.detectMarkers(image, dictionary)
+    corners, ids, *_ = cv2.aruco.refineDetectedMarkers(image, board, corners, ids, rejected)
+    seen, rvec, tvec = cv2.aruco.estimatePoseBoard(corners, ids, board, CAMERA, np.zeros(5), None, None)
+    assert seen == 6
+    assert tvec.ravel() == pytest.approx([-0.1, -0.05 + 0.18, 0.5], abs=0.01)
+    assert cv2.Rodrigues(rvec)[0] == pytest.approx(np.diag([1.0, -1.0, -1.0]), abs=0.05)
+
+
+def test_of_a_board_out_of_sight_no_marker_is_counted():
+    board = cv2.aruco.GridBoard_create(2, 2, 0.08, 0.02, cv2.aruco.Dictionary_get(0))
+    turn, place = np.zeros((3, 1)), np.ones((3, 1))
+    assert cv2.aruco.estimatePoseBoard((), None, board, CAMERA, None, turn, place) == (0, turn, place)
+
+
+def test_markers_and_boards_are_drawn_with_the_older_words():
+    dictionary = cv2.aruco.Dictionary_get(cv2.aruco.DICT_4X4_50)
+    assert cv2.aruco.drawMarker(dictionary, 3, sidePixels=80, borderBits=2)[8:16, 8:16].max() == 0
+    board = cv2.aruco.GridBoard_create(2, 2, 0.08, 0.02, dictionary)
+    assert board.draw((200, 200), marginSize=10, borderBits=1).shape == (200, 200)
+    assert (cv2.aruco.drawPlanarBoard(board, (200, 200)) == board.draw((200, 200))).all()
+
+
 def test_what_opencv_has_itself_is_left_alone(monkeypatch):
     monkeypatch.setattr(older_opencv, "ARUCO", {**older_opencv.ARUCO, "drawDetectedMarkers": print})
     undo = older_opencv.add_aruco(None)
@@ -92,3 +130,10 @@ def test_after_the_last_session_opencv_is_as_it_was_found():
     undo = older_opencv.add_aruco(None)
     undo()
     assert {name for name in older_opencv.ARUCO if name in vars(cv2.aruco)} == added
+
+
+@pytest.mark.parametrize("order", [("cv2", "rclpy"), ("rclpy", "cv2")])
+def test_a_plain_script_finds_the_markers_above_its_first_node(order):
+    lines = "\n".join([*(f"import {name}" for name in order), "print(cv2.aruco.Dictionary_get(0).markerSize)"])
+    done = subprocess.run([sys.executable, "-c", lines], capture_output=True, encoding="utf-8")
+    assert done.stdout.split() == ["4"], done.stderr

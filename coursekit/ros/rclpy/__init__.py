@@ -12,7 +12,7 @@ import importlib
 import importlib.util
 from typing import Any
 
-from coursekit.processes import script
+from coursekit.processes import import_hooks, script
 from coursekit.processes.patching import patch_manager
 from coursekit.processes.session import locals_here
 from rclpy._lent import lender
@@ -214,3 +214,4 @@ def spin_until_future_complete(
 
 script.join()
 patch_manager.put_at_once("sys.meta_path (last)")
+import_hooks.lend_older_names()

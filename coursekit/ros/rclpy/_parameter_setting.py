@@ -142,7 +142,10 @@ class ParameterSetting:
         self._parameters[parameter.name] = parameter
 
     def set_descriptor(self, name: str, descriptor: ParameterDescriptor, alternative_value: Any = None) -> Any:
-        """Replace a parameter's descriptor. The value must fit it; `alternative_value`, if given, replaces the value."""
+        """Replace a parameter's descriptor, and by `alternative_value` a value that does not fit it.
+
+        The descriptor says the value's type, or that it may change (`dynamic_typing`).
+        """
         if name not in self._parameters:
             if self._allow_undeclared_parameters:
                 return Parameter(name).get_parameter_value()
@@ -150,16 +153,24 @@ class ParameterSetting:
         if self._descriptors[name].read_only:
             raise ParameterImmutableException(name)
         parameter = self._parameters[name]
-        if alternative_value is not None:
-            parameter = Parameter.from_parameter_msg(_parameter_msg(name, alternative_value))
         descriptor.name = name
-        descriptor.type = parameter.type_.value
-        result = self._rclpy_check_value(parameter, descriptor)
+        result = self._rclpy_check_new(parameter, descriptor)
+        if not result.successful and alternative_value is not None:
+            parameter = Parameter.from_parameter_msg(_parameter_msg(name, alternative_value))
+            result = self._rclpy_check_new(parameter, descriptor)
         if not result.successful:
             raise InvalidParameterValueException(name, parameter.value, result.reason)
         self._descriptors[name] = descriptor
         self._parameters[name] = parameter
         return parameter.get_parameter_value()
+
+    def _rclpy_check_new(self, parameter: Parameter, descriptor: ParameterDescriptor) -> SetParametersResult:
+        kind, unset = parameter.type_, Parameter.Type.NOT_SET
+        if descriptor.dynamic_typing:
+            descriptor.type = kind.value
+        elif descriptor.type == unset.value and kind != unset:
+            return SetParametersResult(successful=False, reason=f"Wrong parameter type, expected '{unset}' got '{kind}'")
+        return self._rclpy_check_value(parameter, descriptor)
 
     # -- callbacks
 

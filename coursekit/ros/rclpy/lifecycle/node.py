@@ -146,10 +146,14 @@ class LifecycleNodeMixin(ManagedEntity):
             return TransitionCallbackReturn.ERROR
 
     def _rclpy_call_back(self, before: LifecycleState) -> TransitionCallbackReturn:
-        """Run the callback of the current transition state, and leave that state according to the result."""
+        """Run the callback of the current transition state, and leave that state according to the result.
+
+        Raises:
+            AttributeError: if the callback returns none of TransitionCallbackReturn's values; Humble ends so, too.
+        """
         callback = _CALLBACKS[self._state_machine.current_state[0]]
         try:
-            answer = TransitionCallbackReturn(getattr(self, callback)(before))
+            answer: TransitionCallbackReturn = getattr(self, callback)(before)
         except Exception as error:
             self._rclpy_tell_exception(error, f"{callback} raised in state {before.label}")
             answer = TransitionCallbackReturn.ERROR

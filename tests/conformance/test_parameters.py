@@ -295,3 +295,25 @@ def test_setting_several_goes_up_to_the_first_undeclared_one(node):
     with pytest.raises(ParameterNotDeclaredException):
         node.set_parameters(wanted)
     assert [node.get_parameter(name).value for name in ("a", "b")] == [9, 2]
+
+
+@pytest.mark.parametrize(("ends", "step", "value", "reason"), [
+    ((0.0, 2.0), 0.0, 5.0, "Parameter x out of range Min: 0.0, Max: 2.0, value: 5.0"),
+    ((2.0, 0.0), 0.0, 5.0, "Parameter x out of range Min: 0.0, Max: 2.0, value: 5.0"),
+    ((2.0, 0.0), 0.5, 1.5, ""),
+    ((0.0, 2.0), 0.5, 0.7,
+     "The parameter value for x is not close enough to a valid step. Min: 0.0, max: 2.0, value: 0.7, step: 0.5"),
+    ((0, 2), 0, 5, "Parameter x out of range. Min: 0, Max: 2, value: 5"),
+    ((10, 1), 3, 12, "Parameter x out of range. Min: 1, Max: 10, value: 12"),
+    ((10, 1), 3, 5, "The parameter value for x is not a valid step. Min: 1, max: 10, value: 5, step: 3"),
+])  # fmt: skip
+def test_why_a_value_does_not_fit_its_range(node, ends, step, value, reason):
+    low, high = ends
+    if isinstance(value, float):
+        floats = FloatingPointRange(from_value=low, to_value=high, step=step)
+        node.declare_parameter("x", 1.0, ParameterDescriptor(floating_point_range=[floats]))
+    else:
+        integers = IntegerRange(from_value=low, to_value=high, step=step)
+        node.declare_parameter("x", 1, ParameterDescriptor(integer_range=[integers]))
+    (result,) = node.set_parameters([Parameter("x", value=value)])
+    assert (result.successful, result.reason) == (not reason, reason)

@@ -68,38 +68,34 @@ def _warn_name_only(name: str) -> None:
     )
 
 
-def _outside(parameter: Parameter, low: Any, high: Any) -> str:
-    return f"Parameter {parameter.name} out of range. Min: {low}, Max: {high}, value: {parameter.value}"
-
-
-def _no_step(parameter: Parameter, allowed: Any) -> str:
+def _no_step(parameter: Parameter, fault: str, low: float, high: float, step: float) -> str:
     return (
-        f"The parameter value for {parameter.name} is not a valid step. Min: {allowed.from_value}, "
-        f"max: {allowed.to_value}, value: {parameter.value}, step: {allowed.step}"
+        f"The parameter value for {parameter.name} is not {fault} valid step. Min: {low}, "
+        f"max: {high}, value: {parameter.value}, step: {step}"
     )
 
 
 def outside_integer_range(parameter: Parameter, allowed: IntegerRange) -> str:
-    """Why a value is outside a range; empty when it is inside."""
-    value, low, high = parameter.value, allowed.from_value, allowed.to_value
+    """Why a value is outside a range, whose ends may come in either order; empty when it is inside."""
+    value, (low, high) = parameter.value, sorted((allowed.from_value, allowed.to_value))
     if value in (low, high):
         return ""
-    if not min(low, high) <= value <= max(low, high):
-        return _outside(parameter, low, high)
+    if not low <= value <= high:
+        return f"Parameter {parameter.name} out of range. Min: {low}, Max: {high}, value: {value}"
     if allowed.step and (value - low) % allowed.step:
-        return _no_step(parameter, allowed)
+        return _no_step(parameter, "a", low, high, allowed.step)
     return ""
 
 
 def outside_floating_range(parameter: Parameter, allowed: FloatingPointRange, tolerance: float) -> str:
-    """Why a value is outside a range; empty when it is inside, or at a limit within the relative tolerance."""
-    value, low, high = parameter.value, allowed.from_value, allowed.to_value
+    """Why a value is outside a range, as above; empty when it is inside, or at a limit within the relative tolerance."""
+    value, (low, high) = parameter.value, sorted((allowed.from_value, allowed.to_value))
     if any(math.isclose(value, end, rel_tol=tolerance) for end in (low, high)):
         return ""
-    if not low <= value <= high:
-        return _outside(parameter, low, high)
+    if not low <= value <= high:  # without a full stop, in rclpy
+        return f"Parameter {parameter.name} out of range Min: {low}, Max: {high}, value: {value}"
     if allowed.step:
         steps = (value - low) / allowed.step
         if not math.isclose(steps, round(steps), rel_tol=tolerance):
-            return _no_step(parameter, allowed)
+            return _no_step(parameter, "close enough to a", low, high, allowed.step)
     return ""

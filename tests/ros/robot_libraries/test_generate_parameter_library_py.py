@@ -84,7 +84,7 @@ def test_values_that_are_set_are_checked_and_taken(arm, node):
     [result] = node.set_parameters([Parameter("joints", value=["shoulder blade"])])
     assert result.reason == "too long" and listener.get_params().joints == ["hip", "knee"]
     [result] = node.set_parameters([Parameter("pid.hip.p", value=0.1)])
-    assert not result.successful and result.reason == "Parameter pid.hip.p out of range. Min: 0.5, Max: inf, value: 0.1"
+    assert not result.successful and result.reason == "Parameter pid.hip.p out of range Min: 0.5, Max: inf, value: 0.1"
     listener.clear_user_callback()
     node.set_parameters([Parameter("pid.knee.p", value=4.0)])
     assert listener.get_params().pid.get_entry("knee").p == 4.0 and heard == [20.0]

@@ -16,6 +16,10 @@ from .patching import is_imported, patch_manager
 from .unavailable_packages import remark
 
 
+_loading: set[str] = set()
+"""Modules that are being loaded: cv2 imports its library under its own name, and is helped once it is whole."""
+
+
 class _Loader(importlib.abc.Loader):
     """Loads a module with the real loader, then calls the helper."""
 
@@ -30,7 +34,11 @@ class _Loader(importlib.abc.Loader):
         return self._real.create_module(spec)
 
     def exec_module(self, module: ModuleType) -> None:
-        self._real.exec_module(module)
+        _loading.add(module.__name__)
+        try:
+            self._real.exec_module(module)
+        finally:
+            _loading.discard(module.__name__)
         _help(self._helper)
 
 
@@ -41,7 +49,7 @@ class _Finder(importlib.abc.MetaPathFinder):
         self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
     ) -> importlib.machinery.ModuleSpec | None:
         helper = IMPORT_HOOKS.get(fullname, fullname)
-        if helper not in IMPORT_HOOKS.values():
+        if helper not in IMPORT_HOOKS.values() or fullname in _loading:
             return None
         for finder in sys.meta_path:
             spec = None if finder is self else finder.find_spec(fullname, path, target)

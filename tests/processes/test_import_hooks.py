@@ -26,3 +26,16 @@ def test_a_hand_is_lent_whichever_comes_first(helper: str, library: str, functio
     code = FIRST.format(helper=helper, library=library, function=function)
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, encoding="utf-8")
     assert done.stdout.startswith("coursekit.view."), done.stderr
+
+
+NESTED = """
+import rclpy
+import cv2
+from coursekit.view import region_selection
+print(region_selection.cv2 is cv2)
+"""
+
+
+def test_a_library_that_imports_a_part_under_its_own_name_is_helped_once_it_is_whole():
+    done = subprocess.run([sys.executable, "-c", NESTED], capture_output=True, encoding="utf-8")
+    assert done.stdout.split() == ["True"], done.stderr

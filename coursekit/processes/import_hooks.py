@@ -15,7 +15,6 @@ from coursekit.wiring import IMPORT_HOOKS
 from .patching import is_imported, patch_manager
 from .unavailable_packages import remark
 
-
 _loading: set[str] = set()
 """Modules that are being loaded: cv2 imports its library under its own name, and is helped once it is whole."""
 

@@ -16,11 +16,17 @@
 
 inline rcutils_ret_t rcutils_system_time_now(rcutils_time_point_value_t * now)
 {
+  if (!now) {
+    return RCUTILS_RET_INVALID_ARGUMENT;
+  }
   *now = coursekit::system_now();
   return RCUTILS_RET_OK;
 }
 inline rcutils_ret_t rcutils_steady_time_now(rcutils_time_point_value_t * now)
 {
+  if (!now) {
+    return RCUTILS_RET_INVALID_ARGUMENT;
+  }
   *now = coursekit::steady_now();
   return RCUTILS_RET_OK;
 }

@@ -143,6 +143,8 @@ static void texts()
   errno = ENOENT;
   rcutils_strerror(shown, sizeof shown);
   equal("an error of the system", std::string(shown), "No such file or directory");
+  equal("the system's time needs a place", rcutils_system_time_now(nullptr), RCUTILS_RET_INVALID_ARGUMENT);
+  equal("so does the steady time", rcutils_steady_time_now(nullptr), RCUTILS_RET_INVALID_ARGUMENT);
   int64_t time = -1500000002;
   (void)rcutils_time_point_value_as_nanoseconds_string(&time, shown, sizeof shown);
   equal("nanoseconds in nineteen digits", std::string(shown), "-0000000001500000002");

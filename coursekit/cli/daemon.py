@@ -11,7 +11,8 @@ from typing import Any
 
 from rcl_interfaces.msg import Log, ParameterEvent
 
-from coursekit.core.graph import Graph, GraphNode
+from coursekit.core.graph import Graph
+from coursekit.core.graph_node import GraphNode
 from coursekit.core.qos import TRANSIENT_LOCAL, Qos
 
 _TOPICS: tuple[tuple[str, Any, Qos], ...] = (

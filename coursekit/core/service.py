@@ -11,7 +11,8 @@ from .qos import Qos
 from .topic import Endpoint
 
 if TYPE_CHECKING:
-    from .graph import Graph, GraphNode
+    from .graph import Graph
+    from .graph_node import GraphNode
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,8 @@ from .ready_queue import Source
 from .status import DEADLINE, INCOMPATIBLE, LIVELINESS, MATCHED, Status
 
 if TYPE_CHECKING:
-    from .graph import Graph, GraphNode
+    from .graph import Graph
+    from .graph_node import GraphNode
 
 
 class Endpoint(Source):

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from coursekit.core.graph import Graph, GraphNode
+from coursekit.core.graph import Graph
+from coursekit.core.graph_node import GraphNode
 from coursekit.core.qos import BEST_EFFORT, KEEP_ALL, Qos
 from coursekit.core.topic import Publisher, Subscription
 from coursekit.interfaces import load

@@ -8,7 +8,8 @@ from collections.abc import Callable, Iterator
 from dataclasses import astuple
 from typing import Any
 
-from coursekit.core.graph import Graph, GraphNode
+from coursekit.core.graph import Graph
+from coursekit.core.graph_node import GraphNode
 from coursekit.core.qos import Qos
 from coursekit.core.service import Client, RequestId, Server
 from coursekit.core.topic import Endpoint, Publisher, Subscription

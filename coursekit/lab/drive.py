@@ -7,7 +7,7 @@ from typing import Any
 from geometry_msgs.msg import Twist
 
 from coursekit.cli.session_client import domain_id
-from coursekit.core.graph import GraphNode
+from coursekit.core.graph_node import GraphNode
 from coursekit.core.qos import Qos
 from coursekit.processes.session import current
 

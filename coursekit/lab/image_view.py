@@ -7,7 +7,7 @@ from typing import Any
 from sensor_msgs.msg import CompressedImage, Image
 
 from coursekit.cli.session_client import domain_id
-from coursekit.core.graph import GraphNode
+from coursekit.core.graph_node import GraphNode
 from coursekit.core.qos import BEST_EFFORT, Qos
 from coursekit.nodes.images.transport import to_bgr
 from coursekit.processes.session import current

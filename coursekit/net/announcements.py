@@ -6,7 +6,8 @@ import itertools
 from collections.abc import Iterator
 from typing import Any
 
-from coursekit.core.graph import Graph, GraphNode
+from coursekit.core.graph import Graph
+from coursekit.core.graph_node import GraphNode
 from coursekit.core.service import Client, Server
 from coursekit.core.topic import Endpoint, Publisher, Subscription
 from coursekit.joined.ghosts import GhostNode

@@ -10,7 +10,8 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any
 
-from coursekit.core.graph import Graph, GraphNode
+from coursekit.core.graph import Graph
+from coursekit.core.graph_node import GraphNode
 from coursekit.core.qos import TRANSIENT_LOCAL
 from coursekit.core.service import Client, RequestId, Server
 from coursekit.core.topic import Endpoint, Publisher, Subscription

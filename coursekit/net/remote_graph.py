@@ -7,7 +7,7 @@ import threading
 from collections.abc import Iterator
 from typing import Any
 
-from coursekit.core.graph import GraphNode
+from coursekit.core.graph_node import GraphNode
 from coursekit.core.topic import Subscription
 from coursekit.processes.current_process import outside
 

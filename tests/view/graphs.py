@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from coursekit.core.graph import Graph, GraphNode
+from coursekit.core.graph import Graph
+from coursekit.core.graph_node import GraphNode
 from coursekit.core.qos import Qos
 from coursekit.core.virtual_clock import VirtualClock
 from coursekit.interfaces import load

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING, Any
 from ros2node.api import INFO_NONUNIQUE_WARNING_TEMPLATE
 
 from coursekit.cli import api
-from coursekit.core.graph import GraphNode, names_and_types
+from coursekit.core.graph import names_and_types
+from coursekit.core.graph_node import GraphNode
 from coursekit.rcl.names import is_hidden
 
 if TYPE_CHECKING:

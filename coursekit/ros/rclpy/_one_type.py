@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from coursekit.core.graph import GraphNode
+from coursekit.core.graph_node import GraphNode
 from rclpy._rclpy_names import RCLError
 
 TOPIC_ENDS = ("publisher", "subscription")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sysconfig
 import traceback
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,11 +10,11 @@ from typing import Any
 
 import IPython
 
+from coursekit.systems.library_files import is_library_file
 from coursekit.words.gettext import gettext
 
 _OURS = Path(__file__).parents[1]
-_LIBRARIES = {Path(sysconfig.get_path(name)) for name in ("stdlib", "platstdlib", "purelib", "platlib")}
-_LIBRARIES.add(Path(IPython.__file__).parents[1])
+_BESIDE_IPYTHON = Path(IPython.__file__).parents[1]
 _LONGEST = 80
 """Maximum length of the line that is quoted."""
 
@@ -59,7 +58,7 @@ def _file(entry: TracebackType) -> Path:
 
 
 def _of_a_library(file: Path) -> bool:
-    return str(file).startswith("<frozen") or any(part in file.parents for part in (_OURS, *_LIBRARIES))
+    return str(file).startswith("<frozen") or is_library_file(str(file)) or _BESIDE_IPYTHON in file.parents
 
 
 def _what(theirs: TracebackType) -> str:

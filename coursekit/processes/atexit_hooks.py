@@ -7,24 +7,21 @@ from __future__ import annotations
 
 import atexit
 import functools
-import os
 import sys
-import sysconfig
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
+
+from coursekit.systems.library_files import is_library_file
 
 from .current_process import current_process
 
 _register, _unregister = atexit.register, atexit.unregister
-_LIBRARIES = [sysconfig.get_path(kind) for kind in ("stdlib", "platstdlib", "purelib", "platlib")]
-_OF_ALL = tuple(f"{Path(folder).resolve()}{os.sep}" for folder in (*_LIBRARIES, str(Path(__file__).parents[1])))
 
 
 def _is_program(globals_of_caller: dict[str, Any]) -> bool:
     """Whether code belongs to a program: neither to Python, nor to a library, nor to coursekit."""
     file = globals_of_caller.get("__file__")
-    return file is None or not str(Path(file).resolve()).startswith(_OF_ALL)
+    return file is None or not is_library_file(file)
 
 
 def register(func: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Callable[..., Any]:

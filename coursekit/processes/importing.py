@@ -6,31 +6,11 @@ but keeps the parts of it that are complete, and they do not fit the module that
 
 from __future__ import annotations
 
-import os
-import site
-import sysconfig
-from collections.abc import Iterator
-from pathlib import Path
 from types import FrameType
 
+from coursekit.systems.library_files import is_library_file
+
 from .thread_frames import thread_frames
-
-_KINDS = ("stdlib", "platstdlib", "purelib", "platlib")
-
-
-def _folders() -> Iterator[str]:
-    yield from (sysconfig.get_path(kind) for kind in _KINDS)
-    yield from site.getsitepackages()
-    yield site.getusersitepackages()
-    yield str(Path(__file__).parents[1])
-
-
-def _in_one_form(path: str) -> str:
-    return os.path.normcase(os.path.join(path, ""))
-
-
-SHARED = tuple({_in_one_form(folder) for folder in _folders()})
-"""The folders with Python's, the installed and this package's modules, each with a separator at its end."""
 
 
 def is_importing(ident: int) -> bool:
@@ -50,4 +30,4 @@ def _begins_a_shared_module(frame: FrameType) -> bool:
     code = frame.f_code
     if code.co_name != "<module>" or frame.f_globals.get("__name__") == "__main__":
         return False
-    return os.path.normcase(code.co_filename).startswith(SHARED)
+    return is_library_file(code.co_filename)

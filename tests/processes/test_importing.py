@@ -7,9 +7,10 @@ import types
 
 import pytest
 
-from coursekit.processes import importing, interrupting
+from coursekit.processes import interrupting
 from coursekit.processes.interrupting import raise_in_thread
 from coursekit.processes.session import Session
+from coursekit.systems import library_files
 
 LIBRARY = """
 import slow_library.part
@@ -46,7 +47,7 @@ def events(tmp_path, monkeypatch):
 @pytest.fixture
 def shared(tmp_path, monkeypatch):
     """As if the library were installed."""
-    monkeypatch.setattr(importing, "SHARED", (*importing.SHARED, importing._in_one_form(str(tmp_path))))
+    monkeypatch.setattr(library_files, "FOLDERS", (*library_files.FOLDERS, library_files._in_one_form(str(tmp_path))))
 
 
 def started(target):
@@ -100,10 +101,3 @@ def test_an_import_that_never_ends_does_not_keep_a_killed_program(events, monkey
         process.wait(60)
         assert process.abandoned
         events.go_on.set()
-
-
-def test_the_modules_of_python_of_pip_and_of_this_package_are_shared():
-    import numpy
-
-    for module in (threading, numpy, importing):
-        assert importing.os.path.normcase(module.__file__).startswith(importing.SHARED)

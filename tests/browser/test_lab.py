@@ -4,7 +4,8 @@ import json
 
 import pytest
 
-from tests.browser.pages import BROKEN_WORDS, set_theme
+from tests.browser.page_scripts import BROKEN_WORDS
+from tests.browser.pages import set_theme
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(240)]
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.browser.pages import BROKEN_WORDS
+from tests.browser.page_scripts import BROKEN_WORDS
 
 pytestmark = [pytest.mark.browser, pytest.mark.slow, pytest.mark.timeout(240)]
 

@@ -88,7 +88,10 @@ def outside_integer_range(parameter: Parameter, allowed: IntegerRange) -> str:
 
 
 def outside_floating_range(parameter: Parameter, allowed: FloatingPointRange, tolerance: float) -> str:
-    """Why a value is outside a range, as above; empty when it is inside, or at a limit within the relative tolerance."""
+    """Why a value is outside a range, whose ends may come in either order; empty when it is inside.
+
+    A value at a limit, within the relative tolerance, is inside.
+    """
     value, (low, high) = parameter.value, sorted((allowed.from_value, allowed.to_value))
     if any(math.isclose(value, end, rel_tol=tolerance) for end in (low, high)):
         return ""

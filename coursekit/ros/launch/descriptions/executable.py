@@ -109,7 +109,7 @@ class Executable:
     def prepare(self, context: LaunchContext, action: Action | None = None) -> None:
         """Perform all substitutions, and number the process."""
         pieces = [[(piece, context.perform_substitution(piece)) for piece in part] for part in self.__cmd]
-        program = os.path.basename("".join(text for _, text in pieces[0]))
+        program = os.path.basename(_joined(pieces[0]))
         join = _joined_for_shell if getattr(action, "shell", False) else _joined
         cmd = [join(part) for part in pieces]
         context._process_count += 1

@@ -1,11 +1,14 @@
 """colcon writes UTF-8, whatever the code page: on Windows it begins again in Python's UTF-8 mode, once."""
 
+import asyncio
 import sys
 from types import SimpleNamespace
 
 import pytest
+from colcon_core import shell
 
 from coursekit.packages import colcon_utf8
+from coursekit.packages.windows_quotes import word_for_cmd
 from coursekit.systems import operating_system
 
 
@@ -38,3 +41,29 @@ def test_on_windows_it_begins_again_and_ends_with_that_ones_exit_code(begun, mon
     assert ended.value.code == 3
     words = [sys.executable, "-X", "utf8", "-m", "colcon", "build", "--packages-select", "x"]
     assert begun == [(words, "1")]
+
+
+def test_on_windows_the_shells_variables_are_read_whatever_the_code_page(monkeypatch):
+    asked = []
+
+    async def answer(args, **options):
+        asked.append((args, options))
+        return "COURSE=C:\\Users\\día\r\nOTHER=1\r\n".encode("utf-16-le")
+
+    monkeypatch.setattr(operating_system, "WINDOWS", True)
+    monkeypatch.setattr(colcon_utf8, "sys", SimpleNamespace(flags=SimpleNamespace(utf8_mode=1)))
+    monkeypatch.setattr(colcon_utf8, "check_output", answer)
+    monkeypatch.setattr(shell, "check_output", shell.check_output)
+    monkeypatch.setattr(shell.locale, "getpreferredencoding", lambda: "utf-8")
+    colcon_utf8.InUtf8().decorate_argument_parser(parser="parser")
+    variables = asyncio.run(shell.get_environment_variables([r"C:\Users\día\set.bat", "&&", "set"], cwd="C:/"))
+    assert variables == {"COURSE": r"C:\Users\día", "OTHER": "1"}
+    assert asked == [([r"C:\Users\día\set.bat", "&&", "cmd", "/d", "/u", "/c", "set"], {"cwd": "C:/", "shell": True})]
+
+
+@pytest.mark.skipif(not operating_system.WINDOWS, reason="cmd is Windows'")
+def test_cmd_itself_answers_in_every_alphabet(monkeypatch):
+    monkeypatch.setattr("colcon_core.subprocess.escape_shell_argument", word_for_cmd)
+    monkeypatch.setenv("CK_FOLDER", "día, 日")
+    lines = asyncio.run(colcon_utf8.output_in_utf8(["setlocal", "&&", "set"], shell=True)).decode().splitlines()
+    assert "CK_FOLDER=día, 日" in lines

@@ -6,12 +6,20 @@ import sys
 from collections import Counter
 from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
+from IPython.core.interactiveshell import ExecutionInfo, ExecutionResult
+
+from coursekit.processes.base_process import BaseProcess
 from coursekit.processes.session import Session
 from coursekit.words.gettext import gettext
 
 from .panel import Panel, open_panels
+
+if TYPE_CHECKING:
+    from ipykernel.zmqshell import ZMQInteractiveShell
+
+T = TypeVar("T")
 
 _running: dict[str, Cells] = {}
 """The `Cells` of this kernel, under the key 'cells'; empty outside of a kernel."""
@@ -20,7 +28,7 @@ _running: dict[str, Cells] = {}
 class Cells:
     """Tracks which processes and nodes each cell made, so that running the cell again replaces them."""
 
-    def __init__(self, session: Session, shell: Any, on_begin: Callable[[], None]) -> None:
+    def __init__(self, session: Session, shell: ZMQInteractiveShell, on_begin: Callable[[], None]) -> None:
         self.session = session
         self.on_begin = on_begin
         """Called when a cell begins."""
@@ -41,7 +49,7 @@ class Cells:
         """Whether a cell is running."""
         return bool(self.session.in_cell)
 
-    def _note_process(self, process: Any) -> None:
+    def _note_process(self, process: BaseProcess) -> None:
         if process.parent is None and self.session.in_cell and self.cell:
             self.made.setdefault(self.cell, []).append(process)
 
@@ -52,7 +60,7 @@ class Cells:
             if not any(new is known for things in self.made.values() for known in things):
                 self.made.setdefault(self.cell, []).append(new)
 
-    def _begin(self, info: Any) -> None:
+    def _begin(self, info: ExecutionInfo) -> None:
         self.cell = getattr(info, "cell_id", None) or ""
         self.counts.clear()
         if self.cell:
@@ -64,7 +72,7 @@ class Cells:
         self.session.in_cell = True
         self.on_begin()
 
-    def _end(self, _result: Any) -> None:
+    def _end(self, _result: ExecutionResult) -> None:
         if self.cell:
             self._note_nodes()
         self.session.in_cell = False
@@ -82,7 +90,7 @@ def last_runs() -> dict[str, str]:
     return dict(cells.ran) if cells is not None else {}
 
 
-def adopt(old: Any, new: Any) -> Any:
+def adopt(old: object, new: T) -> T:
     """Assign `new` to the cell that made `old`, after a restart that no cell caused. Returns `new`."""
     cells = _running.get("cells")
     for things in cells.made.values() if cells is not None else ():
@@ -106,7 +114,7 @@ def run_number(what: str) -> int:
     return int(cells.counts[what]) - 1
 
 
-def give_to(cell: str, process: Any) -> None:
+def give_to(cell: str, process: BaseProcess) -> None:
     """Assign a process to a cell: something that the cell shows has started it."""
     cells = _running.get("cells")
     if cells is not None and cell:
@@ -134,7 +142,7 @@ def _joined(texts: Iterable[str]) -> str:
     return gettext(" and ").join([", ".join(first), last] if first else [last])
 
 
-def _typed(process: Any) -> str:
+def _typed(process: BaseProcess) -> str:
     """Return the command line of a process, or its own name if that has an absolute path."""
     return str(process.name) if Path(process.argv[0]).is_absolute() else " ".join(process.argv)
 

@@ -96,7 +96,7 @@ class CommandRow(ipywidgets.VBox):  # type: ignore[misc]
         self._head = ipywidgets.HBox([self.button, self.line, _wrapped(row.meaning)])
         super().__init__([self._head])
 
-    def _run(self, _button: Any) -> None:
+    def _run(self, _button: object) -> None:
         if self.terminal is not None and self.terminal.process.exit_code is None:
             self.terminal.interrupt()
         try:
@@ -107,7 +107,7 @@ class CommandRow(ipywidgets.VBox):  # type: ignore[misc]
         give_to(self._cell, self.terminal.process)
         self._below(self.terminal)
 
-    def _below(self, widget: Any) -> None:
+    def _below(self, widget: object) -> None:
         self.children = (self._head, widget)
 
 

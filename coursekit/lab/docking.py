@@ -18,6 +18,6 @@ class View(anywidget.AnyWidget):
         super().__init__(**traits)
         self.on_msg(self._hear_button)
 
-    def _hear_button(self, _view: View, message: dict[str, Any], _buffers: Any) -> None:
+    def _hear_button(self, _view: View, message: dict[str, Any], _buffers: object) -> None:
         if message.get("type") == "desk":
             View.put_on_desk(self)

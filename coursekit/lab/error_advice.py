@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from typing import Any
+
+from IPython.core.interactiveshell import ExecutionResult, InteractiveShell
 
 from coursekit.words.gettext import gettext
 
@@ -14,12 +15,12 @@ _DECLARED_TWICE = r"ParameterAlreadyDeclaredException"
 """Patterns for the beginnings of error messages."""
 
 
-def install(shell: Any) -> None:
+def install(shell: InteractiveShell) -> None:
     """Print advice after cells that end with such an error."""
     shell.events.register("post_run_cell", _look)
 
 
-def _look(result: Any) -> None:
+def _look(result: ExecutionResult) -> None:
     error = result.error_in_exec
     if error is not None and (said := advice(error)):
         print(said)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
-
+import numpy as np
 from sensor_msgs.msg import CompressedImage, Image
 
 from coursekit.cli.session_client import domain_id
 from coursekit.core.graph_node import GraphNode
 from coursekit.core.qos import BEST_EFFORT, Qos
+from coursekit.core.topic import Subscription
 from coursekit.nodes.images.transport import to_bgr
 from coursekit.processes.session import current
 
@@ -21,7 +21,7 @@ class _Taker:
     def __init__(self, view: ImageView) -> None:
         self._view = view
 
-    def put(self, subscription: Any) -> None:
+    def put(self, subscription: Subscription) -> None:
         """Take the queued messages."""
         subscription.queued = False
         while (entry := subscription.take()) is not None:
@@ -38,7 +38,7 @@ class ImageView(Picture):
     def __init__(self, topic: str) -> None:
         super().__init__(self._newest)
         self.topic = topic if topic.startswith("/") else f"/{topic}"
-        self.message: Any = None
+        self.message: Image | CompressedImage | None = None
         self.count = 0
         self.drawn = 0
         self._node: GraphNode | None = None
@@ -51,18 +51,18 @@ class ImageView(Picture):
         subscription.attach(_Taker(self), subscription)  # type: ignore[arg-type]
         self._node = node
 
-    def take(self, message: Any) -> None:
+    def take(self, message: Image | CompressedImage) -> None:
         """Store a newer message."""
         self.message = message
         self.count += 1
         self.news()
 
     @property
-    def image(self) -> Any:
+    def image(self) -> np.ndarray | None:
         """The newest image in BGR order; None before the first."""
         return self._newest()
 
-    def _newest(self) -> Any:
+    def _newest(self) -> np.ndarray | None:
         self.drawn = self.count
         return None if self.message is None else to_bgr(self.message)
 

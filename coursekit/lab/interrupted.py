@@ -6,9 +6,9 @@ import traceback
 from collections.abc import Iterator
 from pathlib import Path
 from types import TracebackType
-from typing import Any
 
 import IPython
+from IPython.core.interactiveshell import InteractiveShell
 
 from coursekit.systems.library_files import is_library_file
 from coursekit.words.gettext import gettext
@@ -19,12 +19,18 @@ _LONGEST = 80
 """Maximum length of the line that is quoted."""
 
 
-def install(shell: Any) -> None:
+def install(shell: InteractiveShell) -> None:
     """Let the shell show a KeyboardInterrupt in this way."""
     shell.set_custom_exc((KeyboardInterrupt,), _show)
 
 
-def _show(shell: Any, kind: type[BaseException], error: BaseException, trace: TracebackType, tb_offset: Any = None) -> None:
+def _show(
+    shell: InteractiveShell,
+    kind: type[BaseException],
+    error: BaseException,
+    trace: TracebackType,
+    tb_offset: int | None = None,
+) -> None:
     """Show the interrupt; what is stored for %tb is the full traceback."""
     kind, error, trace = shell._get_exc_info((kind, error, trace))
     theirs = students_part(trace)

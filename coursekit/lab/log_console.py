@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter, deque
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .errors import BadArgument
 from .panel import Panel, static
+
+if TYPE_CHECKING:
+    from builtin_interfaces.msg import Time
+    from rcl_interfaces.msg import Log
 
 KEPT = 2000
 """How many lines the console keeps."""
@@ -31,13 +35,13 @@ class LogConsole(Panel):
             raise BadArgument(f"There is no level '{level}'. Levels are: {', '.join(_NUMBERS)}")
         super().__init__("log_console")
         self._filters = {"level": level, "node": node.strip("/").replace("/", "."), "text": text}
-        self._entries: deque[Any] = deque(maxlen=KEPT)
+        self._entries: deque[Log] = deque(maxlen=KEPT)
         self._counts: Counter[str] = Counter()
-        self._paused: list[Any] | None = None
+        self._paused: list[Log] | None = None
         qos = QoSProfile(depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         self.hidden.node.create_subscription(Log, "/rosout", self._collect, qos)
 
-    def _collect(self, entry: Any) -> None:
+    def _collect(self, entry: Log) -> None:
         self._entries.append(entry)
         self._counts[LEVELS.get(entry.level, "INFO")] += 1
         self.changed()
@@ -67,7 +71,7 @@ class LogConsole(Panel):
         """The lines that pass the filters, oldest first."""
         return [f"[{LEVELS.get(entry.level, 'INFO')}] [{entry.name}]: {entry.msg}" for entry in self._passing()]
 
-    def _passing(self) -> list[Any]:
+    def _passing(self) -> list[Log]:
         least, node, text = _NUMBERS[self._filters["level"]], self._filters["node"], self._filters["text"].lower()
         kept = list(self._entries) if self._paused is None else self._paused
         kept = sorted(
@@ -120,7 +124,7 @@ class LogConsole(Panel):
         self._push()
 
 
-def _clock_time(stamp: Any) -> str:
+def _clock_time(stamp: Time) -> str:
     """Format a UTC time from hours to milliseconds."""
     seconds = stamp.sec % 86400
     return f"{seconds // 3600:02}:{seconds // 60 % 60:02}:{seconds % 60:02}.{stamp.nanosec // 1_000_000:03}"

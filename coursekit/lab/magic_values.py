@@ -9,8 +9,8 @@ import os
 import re
 import sys
 from pathlib import PurePath
-from typing import Any
 
+from IPython.core.interactiveshell import InteractiveShell
 from IPython.utils.text import DollarFormatter
 
 from coursekit.words.gettext import gettext
@@ -36,7 +36,7 @@ class Values(DollarFormatter):
         super().__init__()
         self._paths: list[str] = []
 
-    def format_field(self, value: Any, format_spec: str) -> str:
+    def format_field(self, value: object, format_spec: str) -> str:
         """Return the text of a value, or the placeholder of a path."""
         if not _is_path(value):
             return str(super().format_field(value, format_spec))
@@ -51,7 +51,7 @@ class Values(DollarFormatter):
         path = self._paths[int(place[1])]
         return path.replace("'", "''") if place.string[: place.start()].endswith("'") else path
 
-    def expanded(self, shell: Any, line: str) -> str:
+    def expanded(self, shell: InteractiveShell, line: str) -> str:
         """Return the line of a magic with values of the calling cell or function inserted."""
         depth = _frames_to_caller()
         if shell is None or (depth is None and "{" in line):  # called by a program: its braces are YAML
@@ -62,7 +62,7 @@ class Values(DollarFormatter):
         return expanded
 
 
-def _is_path(value: Any) -> bool:
+def _is_path(value: object) -> bool:
     return isinstance(value, PurePath) or (isinstance(value, str) and os.path.isabs(value) and os.path.exists(value))
 
 

@@ -12,6 +12,7 @@ from typing import Any
 
 from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_var_expand
 
+from coursekit.processes.base_process import BaseProcess
 from coursekit.processes.child import ChildProcess
 from coursekit.processes.session import current
 from coursekit.systems.command_lines import split_words
@@ -158,6 +159,7 @@ class CourseMagics(Magics):
 
     def _words(self, line: str) -> tuple[dict[str, str], list[str], bool]:
         """Return the result of `_read` for a line, with the values of names in braces and after `$` inserted."""
+        assert self.shell is not None  # a magic is called by its shell
         values = Values()
         options, argv, background = _read(values.expanded(self.shell, line))
         told = {name: values.restored(value) for name, value in options.items()}
@@ -235,7 +237,7 @@ def _nothing_said(text: str) -> str:
     return gettext(f'"{text}" did not come, so the program was ended. Is a cell or an exercise above not done yet?')
 
 
-def _end(process: Any) -> None:
+def _end(process: BaseProcess) -> None:
     """Press Ctrl-C; kill the process if that does not help."""
     process.interrupt()
     if process.wait(5.0) is None:

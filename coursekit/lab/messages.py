@@ -6,6 +6,8 @@ from collections.abc import Callable
 from typing import Any
 
 from coursekit.cli.api import full_name
+from coursekit.core.graph import Graph
+from coursekit.core.interface import Message
 from coursekit.suggestions import did_you_mean
 
 from .errors import NotThere
@@ -14,7 +16,7 @@ from .panel_node import HiddenNode, appears
 TRUNCATE = 128
 
 
-def known_type(graph: Any, topic: str) -> str:
+def known_type(graph: Graph, topic: str) -> str:
     """Return the type of a topic in the graph; LookupError with similar names if it is missing or has several types."""
     appears(lambda: topic in dict(graph.topics()))
     types = dict(graph.topics()).get(topic)
@@ -40,7 +42,7 @@ def listen(hidden: HiddenNode, topic: str, callback: Callable[[Any], None]) -> A
     return hidden.node.create_subscription(kind, topic, callback, profile)
 
 
-def as_yaml(msg: Any) -> str:
+def as_yaml(msg: Message) -> str:
     """Format a message as `ros2 topic echo` prints it; long arrays and texts are truncated.
 
     >>> from geometry_msgs.msg import Vector3
@@ -57,10 +59,10 @@ def as_yaml(msg: Any) -> str:
 def echo(topic: str, n: int = 1, timeout_sec: float = 10.0) -> None:
     """Print the next `n` messages of a topic, as `ros2 topic echo` does; TimeoutError when they do not arrive in time."""
     hidden = HiddenNode("echo")
-    heard: list[Any] = []
+    heard: list[Message] = []
     enough = hidden.session.clock.new_event()
 
-    def collect(msg: Any) -> None:
+    def collect(msg: Message) -> None:
         heard.append(msg)
         if len(heard) >= n:
             enough.set()

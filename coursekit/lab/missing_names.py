@@ -7,20 +7,20 @@ import json
 import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Any
 
 from IPython.core.inputtransformer2 import TransformerManager
+from IPython.core.interactiveshell import ExecutionResult, InteractiveShell
 
 from coursekit.files import read_text
 from coursekit.words.gettext import gettext
 
 
-def install(shell: Any) -> None:
+def install(shell: InteractiveShell) -> None:
     """Print advice after a cell that ends with a NameError for a name that another cell defines."""
     shell.events.register("post_run_cell", _look)
 
 
-def _look(result: Any) -> None:
+def _look(result: ExecutionResult) -> None:
     error = result.error_in_exec
     if isinstance(error, NameError) and error.name and (said := advice(error.name, _cells())):
         print(said)

@@ -147,7 +147,7 @@ class Panel(View):
                 state = self.past.at(self.cursor.time)
         self.tell(type="shown", **state)
 
-    def _hear(self, _widget: Any, message: dict[str, Any], _buffers: Any) -> None:
+    def _hear(self, _widget: object, message: dict[str, Any], _buffers: object) -> None:
         kind = str(message.get("type", ""))
         if self.closed:
             if kind == "ready" and self._farewell is not None:  # the page was reloaded

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.cli.session_client import domain_id
 from coursekit.processes.session import Session, current
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
+    from rclpy.task import Future
 
 WAIT_SECONDS = 5.0
 """The timeout for an answer [s]."""
@@ -45,7 +49,7 @@ class HiddenNode:
         self.graph = self.session.graph(domain_id())
         self.context = Context()
         self.context.init(args=[], initialize_logging=False, domain_id=domain_id())
-        self.node: Any = rclpy.create_node(
+        self.node: Node = rclpy.create_node(
             self._free(f"_{name}"),
             context=self.context,
             use_global_arguments=False,
@@ -79,7 +83,7 @@ class HiddenNode:
             self.node.destroy_node()
             self._executor.wake()
 
-    def result(self, future: Any, timeout_sec: float = WAIT_SECONDS) -> Any:
+    def result(self, future: Future, timeout_sec: float = WAIT_SECONDS) -> Any:
         """Wait for a future of this node; TimeoutError when there is no result in time."""
         done = self.session.clock.new_event()
         future.add_done_callback(lambda _: done.set())

@@ -107,7 +107,7 @@ class Picture(View):
         data = cv2.imencode(".jpg", image, [cv2.IMWRITE_JPEG_QUALITY, QUALITY])[1].tobytes()
         self.send({**message, "width": image.shape[1]}, [data])
 
-    def _hear(self, _widget: Any, message: dict[str, Any], _buffers: Any) -> None:
+    def _hear(self, _widget: object, message: dict[str, Any], _buffers: object) -> None:
         kind = message.get("type")
         if kind == "ready":
             self._viewed = True

@@ -118,7 +118,7 @@ class PlotPanel(Panel):
             good = isinstance(at, int | float) and math.isfinite(at)
             self.cursor.go(self._began + round(float(at) * 1e9) if good else None)  # type: ignore[arg-type]
 
-    def _hear(self, widget: Any, message: dict[str, Any], buffers: Any) -> None:
+    def _hear(self, widget: object, message: dict[str, Any], buffers: object) -> None:
         if message.get("type") == "ready":
             self._sent = {}  # a reloaded page has no points
         super()._hear(widget, message, buffers)

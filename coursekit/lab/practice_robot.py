@@ -7,8 +7,9 @@ import secrets
 import sys
 import tempfile
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
+from coursekit.processes.base_process import BaseProcess
 from coursekit.processes.child import ChildProcess
 from coursekit.processes.session import NETWORK_VARIABLE, current
 from coursekit.systems.ports import free_port
@@ -100,12 +101,12 @@ def _program(address: str, users: Path, world: str) -> ChildProcess:
     return ChildProcess(current(), command, name=NAME, env=env | {"PYTHONUNBUFFERED": "1"}, one_stream=True)
 
 
-def _let_in(process: Any, password: str) -> None:
+def _let_in(process: BaseProcess, password: str) -> None:
     """Provide the password to `%network` for as long as the robot runs."""
     theirs = {f"{NETWORK_VARIABLE}_USER": USER, f"{NETWORK_VARIABLE}_PASSWORD": password}
     os.environ |= theirs
 
-    def forget(_process: Any) -> None:
+    def forget(_process: object) -> None:
         if os.environ.get(f"{NETWORK_VARIABLE}_PASSWORD") == password:
             for name in theirs:
                 os.environ.pop(name, None)

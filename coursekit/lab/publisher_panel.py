@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from coursekit.cli.api import full_name
+from coursekit.core.interface import Message
 from coursekit.view.graph_facts import take
 
 from .errors import BadArgument
@@ -29,7 +31,7 @@ class MessagePublisher(Panel):
         """The types of topics that are in the list though no node may have them: those asked for, and those published on."""
         self._publishers: dict[str, Any] = {}
         self._timer: Any = None
-        self._last: Any = None
+        self._last: Message | None = None
         self.count = 0
         """How many messages have been published."""
         self.hidden.graph.watch(self.changed)
@@ -64,7 +66,7 @@ class MessagePublisher(Panel):
     def _choose(self, topic: str) -> None:
         self._chosen = full_name(topic) if topic else self._chosen
 
-    def _message(self, fields: dict[str, Any]) -> Any:
+    def _message(self, fields: dict[str, Any]) -> Message:
         return filled(self._kind(self._chosen)(), fields)
 
     def _kind(self, topic: str) -> Any:
@@ -128,7 +130,7 @@ class MessagePublisher(Panel):
         """Handle the button that ends it."""
         self.stop()
 
-    def _tried(self, action: Any, message: dict[str, Any]) -> None:
+    def _tried(self, action: Callable[[dict[str, Any]], None], message: dict[str, Any]) -> None:
         try:
             action(dict(message.get("fields") or {}))
         except Exception as error:  # any input is possible; the panel shows its error

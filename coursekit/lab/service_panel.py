@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.cli.api import full_name
+from coursekit.core.interface import Message
 from coursekit.suggestions import did_you_mean
 from coursekit.view.graph_facts import nodes_at, take, types_of
 from coursekit.words.gettext import gettext
@@ -14,6 +15,9 @@ from .form import filled, schema
 from .messages import as_yaml
 from .panel import Panel, static
 from .panel_node import WAIT_SECONDS, appears
+
+if TYPE_CHECKING:
+    from rclpy.task import Future
 
 
 class ServiceCaller(Panel):
@@ -66,7 +70,7 @@ class ServiceCaller(Panel):
         facts = take(self.hidden.graph)
         return sorted({end.name for end in facts.servers})
 
-    def _note(self, name: str, request: Any, response: Any) -> None:
+    def _note(self, name: str, request: Message, response: Message) -> None:
         given = ", ".join(f"{key}={getattr(request, key)!r}" for key in _fields(request))
         answer = "\n".join(f"    {line}" for line in _answer(response).splitlines())
         self._last = f"called: {name}({given})\n{answer}"
@@ -117,7 +121,7 @@ class ServiceCaller(Panel):
         future = client.call_async(request)
         future.add_done_callback(lambda done: self._answered(name, request, done, began))
 
-    def _answered(self, name: str, request: Any, future: Any, began: int) -> None:
+    def _answered(self, name: str, request: Message, future: Future, began: int) -> None:
         response = future.result()
         milliseconds = (self.session.clock.steady() - began) * 1e-6
         self._note(name, request, response)
@@ -132,7 +136,7 @@ def _fields(message: Any) -> list[str]:
     return [name for name in message.get_fields_and_field_types() if name != "structure_needs_at_least_one_member"]
 
 
-def _answer(response: Any) -> str:
+def _answer(response: Message) -> str:
     return as_yaml(response) if _fields(response) else gettext("(done; the response has no fields)")
 
 

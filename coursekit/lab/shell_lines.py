@@ -8,7 +8,8 @@ from __future__ import annotations
 import functools
 import os
 import subprocess
-from typing import Any
+
+from IPython.core.interactiveshell import InteractiveShell
 
 from coursekit.processes.patching import KERNEL, Change, Patch
 from coursekit.systems import operating_system
@@ -17,10 +18,10 @@ from coursekit.systems.children import with_utf8
 from . import cmd_words
 
 
-def install(shell: Any) -> None:
+def install(shell: InteractiveShell) -> None:
     """Install `run_line`, on Windows only."""
     if operating_system.WINDOWS:
-        shell.system = functools.partial(run_line, shell)
+        shell.system = functools.partial(run_line, shell)  # type: ignore[method-assign]
 
 
 def patches() -> list[Patch]:
@@ -29,7 +30,7 @@ def patches() -> list[Patch]:
     return [Change("IPython: shell.system", install, reason, test, KERNEL)]
 
 
-def run_line(shell: Any, line: str) -> None:
+def run_line(shell: InteractiveShell, line: str) -> None:
     """Run a line in the system shell; `{name}` and `$name` in it are variables of the notebook.
 
     Afterwards the notebook variable `_exit_code` holds the exit code.

@@ -8,6 +8,8 @@ from typing import Any
 
 import traitlets
 
+from coursekit.processes.base_process import BaseProcess
+
 from .bundle import with_text
 from .docking import View
 from .errors import NotNow
@@ -30,7 +32,7 @@ class Terminal(View):
     _css = style("terminal.css")
     title = traitlets.Unicode("").tag(sync=True)
 
-    def __init__(self, process: Any, title: str = "", again: Callable[[], Any] | None = None) -> None:
+    def __init__(self, process: BaseProcess, title: str = "", again: Callable[[], Any] | None = None) -> None:
         super().__init__(title=title or process.name)
         self._again = again
         self._pending: list[str] = []
@@ -40,7 +42,7 @@ class Terminal(View):
         self.on_msg(self._hear)
         self._follow(process)
 
-    def _follow(self, process: Any) -> None:
+    def _follow(self, process: BaseProcess) -> None:
         self.process = process
         process.on_output(lambda _stream, text: self._collect(text) if process is self.process else None)
         process.on_exit(lambda _: self._flush() if process is self.process else None)
@@ -135,7 +137,7 @@ class Terminal(View):
             }
         )
 
-    def _hear(self, _widget: Any, message: dict[str, Any], _buffers: Any) -> None:
+    def _hear(self, _widget: object, message: dict[str, Any], _buffers: object) -> None:
         kind = message.get("type")
         if kind == "ready":
             self._seen = True

@@ -6,6 +6,7 @@ from collections import deque
 from typing import Any
 
 from coursekit.cli.api import full_name
+from coursekit.core.interface import Message
 from coursekit.view.graph_facts import nodes_at, take, types_of
 
 from .messages import as_yaml, listen
@@ -24,10 +25,10 @@ class Watch:
         self._panel = panel
         self._times: deque[int] = deque(maxlen=WINDOW)
         self.count = 0
-        self.last: Any = None
+        self.last: Message | None = None
         self.subscription = listen(panel.hidden, topic, self._hear)
 
-    def _hear(self, msg: Any) -> None:
+    def _hear(self, msg: Message) -> None:
         self._times.append(self._panel.session.clock.steady())
         self.count += 1
         self.last = msg
@@ -78,7 +79,7 @@ class TopicPanel(Panel):
         """Return the rate of a watched topic in Hz; 0 while it is silent."""
         return self._watched[full_name(topic)].rate()
 
-    def last(self, topic: str) -> Any:
+    def last(self, topic: str) -> Message | None:
         """Return the last message of a watched topic; None before the first."""
         return self._watched[full_name(topic)].last
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,6 +16,9 @@ from .drive import Driver
 from .errors import NotNow
 from .panel_node import HiddenNode
 from .simulated import robot_name, simulator
+
+if TYPE_CHECKING:
+    from tf2_ros import Buffer
 
 BEAT_SECONDS = 0.1
 """The control period of the driver [s]."""
@@ -67,7 +70,7 @@ class Tour:
         """Return the position error at the end [m]."""
         return float(self.errors(who)[-1])
 
-    def look(self, buffer: Any) -> Pose2D:
+    def look(self, buffer: Buffer) -> Pose2D:
         """Record the true pose and the estimates. Returns the true pose in the world."""
         self._simulator.advance()
         here: Pose2D = self._simulator.simulation.pose_of(self.name)
@@ -83,7 +86,7 @@ class Tour:
         return f"drove {self.length:.1f} m in {self.seconds:.0f} s{off}"
 
 
-def _belief(buffer: Any, frame: str, base: str) -> tuple[float, float, float]:
+def _belief(buffer: Buffer, frame: str, base: str) -> tuple[float, float, float]:
     from rclpy.time import Time
     from tf2_ros import TransformException
 
@@ -133,7 +136,7 @@ def drive_along(
     return tour
 
 
-def _wait_for_slam(hidden: HiddenNode, buffer: Any, base: str) -> None:
+def _wait_for_slam(hidden: HiddenNode, buffer: Buffer, base: str) -> None:
     """If a node publishes a map, wait for its first scan: on a busy computer that takes a while."""
     clock = current().clock
     give_up = clock.steady() + round(SLAM_SECONDS * 1e9)
@@ -143,7 +146,7 @@ def _wait_for_slam(hidden: HiddenNode, buffer: Any, base: str) -> None:
         clock.sleep(BEAT_SECONDS)
 
 
-def _go(tour: Tour, driver: Driver, buffer: Any, x: float, y: float) -> None:
+def _go(tour: Tour, driver: Driver, buffer: Buffer, x: float, y: float) -> None:
     clock = current().clock
     looked = began = since = clock.steady()
     best = math.inf

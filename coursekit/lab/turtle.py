@@ -121,7 +121,7 @@ class TurtleWindow(View):
             self._drivers[topic] = Driver(topic, SPEED, SPEED, "turtlesim_window")
         return self._drivers[topic]
 
-    def _hear(self, _widget: Any, message: dict[str, Any], _buffers: Any) -> None:
+    def _hear(self, _widget: object, message: dict[str, Any], _buffers: object) -> None:
         if message.get("type") == "ready":
             self._tell(whole=True)
         elif message.get("type") == "pick":

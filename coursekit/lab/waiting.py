@@ -7,6 +7,7 @@ import sys
 from typing import Any
 
 from coursekit.cli.api import full_name
+from coursekit.processes.base_process import BaseProcess
 from coursekit.processes.session import Session, current
 from coursekit.view.progress_bar import ProgressBar
 from coursekit.words.gettext import gettext
@@ -81,7 +82,7 @@ def _wait_for(session: Session, topic: str, least: float, most: float, bar: Prog
 
 
 def until_said(
-    process: Any, text: str, least: float = 0.0, most: float = PATIENCE_SECONDS, *, repeated: bool = True
+    process: BaseProcess, text: str, least: float = 0.0, most: float = PATIENCE_SECONDS, *, repeated: bool = True
 ) -> bool:
     """Wait `least` seconds, then until a process has printed `text` or ended, at most `most` seconds more; whether it did.
 

@@ -15,7 +15,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import asdict
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.core.graph import names_and_types
 from coursekit.systems.inherited import opened
@@ -23,6 +23,9 @@ from coursekit.wiring import COMMANDS, load
 
 from .plan import MESSAGES, Plan, Seen
 from .recording import Recorder
+
+if TYPE_CHECKING:
+    from rclpy.task import Future
 
 OURS = ("_trial", "_ros2cli")
 """The prefixes of node names to hide."""
@@ -105,7 +108,7 @@ class Watcher:
     def _call(self, client: Any, request: Any, index: int) -> None:
         from rosidl_runtime_py import message_to_ordereddict
 
-        def answered(future: Any) -> None:
+        def answered(future: Future) -> None:
             self.seen.responses[index] = message_to_ordereddict(future.result())
 
         client.call_async(request).add_done_callback(answered)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import yaml
 
@@ -15,6 +15,9 @@ from coursekit.words.gettext import gettext
 from .errors import NotThere
 from .panel import Panel, static
 from .panel_node import appears
+
+if TYPE_CHECKING:
+    from rclpy.task import Future
 
 _CONTROLS = {1: "check", 2: "whole", 3: "number", 4: "text"}
 
@@ -131,7 +134,7 @@ class ParameterPanel(Panel):
     def _meet(self, parameter: Any) -> None:
         """Handle a newly declared parameter: request its descriptor, then show it."""
 
-        def described(future: Any) -> None:
+        def described(future: Future) -> None:
             self._keep(parameter.name, parameter.value, future.result().descriptors[0])
             self.changed()
 
@@ -180,7 +183,7 @@ class ParameterPanel(Panel):
             return
         self._client.set_parameters([parameter], callback=lambda future: self._was_set(name, future))
 
-    def _was_set(self, name: str, future: Any) -> None:
+    def _was_set(self, name: str, future: Future) -> None:
         result = future.result().results[0]
         if result.successful:
             self.tell(type="accepted", name=name)

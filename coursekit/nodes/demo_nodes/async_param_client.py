@@ -8,6 +8,7 @@ from ament_index_python import get_package_share_directory
 from rclpy.node import Node
 from rclpy.parameter import Parameter, parameter_dict_from_yaml_file, parameter_value_to_python
 from rclpy.parameter_client import AsyncParameterClient
+from rclpy.task import Future
 
 TARGET = "parameter_blackboard"
 WANTED = [
@@ -25,7 +26,7 @@ class Asker:
     def __init__(self, node: Node, client: AsyncParameterClient) -> None:
         self.node, self.client, self.logger = node, client, node.get_logger()
 
-    def _answer(self, future: Any, doing: str) -> Any:
+    def _answer(self, future: Future, doing: str) -> Any:
         rclpy.spin_until_future_complete(self.node, future)
         if future.result() is None:
             self.logger.error(f"Error {doing} parameters: {future.exception()}")

@@ -6,6 +6,7 @@ import rclpy
 from action_tutorials_interfaces.action import Fibonacci
 from rclpy.action import ActionClient
 from rclpy.node import Node
+from rclpy.task import Future
 
 from coursekit.nodes.demo_nodes.spinning import demo
 
@@ -25,7 +26,7 @@ class FibonacciActionClient(Node):
         sent = self._client.send_goal_async(Fibonacci.Goal(order=order), feedback_callback=self._hear)
         sent.add_done_callback(self._take_answer)
 
-    def _take_answer(self, future: Any) -> None:
+    def _take_answer(self, future: Future) -> None:
         goal_handle = future.result()
         if not goal_handle.accepted:
             self.get_logger().info("Goal rejected :(")
@@ -34,7 +35,7 @@ class FibonacciActionClient(Node):
         self.get_logger().info("Goal accepted :)")
         goal_handle.get_result_async().add_done_callback(self._take_result)
 
-    def _take_result(self, future: Any) -> None:
+    def _take_result(self, future: Future) -> None:
         self.get_logger().info(f"Result: {future.result().result.sequence}")
         rclpy.shutdown()
 

@@ -6,6 +6,7 @@ from typing import Any
 import rclpy
 from action_tutorials_interfaces.action import Fibonacci
 from rclpy.action import ActionClient, CancelResponse, GoalResponse
+from rclpy.task import Future
 
 from coursekit.nodes.cpp_node import CppNode, as_cpp
 from coursekit.nodes.examples.action_server import MinimalActionServer, serve
@@ -60,7 +61,7 @@ class FibonacciClient(CppNode):
         sent = self._client.send_goal_async(Fibonacci.Goal(order=10), feedback_callback=self._progressed)
         sent.add_done_callback(self._answered)
 
-    def _answered(self, future: Any) -> None:
+    def _answered(self, future: Future) -> None:
         if not future.result().accepted:
             self.get_logger().error("Goal was rejected by server")
             rclpy.shutdown()
@@ -72,7 +73,7 @@ class FibonacciClient(CppNode):
         numbers = "".join(f"{number} " for number in msg.feedback.partial_sequence)
         self.get_logger().info(f"Next number in sequence received: {numbers}")
 
-    def _finished(self, future: Any) -> None:
+    def _finished(self, future: Future) -> None:
         numbers = "".join(f"{number} " for number in future.result().result.sequence)
         self.get_logger().info(f"Result received: {numbers}")
         rclpy.shutdown()

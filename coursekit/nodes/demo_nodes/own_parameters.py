@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rclpy
 from rclpy.parameter import Parameter
@@ -10,6 +10,9 @@ from rclpy.parameter_client import AsyncParameterClient
 
 from coursekit.nodes.cpp_node import CppNode
 from coursekit.nodes.running import to_the_end
+
+if TYPE_CHECKING:
+    from rclpy.task import Future
 
 _TYPES = {
     Parameter.Type.INTEGER: "integer",
@@ -45,7 +48,7 @@ class Asking:
             self.node.declare_parameter(parameter.name, parameter.type_)
         self.client = AsyncParameterClient(self.node, name)
 
-    def answer(self, future: Any) -> Any:
+    def answer(self, future: Future) -> Any:
         """Spin until the response arrives, and return it."""
         rclpy.spin_until_future_complete(self.node, future)
         return future.result()

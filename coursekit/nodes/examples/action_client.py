@@ -7,6 +7,7 @@ from action_msgs.msg import GoalStatus
 from example_interfaces.action import Fibonacci
 from rclpy.action import ActionClient
 from rclpy.node import Node
+from rclpy.task import Future
 
 from coursekit.nodes.running import to_the_end
 
@@ -29,7 +30,7 @@ class MinimalActionClient(Node):
     def _progressed(self, feedback: Any) -> None:
         self.get_logger().info(f"Received feedback: {feedback.feedback.sequence}")
 
-    def _answered(self, future: Any) -> None:
+    def _answered(self, future: Future) -> None:
         goal = future.result()
         if not goal.accepted:
             self.get_logger().info("Goal rejected :(")
@@ -40,7 +41,7 @@ class MinimalActionClient(Node):
     def _accepted(self, goal: Any) -> None:
         goal.get_result_async().add_done_callback(self._finished)
 
-    def _finished(self, future: Any) -> None:
+    def _finished(self, future: Future) -> None:
         answer = future.result()
         if answer.status == GoalStatus.STATUS_SUCCEEDED:
             self.get_logger().info(f"Goal succeeded! Result: {answer.result.sequence}")
@@ -61,7 +62,7 @@ class CancellingClient(MinimalActionClient):
         self.get_logger().info("Canceling goal")
         self._goal.cancel_goal_async().add_done_callback(self._cancelled)
 
-    def _cancelled(self, future: Any) -> None:
+    def _cancelled(self, future: Future) -> None:
         done = bool(future.result().goals_canceling)
         self.get_logger().info("Goal successfully canceled" if done else "Goal failed to cancel")
         rclpy.shutdown()

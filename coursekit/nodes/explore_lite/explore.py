@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from action_msgs.msg import GoalStatus
 from geometry_msgs.msg import PoseStamped
@@ -21,6 +21,9 @@ from coursekit.nodes.explore_lite.markers import markers
 from coursekit.nodes.nav2.parameters import declare
 from coursekit.nodes.nav2.transform_lookup import TransformLookup, stamped
 from coursekit.nodes.running import run
+
+if TYPE_CHECKING:
+    from rclpy.task import Future
 
 _DEFAULTS: dict[str, Any] = {
     "planner_frequency": 1.0, "progress_timeout": 30.0, "visualize": False, "potential_scale": 1e-3,
@@ -130,7 +133,7 @@ class Explore(Node):
         asked = self._navigator.send_goal_async(NavigateToPose.Goal(pose=there))
         asked.add_done_callback(partial(self._answered, goal))
 
-    def _answered(self, goal: tuple[float, float] | None, future: Any) -> None:
+    def _answered(self, goal: tuple[float, float] | None, future: Future) -> None:
         handle = future.result()
         if handle is None or not handle.accepted:
             self.get_logger().warning("Goal was rejected", throttle_duration_sec=5.0)
@@ -140,7 +143,7 @@ class Explore(Node):
         if goal is not None:
             handle.get_result_async().add_done_callback(partial(self._ended, goal))
 
-    def _ended(self, goal: tuple[float, float], future: Any) -> None:
+    def _ended(self, goal: tuple[float, float], future: Future) -> None:
         """Abandon a goal that nav2 aborted; a goal replaced by a newer one is not abandoned."""
         if self._goal != goal or future.result() is None:
             return

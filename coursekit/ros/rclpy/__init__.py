@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.processes import import_hooks, script
 from coursekit.processes.patching import patch_manager
@@ -24,6 +24,12 @@ from rclpy.utilities import (
 )
 from rclpy.utilities import shutdown as _shutdown
 from rclpy.utilities import try_shutdown as _try_shutdown
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
+    from rclpy.executors import Executor
+    from rclpy.node import Node
+    from rclpy.task import Future
 
 __all__ = [
     "create_node",
@@ -55,7 +61,7 @@ def __getattr__(name: str) -> Any:
 class InitContextManager:
     """Shuts the context down at the end of `with rclpy.init():` (ROS releases after Humble)."""
 
-    def __init__(self, context: Any) -> None:
+    def __init__(self, context: Context) -> None:
         self.context = context
 
     def __enter__(self) -> InitContextManager:
@@ -68,7 +74,7 @@ class InitContextManager:
 def init(
     *,
     args: list[str] | None = None,
-    context: Any = None,
+    context: Context | None = None,
     domain_id: int | None = None,
     signal_handler_options: SignalHandlerOptions | None = None,
 ) -> InitContextManager:
@@ -93,7 +99,7 @@ def get_global_executor() -> Any:
     return executor
 
 
-def shutdown(*, context: Any = None, uninstall_handlers: bool | None = None) -> None:
+def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
     """Shut the context down; a second call is an error."""
     default = context is None or context is get_default_context()
     if default:
@@ -103,7 +109,7 @@ def shutdown(*, context: Any = None, uninstall_handlers: bool | None = None) -> 
         uninstall_signal_handlers()
 
 
-def try_shutdown(*, context: Any = None, uninstall_handlers: bool | None = None) -> None:
+def try_shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
     """Shut the context down unless it is already shut down."""
     default = context is None or context is get_default_context()
     if default and get_default_context().ok():
@@ -122,7 +128,7 @@ def _close_executor() -> None:
 def create_node(
     node_name: str,
     *,
-    context: Any = None,
+    context: Context | None = None,
     cli_args: list[str] | None = None,
     namespace: str | None = None,
     use_global_arguments: bool = True,
@@ -155,7 +161,7 @@ def create_node(
     )
 
 
-def spin_once(node: Any, *, executor: Any = None, timeout_sec: float | None = None) -> None:
+def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
     """Wait for one callback of `node`, for at most `timeout_sec`, and run it.
 
     >>> timer = node.create_timer(1.0, lambda: print("tick"))
@@ -173,7 +179,7 @@ def spin_once(node: Any, *, executor: Any = None, timeout_sec: float | None = No
             executor.remove_node(node)
 
 
-def spin(node: Any, executor: Any = None) -> None:
+def spin(node: Node, executor: Executor | None = None) -> None:
     """Run the callbacks of `node` until the context is shut down.
 
     >>> timer = node.create_timer(1.0, rclpy.shutdown)  # otherwise Ctrl-C ends it
@@ -192,7 +198,7 @@ def spin(node: Any, executor: Any = None) -> None:
 
 
 def spin_until_future_complete(
-    node: Any, future: Any, executor: Any = None, timeout_sec: float | None = None
+    node: Node, future: Future, executor: Executor | None = None, timeout_sec: float | None = None
 ) -> None:
     """Run the callbacks of `node` until `future` is done, for at most `timeout_sec`.
 

@@ -10,6 +10,7 @@ from rclpy._qualified_names import one_class
 from rclpy.task import Future, Task
 
 if TYPE_CHECKING:
+    from rclpy.context import Context
     from rclpy.node import Node
 
 
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 class Executor(Work):
     """The base of all executors; a subclass defines in `spin_once` how a ready callback is run."""
 
-    def __init__(self, *, context: Any = None) -> None:
+    def __init__(self, *, context: Context | None = None) -> None:
         super().__init__(context)
         self._nodes: list[Any] = []
         self._context.on_shutdown(self.wake)
@@ -62,7 +63,7 @@ class Executor(Work):
 
     def wait_for_ready_callbacks(
         self,
-        timeout_sec: Any = None,
+        timeout_sec: float | None = None,
         nodes: list[Any] | None = None,
         condition: Callable[[], bool] = never,
     ) -> tuple[Task, Any, Any]:
@@ -119,7 +120,7 @@ class Executor(Work):
         """Wait for one callback, for at most `timeout_sec`, and run it."""
         raise NotImplementedError()
 
-    def spin_once_until_future_complete(self, future: Future, timeout_sec: Any = None) -> None:
+    def spin_once_until_future_complete(self, future: Future, timeout_sec: float | TimeoutObject | None = None) -> None:
         """Like `spin_once`, but also return when `future` is done."""
         raise NotImplementedError()
 

@@ -66,7 +66,7 @@ class TimeoutObject:
         return None if self._deadline is None else max(0.0, (self._deadline - self._clock.steady()) * 1e-9)
 
 
-def deadline_of(timeout_sec: Any) -> int | None:
+def deadline_of(timeout_sec: float | TimeoutObject | None) -> int | None:
     """The steady-clock time [ns] at which a timeout [s] ends; None for never."""
     if timeout_sec is None:
         return None
@@ -84,7 +84,7 @@ def never() -> bool:
 class Work:
     """The queue of ready entities and the tasks of one executor."""
 
-    def __init__(self, context: Context) -> None:
+    def __init__(self, context: Context | None) -> None:
         self._context = get_default_context() if context is None else context
         self._clock = current().clock
         self._queue = ReadyQueue(self._clock)
@@ -157,7 +157,7 @@ class Work:
         """Whether the entity's callback may begin; a subclass may be stricter."""
         return entity.callback_group.can_execute(entity)
 
-    def _next_work(self, timeout_sec: Any, condition: Callable[[], bool]) -> tuple[Any, Any]:
+    def _next_work(self, timeout_sec: float | TimeoutObject | None, condition: Callable[[], bool]) -> tuple[Any, Any]:
         """Wait for work: (entity, function) or (None, task). The entity's group has begun execution.
 
         A cycle checks the tasks, waits once, and serves everything that is ready then. The next call with the same

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import weakref
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rclpy import _rclpy_pybind11 as _rclpy
 from rclpy._node_graph import core_qos
@@ -21,6 +21,9 @@ from rclpy.service import Service
 from rclpy.subscription import Subscription
 from rclpy.timer import Rate, Timer
 from rclpy.type_support import check_is_valid_msg_type, check_is_valid_srv_type
+
+if TYPE_CHECKING:
+    from rclpy.executors import Executor
 
 
 class NodeEntities:
@@ -81,7 +84,7 @@ class NodeEntities:
             executor._attach(entity)
         return entity
 
-    def _rclpy_attach(self, executor: Any) -> None:
+    def _rclpy_attach(self, executor: Executor) -> None:
         for entity in self._rclpy_entities():
             executor._attach(entity)
 
@@ -102,7 +105,7 @@ class NodeEntities:
 
     def create_publisher(
         self,
-        msg_type: Any,
+        msg_type: type[Any],
         topic: str,
         qos_profile: QoSProfile | int,
         *,
@@ -137,7 +140,7 @@ class NodeEntities:
 
     def create_subscription(
         self,
-        msg_type: Any,
+        msg_type: type[Any],
         topic: str,
         callback: Callable[..., Any],
         qos_profile: QoSProfile | int,
@@ -181,7 +184,7 @@ class NodeEntities:
 
     def create_client(
         self,
-        srv_type: Any,
+        srv_type: type[Any],
         srv_name: str,
         *,
         qos_profile: QoSProfile = qos_profile_services_default,
@@ -204,7 +207,7 @@ class NodeEntities:
 
     def create_service(
         self,
-        srv_type: Any,
+        srv_type: type[Any],
         srv_name: str,
         callback: Callable[[Any, Any], Any],
         *,

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.core.graph_node import GraphNode
 from rclpy._rclpy_names import RCLError
 
+if TYPE_CHECKING:
+    pass
+
 TOPIC_ENDS = ("publisher", "subscription")
 
 
-def check_type(node: GraphNode, kind: str, name: str, msg_type: Any) -> None:
+def check_type(node: GraphNode, kind: str, name: str, msg_type: type[Any]) -> None:
     """Raise RCLError if another endpoint of a topic or service in the node's context has another type.
 
     `kind` is "publisher", "subscription", "service" or "client".

@@ -13,6 +13,7 @@ from rclpy.task import Future
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
     from rclpy.context import Context
+    from rclpy.qos import QoSProfile
 
 __getattr__ = lender(__name__)  # names that programs import from here
 
@@ -24,9 +25,9 @@ class Client:
         self,
         context: Context,
         client_impl: _Handle,
-        srv_type: Any,
+        srv_type: type[Any],
         srv_name: str,
-        qos_profile: Any,
+        qos_profile: QoSProfile | int,
         callback_group: CallbackGroup,
     ) -> None:
         self.context = context

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.processes.session import current
 from rclpy._rclpy_pybind11 import Clock as _Handle
@@ -12,6 +12,9 @@ from rclpy.duration import Duration
 from rclpy.exceptions import NotInitializedException
 from rclpy.time import Time
 from rclpy.utilities import get_default_context
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
 
 __all__ = ["Clock", "ClockChange", "ClockType", "JumpHandle", "JumpThreshold", "ROSClock", "TimeJump"]
 
@@ -159,7 +162,7 @@ class Clock:
             clock=self, threshold=threshold, pre_callback=pre_callback, post_callback=post_callback
         )
 
-    def sleep_until(self, until: Time, context: Any = None) -> bool:
+    def sleep_until(self, until: Time, context: Context | None = None) -> bool:
         """Sleep until this clock reaches `until`; False if the context ends or ROS time is switched on or off first."""
         context = get_default_context() if context is None else context
         if not context.ok():
@@ -168,7 +171,7 @@ class Clock:
             raise ValueError("until's clock type does not match this clock's type")
         return _Sleep(self, until.nanoseconds, context).run()
 
-    def sleep_for(self, rel_time: Duration, context: Any = None) -> bool:
+    def sleep_for(self, rel_time: Duration, context: Context | None = None) -> bool:
         """Sleep for a duration of this clock.
 
         >>> clock = node.get_clock()
@@ -184,7 +187,7 @@ class Clock:
 class _Sleep:
     """One `sleep_until`: wakes when the time is reached, when the clock jumps, or when the context ends."""
 
-    def __init__(self, clock: Clock, until: int, context: Any) -> None:
+    def __init__(self, clock: Clock, until: int, context: Context) -> None:
         self._base = clock.handle.core
         self._until = until
         self._context = context

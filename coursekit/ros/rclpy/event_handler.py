@@ -14,6 +14,7 @@ from rclpy.qos import QoSPolicyKind, qos_policy_name_from_kind
 from rclpy.waitable import NumberOfEntities, Waitable
 
 if TYPE_CHECKING:
+    from rclpy._wait_set import WaitSet
     from rclpy.callback_groups import CallbackGroup
 
 
@@ -165,7 +166,7 @@ class EventHandler(Waitable):
         self.callback = callback
         self._event = QoSEvent(parent_impl, event_type)
 
-    def is_ready(self, wait_set: Any) -> bool:
+    def is_ready(self, wait_set: WaitSet) -> bool:
         """Whether an event has occurred."""
         return self._event.core.has_work()
 
@@ -183,7 +184,7 @@ class EventHandler(Waitable):
         """One event."""
         return NumberOfEntities(num_events=1)
 
-    def add_to_wait_set(self, wait_set: Any) -> None:
+    def add_to_wait_set(self, wait_set: WaitSet) -> None:
         """Add the event."""
         wait_set.add_event(self._event)
 

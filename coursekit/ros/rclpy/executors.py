@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import warnings
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.core.execution_context import CallbackAbandoned, ProcessKilled
 from coursekit.processes.session import current
@@ -24,6 +24,9 @@ from rclpy._executor_work import (
 from rclpy._lent import lender
 from rclpy._thread_pool import ThreadPool
 from rclpy.task import Future
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
 
 __getattr__ = lender(__name__)  # names that programs import from here
 
@@ -54,10 +57,10 @@ class SingleThreadedExecutor(Executor):
     tick of the other node
     """
 
-    def __init__(self, *, context: Any = None) -> None:
+    def __init__(self, *, context: Context | None = None) -> None:
         super().__init__(context=context)
 
-    def _spin_once(self, timeout_sec: Any, condition: Callable[[], bool]) -> None:
+    def _spin_once(self, timeout_sec: float | TimeoutObject | None, condition: Callable[[], bool]) -> None:
         try:
             entity, work = self._next_work(timeout_sec, condition)
         except (ShutdownException, TimeoutException, ConditionReachedException):
@@ -68,7 +71,7 @@ class SingleThreadedExecutor(Executor):
         """Wait for one callback, for at most `timeout_sec`, and run it."""
         self._spin_once(timeout_sec, never)
 
-    def spin_once_until_future_complete(self, future: Future, timeout_sec: Any = None) -> None:
+    def spin_once_until_future_complete(self, future: Future, timeout_sec: float | TimeoutObject | None = None) -> None:
         """Like `spin_once`, but also return when `future` is done."""
         future.add_done_callback(lambda _: self.wake())
         self._spin_once(timeout_sec, future.done)
@@ -98,7 +101,7 @@ class MultiThreadedExecutor(Executor):
     True
     """
 
-    def __init__(self, num_threads: int | None = None, *, context: Any = None) -> None:
+    def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
         self._free = current().clock.new_event()
         super().__init__(context=context)
         if num_threads is None:
@@ -124,7 +127,7 @@ class MultiThreadedExecutor(Executor):
         self._pool.close()
         return stopped
 
-    def _spin_once(self, timeout_sec: Any, condition: Callable[[], bool]) -> None:
+    def _spin_once(self, timeout_sec: float | TimeoutObject | None, condition: Callable[[], bool]) -> None:
         self._raise_error()
         deadline = deadline_of(timeout_sec)
         try:
@@ -172,7 +175,7 @@ class MultiThreadedExecutor(Executor):
         """Wait for one callback and run it in a thread of the pool."""
         self._spin_once(timeout_sec, never)
 
-    def spin_once_until_future_complete(self, future: Future, timeout_sec: Any = None) -> None:
+    def spin_once_until_future_complete(self, future: Future, timeout_sec: float | TimeoutObject | None = None) -> None:
         """Like `spin_once`, but also return when `future` is done."""
         future.add_done_callback(lambda _: self.wake())
         self._spin_once(timeout_sec, future.done)

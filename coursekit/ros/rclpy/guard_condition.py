@@ -9,13 +9,14 @@ from rclpy._rclpy_pybind11 import GuardCondition as _Handle
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
+    from rclpy.context import Context
 
 
 class GuardCondition:
     """A guard condition, created by `Node.create_guard_condition`."""
 
     def __init__(
-        self, callback: Callable[[], Any] | None, callback_group: CallbackGroup | None, context: Any = None
+        self, callback: Callable[[], Any] | None, callback_group: CallbackGroup | None, context: Context | None = None
     ) -> None:
         self._handle = _Handle()
         self.callback = callback

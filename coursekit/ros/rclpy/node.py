@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import Log, ParameterDescriptor, ParameterEvent
 
@@ -49,6 +49,9 @@ from rclpy.utilities import get_default_context
 from rclpy.validate_namespace import validate_namespace
 from rclpy.validate_node_name import validate_node_name
 
+if TYPE_CHECKING:
+    from rclpy.context import Context
+
 __getattr__ = lender(__name__)  # names that programs import from here
 
 HIDDEN_NODE_PREFIX = "_"
@@ -86,7 +89,7 @@ class Node(NodeEntities, NodeNames, NodeParameters, NodeGraph):
         self,
         node_name: str,
         *,
-        context: Any = None,
+        context: Context | None = None,
         cli_args: list[str] | None = None,
         namespace: str | None = None,
         use_global_arguments: bool = True,

@@ -12,6 +12,7 @@ from rclpy.duration import Duration
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
+    from rclpy.qos import QoSProfile
 
 __getattr__ = lender(__name__)  # names that programs import from here
 
@@ -22,9 +23,9 @@ class Publisher:
     def __init__(
         self,
         publisher_impl: _Handle,
-        msg_type: Any,
+        msg_type: type[Any],
         topic: str,
-        qos_profile: Any,
+        qos_profile: QoSProfile | int,
         event_callbacks: Any,
         callback_group: CallbackGroup,
     ) -> None:

@@ -11,6 +11,7 @@ from rclpy._rclpy_pybind11 import Service as _Handle
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
+    from rclpy.qos import QoSProfile
 
 __getattr__ = lender(__name__)  # names that programs import from here
 
@@ -21,11 +22,11 @@ class Service:
     def __init__(
         self,
         service_impl: _Handle,
-        srv_type: Any,
+        srv_type: type[Any],
         srv_name: str,
         callback: Callable[[Any, Any], Any],
         callback_group: CallbackGroup,
-        qos_profile: Any,
+        qos_profile: QoSProfile | int,
     ) -> None:
         self.__service = service_impl
         self.srv_type = srv_type

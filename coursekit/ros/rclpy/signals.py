@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import signal
 import threading
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from coursekit.processes.patching import IMPORTS, Change, patch_manager
 from coursekit.processes.process import current_process
@@ -13,6 +13,9 @@ from coursekit.processes.signal_waker import SignalWaker
 from coursekit.systems import operating_system
 from rclpy._rclpy_pybind11 import GuardCondition, SignalHandlerOptions
 from rclpy.context import shutdown_all
+
+if TYPE_CHECKING:
+    from rclpy.context import Context
 
 __all__ = [
     "SignalHandlerGuardCondition",
@@ -28,7 +31,7 @@ _interpreter: dict[str, Any] = {"options": SignalHandlerOptions.NO, "previous": 
 class SignalHandlerGuardCondition:
     """A guard condition that a signal triggers."""
 
-    def __init__(self, context: Any = None) -> None:
+    def __init__(self, context: Context | None = None) -> None:
         self.handle = GuardCondition()
 
     def destroy(self) -> None:

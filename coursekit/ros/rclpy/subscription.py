@@ -14,6 +14,7 @@ from rclpy._rclpy_pybind11 import Subscription as _Handle
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
+    from rclpy.qos import QoSProfile
 
 __getattr__ = lender(__name__)  # names that programs import from here
 
@@ -30,11 +31,11 @@ class Subscription:
     def __init__(
         self,
         subscription_impl: _Handle,
-        msg_type: Any,
+        msg_type: type[Any],
         topic: str,
         callback: Callable[..., Any],
         callback_group: CallbackGroup,
-        qos_profile: Any,
+        qos_profile: QoSProfile | int,
         raw: bool,
         event_callbacks: Any,
     ) -> None:

@@ -9,7 +9,10 @@ import traceback
 import weakref
 from collections.abc import Callable, Generator
 from contextvars import ContextVar
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rclpy._executor_work import Work
 
 _in_task: ContextVar[bool] = ContextVar("rclpy_in_task", default=False)
 
@@ -23,7 +26,7 @@ class Future:
     42
     """
 
-    def __init__(self, *, executor: Any = None) -> None:
+    def __init__(self, *, executor: Work | None = None) -> None:
         self._done = False
         self._cancelled = False
         self._result: Any = None
@@ -110,7 +113,7 @@ class Future:
             self._callbacks.remove(callback)
             return True
 
-    def _set_executor(self, executor: Any) -> None:
+    def _set_executor(self, executor: Work | None) -> None:
         self._executor = None if executor is None else weakref.ref(executor)
 
     def _run_callbacks(self) -> None:
@@ -142,7 +145,7 @@ class Task(Future):
         handler: Any,
         args: list[Any] | tuple[Any, ...] | None = None,
         kwargs: dict[str, Any] | None = None,
-        executor: Any = None,
+        executor: Work | None = None,
     ) -> None:
         super().__init__(executor=executor)
         self._handler = handler

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import weakref
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import rosgraph_msgs.msg
 from rcl_interfaces.msg import SetParametersResult
@@ -13,6 +13,9 @@ from rclpy.parameter import Parameter
 from rclpy.qos import QoSProfile, ReliabilityPolicy
 from rclpy.time import Time
 
+if TYPE_CHECKING:
+    from rclpy.node import Node
+
 CLOCK_TOPIC = "/clock"
 USE_SIM_TIME_NAME = "use_sim_time"
 
@@ -20,7 +23,7 @@ USE_SIM_TIME_NAME = "use_sim_time"
 class TimeSource:
     """One node's source of ROS time, for the clocks attached to it."""
 
-    def __init__(self, *, node: Any = None) -> None:
+    def __init__(self, *, node: Node | None = None) -> None:
         self._clock_sub: Any = None
         self._node_weak_ref: Any = None
         self._associated_clocks: list[ROSClock] = []
@@ -46,7 +49,7 @@ class TimeSource:
         else:
             self._unsubscribe()
 
-    def attach_node(self, node: Any) -> None:
+    def attach_node(self, node: Node) -> None:
         """Follow this node's `use_sim_time`."""
         if self._node_weak_ref is not None:
             self.detach_node()

@@ -16,6 +16,7 @@ from rclpy.utilities import get_default_context
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
+    from rclpy.context import Context
 
 
 class TimerInfo:
@@ -38,7 +39,7 @@ class Timer:
         timer_period_ns: int,
         clock: Any,
         *,
-        context: Any = None,
+        context: Context | None = None,
         autostart: bool = True,
     ) -> None:
         self._context = context or get_default_context()
@@ -170,7 +171,7 @@ class Rate:
     A period that began while no thread slept ends the next sleep at once: a loop may alternate spinning and sleeping.
     """
 
-    def __init__(self, timer: Timer, *, context: Any) -> None:
+    def __init__(self, timer: Timer, *, context: Context) -> None:
         self._clock = timer.clock
         self._timer = timer
         self._timer.callback = self._tick

@@ -24,7 +24,7 @@ def check_for_type_support(msg_or_srv_type: Any) -> None:
         raise NoTypeSupportImportedException()
 
 
-def check_is_valid_msg_type(msg_type: Any) -> None:
+def check_is_valid_msg_type(msg_type: type[Any]) -> None:
     """Raise unless `msg_type` is a message class."""
     check_for_type_support(msg_type)
     if not hasattr(msg_type, "SLOT_TYPES"):
@@ -33,7 +33,7 @@ def check_is_valid_msg_type(msg_type: Any) -> None:
         )
 
 
-def check_is_valid_srv_type(srv_type: Any) -> None:
+def check_is_valid_srv_type(srv_type: type[Any]) -> None:
     """Raise unless `srv_type` is a service class."""
     check_for_type_support(srv_type)
     if not (hasattr(srv_type, "Request") and hasattr(srv_type, "Response")):

@@ -10,12 +10,13 @@ from rclpy.task import Future
 
 if TYPE_CHECKING:
     from rclpy.node import Node
+    from rclpy.qos import QoSProfile
 
 __getattr__ = lender(__name__)  # names that programs import from here
 
 
 def wait_for_message(
-    msg_type: Any, node: Node, topic: str, time_to_wait: float | int = -1, *, qos_profile: Any = 1
+    msg_type: type[Any], node: Node, topic: str, time_to_wait: float | int = -1, *, qos_profile: QoSProfile | int = 1
 ) -> tuple[bool, Any]:
     """(True, message) for the next message on `topic`; (False, None) after `time_to_wait` seconds (-1: no limit).
 

@@ -8,6 +8,7 @@ from rclpy._rclpy_pybind11 import WaitSet
 
 if TYPE_CHECKING:
     from rclpy.callback_groups import CallbackGroup
+    from rclpy.task import Future
 
 
 class NumberOfEntities:
@@ -66,15 +67,15 @@ class Waitable:
     def __exit__(self, *_error: object) -> None:
         """Mark as no longer in use."""
 
-    def add_future(self, future: Any) -> None:
+    def add_future(self, future: Future) -> None:
         """Remember a future."""
         self._futures.append(future)
 
-    def remove_future(self, future: Any) -> None:
+    def remove_future(self, future: Future) -> None:
         """Forget a future."""
         self._futures.remove(future)
 
-    def is_ready(self, wait_set: Any) -> bool:
+    def is_ready(self, wait_set: WaitSet) -> bool:
         """Whether one of its entities is ready."""
         raise NotImplementedError("Must be implemented by subclass")
 
@@ -90,7 +91,7 @@ class Waitable:
         """The number of entities of each kind that it uses."""
         raise NotImplementedError("Must be implemented by subclass")
 
-    def add_to_wait_set(self, wait_set: Any) -> None:
+    def add_to_wait_set(self, wait_set: WaitSet) -> None:
         """Add its entities to the wait set."""
         raise NotImplementedError("Must be implemented by subclass")
 
@@ -105,7 +106,7 @@ class Waitable:
 
     def _take(self) -> Any:
         """The work to do; None if the waitable is not ready after all."""
-        if not self.is_ready(self._wait_set):
+        if self._wait_set is None or not self.is_ready(self._wait_set):
             return None
         data = self.take_data()
         return lambda: self.execute(data)

@@ -22,6 +22,7 @@ from rclpy.type_support import check_for_type_support
 from rclpy.waitable import NumberOfEntities, Waitable
 
 if TYPE_CHECKING:
+    from rclpy._wait_set import WaitSet
     from rclpy.callback_groups import CallbackGroup
     from rclpy.node import Node
 
@@ -44,7 +45,7 @@ class ActionClient(Waitable):
     def __init__(
         self,
         node: Node,
-        action_type: Any,
+        action_type: type[Any],
         action_name: str,
         *,
         callback_group: CallbackGroup | None = None,
@@ -202,7 +203,7 @@ class ActionClient(Waitable):
 
     # -- Waitable's methods: the clients and subscriptions wait instead
 
-    def is_ready(self, wait_set: Any) -> bool:
+    def is_ready(self, wait_set: WaitSet) -> bool:
         """Always False: its clients and subscriptions become ready themselves."""
         return False
 
@@ -217,7 +218,7 @@ class ActionClient(Waitable):
         """Three clients, two subscriptions."""
         return NumberOfEntities(num_clients=3, num_subs=2)
 
-    def add_to_wait_set(self, wait_set: Any) -> None:
+    def add_to_wait_set(self, wait_set: WaitSet) -> None:
         """Do nothing: its clients and subscriptions are in the executor's queue."""
 
     def destroy(self) -> None:

@@ -31,6 +31,7 @@ from rclpy.type_support import check_for_type_support
 from rclpy.waitable import NumberOfEntities, Waitable
 
 if TYPE_CHECKING:
+    from rclpy._wait_set import WaitSet
     from rclpy.callback_groups import CallbackGroup
     from rclpy.node import Node
 
@@ -62,7 +63,7 @@ class ActionServer(Waitable):
     def __init__(
         self,
         node: Node,
-        action_type: Any,
+        action_type: type[Any],
         action_name: str,
         execute_callback: Callable[[ServerGoalHandle], Any],
         *,
@@ -270,7 +271,7 @@ class ActionServer(Waitable):
 
     # -- Waitable's methods: the services wait instead
 
-    def is_ready(self, wait_set: Any) -> bool:
+    def is_ready(self, wait_set: WaitSet) -> bool:
         """Always False: its services become ready themselves."""
         return False
 
@@ -285,7 +286,7 @@ class ActionServer(Waitable):
         """One timer, for expiring results, and three services."""
         return NumberOfEntities(num_timers=1, num_services=3)
 
-    def add_to_wait_set(self, wait_set: Any) -> None:
+    def add_to_wait_set(self, wait_set: WaitSet) -> None:
         """Do nothing: its services are in the executor's queue."""
 
     def destroy(self) -> None:

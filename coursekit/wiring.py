@@ -45,6 +45,9 @@ IMPORT_HOOKS = {
     "matplotlib.pyplot": "coursekit.view.plots",
     "multiprocessing.connection": "coursekit.processes.worker_processes",
     "numpy": "coursekit.processes.older_numpy",
+    **dict.fromkeys(
+        ("scipy", "scipy.integrate", "scipy.linalg", "scipy.signal", "scipy.sparse"), "coursekit.processes.older_scipy"
+    ),
 }
 """Imported module, and the module whose `install()` patches it for a session."""
 

@@ -19,6 +19,9 @@ _loading: set[str] = set()
 """Modules that are being loaded: cv2 imports its library under its own name, and is helped once it is whole."""
 
 
+_WITH_OLDER_NAMES = ("numpy", "cv2", "scipy", "matplotlib.pyplot")
+
+
 class _Loader(importlib.abc.Loader):
     """Loads a module with the real loader, then calls the helper."""
 
@@ -71,6 +74,11 @@ _finder = _Finder()
 _elsewhere = _Elsewhere()
 
 
+def is_loaded(module: str) -> bool:
+    """Whether a module is in `sys.modules` and whole: also one that has just been loaded, whose importer waits for help."""
+    return module in sys.modules and module not in _loading
+
+
 def _help(helper: str) -> None:
     install = getattr(importlib.import_module(helper), "install", None)
     if install is not None:  # else the helper is being imported, and helps afterwards
@@ -91,7 +99,7 @@ def lend_to_imported() -> None:
 def lend_older_names() -> None:
     """Give libraries the names of Humble's versions: what says them above its first node has no session yet."""
     patch_manager.put_at_once("sys.meta_path (first)")
-    _help_imported({name: IMPORT_HOOKS[name] for name in ("numpy", "cv2")})
+    _help_imported({name: IMPORT_HOOKS[name] for name in _WITH_OLDER_NAMES})
 
 
 def _help_imported(hooks: Mapping[str, str]) -> None:

@@ -6,12 +6,13 @@ what to type.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import cv2
 import numpy as np
 
+from coursekit.processes.older_names import Name, adding
 from coursekit.processes.patching import IMPORTS, Change
 
 _CONTRIB = (
@@ -104,20 +105,13 @@ ARUCO: dict[str, Callable[..., Any]] = {
 """The functions by their names in cv2.aruco."""
 
 
-def add_aruco(_found: Any) -> Callable[[], None]:
-    """Add the functions that OpenCV lacks; return what takes them away."""
-    boards = [(board, "draw", _draw_board) for board in (cv2.aruco.Board, cv2.aruco.GridBoard, cv2.aruco.CharucoBoard)]
-    functions = [(cv2.aruco, name, function) for name, function in ARUCO.items()]
-    mine = [(owner, name, function) for owner, name, function in [*functions, *boards] if name not in vars(owner)]
-    for owner, name, function in mine:
-        setattr(owner, name, function)
+def _of_aruco() -> Iterator[Name]:
+    yield from ((cv2.aruco, name, function) for name, function in ARUCO.items())
+    yield from ((board, "draw", _draw_board) for board in (cv2.aruco.Board, cv2.aruco.GridBoard, cv2.aruco.CharucoBoard))
 
-    def remove() -> None:
-        for owner, name, function in mine:
-            if vars(owner).get(name) is function:
-                delattr(owner, name)
 
-    return remove
+add_aruco = adding(_of_aruco)
+"""Adds the functions that OpenCV lacks; returns what takes them away."""
 
 
 def _absent(name: str) -> Any:

@@ -19,6 +19,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from coursekit.processes.patching import IMPORTS, Patch, always, patch_manager
 from coursekit.processes.process import Process, current_process
 
+from . import older_matplotlib
 from .desk import desk
 from .highgui import imshow
 
@@ -169,12 +170,13 @@ def _set_new_active_manager(cls: Any, manager: Any) -> None:
 
 def patches() -> list[Patch]:
     """Return the patches of pyplot."""
-    return _PATCHES
+    return [*_PATCHES, *older_matplotlib.PATCHES]
 
 
 def install() -> None:
     """Patch pyplot while sessions are open."""
     patch_manager.lend(*_PATCHES)
+    patch_manager.lend(*older_matplotlib.PATCHES, at_once=True)
 
 
 _REASON, _TEST = "a program's figures become windows of the session", "tests/view/test_plots.py"

@@ -8,7 +8,7 @@ from rclpy import signals
 
 from coursekit.jupyter import kernel
 from coursekit.lab import shell_lines
-from coursekit.processes import older_numpy, patches, worker_processes
+from coursekit.processes import older_numpy, older_scipy, patches, worker_processes
 from coursekit.processes.patching import Patch
 from coursekit.view import highgui, plots
 
@@ -28,7 +28,7 @@ whole list. It is made from the tables in the code by `python -m tests.processes
 - Two things last longer: a kernel's patches stay as long as the kernel, and nothing is taken back while the thread of a
   program that could not be ended still runs, because its output would be taken for the interpreter's.
 - `import rclpy` alone puts the finders of `sys.meta_path` in place, so that a plain script is told of missing packages, and
-  gives NumPy and OpenCV the names of Humble's versions, which a script may say above its first node.
+  gives NumPy, SciPy, Matplotlib and OpenCV the names of Humble's versions, which a script may say above its first node.
 - "In place with" says what brings a patch: any session, one with processes, one on the virtual clock, one whose processes
   have modules of their own, or a kernel.
 
@@ -39,7 +39,7 @@ whole list. It is made from the tables in the code by `python -m tests.processes
 
 def rows() -> list[Patch]:
     """All patches of all rooms."""
-    rooms = (signals, older_numpy, highgui, plots, worker_processes, kernel, shell_lines)
+    rooms = (signals, older_numpy, older_scipy, highgui, plots, worker_processes, kernel, shell_lines)
     return [*patches.TABLE, *(patch for room in rooms for patch in room.patches())]
 
 

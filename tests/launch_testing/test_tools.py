@@ -15,6 +15,7 @@ from launch.actions import ExecuteProcess
 from launch_ros.actions import Node
 from launch_testing.actions import ReadyToTest
 from launch_testing.asserts import NO_CMD_ARGS, assertInStderr, assertInStdout, assertSequentialStdout
+from launch_testing.junitxml import unittestResultsToXml
 from launch_testing.tools import basic_output_filter, expect_output, expected_output_from_file, launch_process
 from launch_testing_ros import DataRepublisher, MessagePump, WaitForTopics
 from launch_testing_ros.tools import basic_output_filter as ros_output_filter
@@ -196,3 +197,13 @@ def test_messages_are_passed_on_beside_a_test(results) -> None:
             assert between.get_republished()[0].data == "Hello World: 0"
 
     check(results, Beside)
+
+
+def test_reports_name_a_test_by_its_module_and_class_wherever_the_class_stands(results) -> None:
+    class Beside(unittest.TestCase):
+        def test_it(self) -> None:
+            pass
+
+    report = unittestResultsToXml(test_results=results(lambda: LaunchDescription([talker(), ReadyToTest()]), Beside))
+    (case,) = report.getroot().iter("testcase")
+    assert (case.get("classname"), case.get("name")) == (f"{__name__}.Beside", "test_it")

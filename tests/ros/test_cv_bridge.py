@@ -1,9 +1,11 @@
 """Images between OpenCV and ROS."""
 
 import cv2
+import cv_bridge
 import numpy as np
 import pytest
 from cv_bridge import CvBridge, CvBridgeError
+from cv_bridge.boost import cv_bridge_boost
 from cv_bridge.encodings import DTYPES, NAMED
 from hypothesis import given
 from hypothesis import strategies as st
@@ -139,3 +141,34 @@ def test_bytes_that_are_no_picture_and_formats_that_are_none_are_refused():
         BRIDGE.compressed_imgmsg_to_cv2(CompressedImage(format="jpeg", data=b"abc"))
     with pytest.raises(CvBridgeError, match="xyz"):
         BRIDGE.cv2_to_compressed_imgmsg(np.zeros((2, 2), np.uint8), "xyz")
+
+
+def test_types_have_opencvs_numbers():
+    assert cv_bridge.getCvType("bgr8") == cv2.CV_8UC3
+    depth_type = cv_bridge_boost.getCvType("32FC1")
+    assert cv_bridge_boost.CV_MAT_DEPTHWrap(depth_type) == cv2.CV_32F
+    assert cv_bridge_boost.CV_MAT_CNWrap(cv_bridge_boost.getCvType("16UC4")) == 4
+    with pytest.raises(CvBridgeError):
+        cv_bridge.getCvType("nothing")
+
+
+@pytest.mark.parametrize(("encoding", "dtype"), [("32SC1", np.int32), ("16UC1", np.uint16), ("32FC1", np.float32)])
+def test_labels_and_depths_are_shown_between_their_own_limits(encoding, dtype):
+    image = np.arange(3, 15, dtype=dtype).reshape(3, 4)
+    shown = cv_bridge.cvtColorForDisplay(image, encoding, "bgr8")
+    assert (shown.dtype, shown.shape, shown.min(), shown.max()) == (np.uint8, (3, 4, 3), 0, 255)
+
+
+def test_limits_and_colours_of_a_depth_image_can_be_given():
+    image = np.array([[0.0, 1.0, 5.0, np.nan]], np.float32)
+    shades = cv_bridge.cvtColorForDisplay(image, "32FC1", "mono8", False, 0.0, 2.0)
+    assert shades.tolist() == [[0, 128, 255, 0]]
+    colours = cv_bridge.cvtColorForDisplay(image, "32FC1", "rgb8", min_image_value=0.0, max_image_value=2.0, colormap=2)
+    assert np.array_equal(colours[..., ::-1], cv2.applyColorMap(shades, 2))
+
+
+def test_what_has_colours_keeps_them_for_display():
+    image = image_of("bgr8")
+    assert np.array_equal(cv_bridge.cvtColorForDisplay(image, "bgr8", "rgb8"), image[..., ::-1])
+    assert np.array_equal(cv_bridge.cvtColorForDisplay(image, "8UC3"), image)
+    assert np.array_equal(cv_bridge_boost.cvtColor2(image, "bgr8", "rgb8"), image[..., ::-1])

@@ -55,24 +55,24 @@ class CvBridge:
 
     def encoding_to_cvtype2(self, encoding: str) -> int:
         """OpenCV's number of an encoding's type; raises CvBridgeError for an unknown encoding."""
-        return int(getattr(cv2, f"CV_{_parsed(encoding).cv_type}"))
+        return int(getattr(cv2, f"CV_{parsed_encoding(encoding).cv_type}"))
 
     def encoding_to_dtype_with_channels(self, encoding: str) -> tuple[str, int]:
         """(numpy's name of the type, channels) of an encoding; raises CvBridgeError for an unknown encoding."""
-        parsed = _parsed(encoding)
+        parsed = parsed_encoding(encoding)
         return parsed.dtype, parsed.channels
 
     # -- messages to arrays
 
     def imgmsg_to_cv2(self, img_msg: Image, desired_encoding: str = "passthrough") -> Any:
         """The image of a message, unchanged (in the message's own memory) or converted; raises CvBridgeError."""
-        encoding = _parsed(img_msg.encoding)
+        encoding = parsed_encoding(img_msg.encoding)
         image = _pixels(img_msg, encoding)
         if img_msg.is_bigendian != (sys.byteorder == "big") and encoding.bits > 8:
             image = image.byteswap()
         if desired_encoding == "passthrough":
             return image
-        return _converted(image, img_msg.encoding, desired_encoding)
+        return converted(image, img_msg.encoding, desired_encoding)
 
     def compressed_imgmsg_to_cv2(self, cmprs_img_msg: CompressedImage, desired_encoding: str = "passthrough") -> Any:
         """The image of a compressed message, as stored or converted from bgr8; raises CvBridgeError."""
@@ -84,7 +84,7 @@ class CvBridge:
             )
         if desired_encoding == "passthrough":
             return image
-        return _converted(image, "mono8" if image.ndim == 2 else "bgr8", desired_encoding)
+        return converted(image, "mono8" if image.ndim == 2 else "bgr8", desired_encoding)
 
     # -- arrays to messages
 
@@ -98,7 +98,7 @@ class CvBridge:
         message.height, message.width = shape[:2]
         cv_type = self.dtype_with_channels_to_cvtype2(cvim.dtype, 1 if len(shape) < 3 else shape[2])
         message.encoding = cv_type if encoding == "passthrough" else encoding
-        if encoding != "passthrough" and _parsed(encoding).cv_type != cv_type:
+        if encoding != "passthrough" and parsed_encoding(encoding).cv_type != cv_type:
             raise CvBridgeError(f"encoding specified as {encoding}, but image has incompatible type {cv_type}")
         message.is_bigendian = int(cvim.dtype.byteorder == ">")
         data = array.array("B")
@@ -124,14 +124,16 @@ def _check_array(image: Any) -> None:
         raise TypeError("Your input type is not a numpy array")
 
 
-def _parsed(encoding: str) -> Encoding:
+def parsed_encoding(encoding: str) -> Encoding:
+    """The encoding with that name; raises CvBridgeError."""
     try:
         return parse(encoding)
     except UnknownEncoding as error:
         raise CvBridgeError(str(error)) from None
 
 
-def _converted(image: Any, source: str, target: str) -> Any:
+def converted(image: Any, source: str, target: str) -> Any:
+    """A copy of `image`, converted from the encoding `source` to `target`; raises CvBridgeError."""
     try:
         return convert(image, source, target)
     except (ConversionError, UnknownEncoding) as error:

@@ -32,9 +32,8 @@ def unittestResultToXml(name: str, test_result: Any) -> Element:
 
 def unittestCaseToXml(test_result: Any, test_case: Any) -> Element:
     """Return the result of one test."""
-    method, _, values = test_case.id().partition(" ")  # parameter values may contain spaces and dots
-    classname, _, name = method.rpartition(".")
-    element = Element("testcase", classname=classname, name=f"{name} {values}".strip())
+    kind = type(test_case)
+    element = Element("testcase", classname=f"{kind.__module__}.{kind.__name__}", name=test_case._testMethodName)
     element.set("time", str(round(test_result.testTimes[test_case], 3)))
     for tag, key in _OUTCOMES.items():
         for case, text in getattr(test_result, key):

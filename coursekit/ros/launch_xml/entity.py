@@ -59,9 +59,11 @@ class Entity(frontend.Entity):
             self.__complain(name, data_type, optional)
             return None
         value = self.__attribute(name)
-        has_substitutions = any("$(" in text for text in ([value] if isinstance(value, str) else value))
+        texts = [value] if isinstance(value, str) else value
+        # without a type, text that is no YAML, such as @home, is text; with one it is only read later if it changes
+        may_stay_text = can_be_str and (data_type is None or any("$(" in text for text in texts))
         try:
-            return get_typed_value(value, data_type, can_be_str=can_be_str and has_substitutions)
+            return get_typed_value(value, data_type, can_be_str=may_stay_text)
         except ValueError as error:
             raise TypeError(
                 f"Attribute '{name}' of Entity '{self.type_name}' expected to be of type '{data_type}'. "

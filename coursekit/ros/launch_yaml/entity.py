@@ -107,11 +107,10 @@ class Entity(frontend.Entity):
         return [Entity(item, name, parent=self, file_name=self.__file_name) for item in value]
 
     def __typed(self, name: str, value: Any, data_type: Any, can_be_str: bool) -> Any:
-        if data_type is float and type(value) is int:
-            return float(value)
         if not is_instance_of(value, data_type, can_be_str=can_be_str):
+            advice = f"write {value}.0" if data_type is float and type(value) is int else "text needs quotes"
             raise TypeError(
                 f"Attribute '{name}' of Entity '{self.type_name}' expected to be of type '{data_type}', "
-                f"got '{value}' ({type(value).__name__}); text needs quotes"
+                f"got '{value}' ({type(value).__name__}); {advice}"
             )
         return value

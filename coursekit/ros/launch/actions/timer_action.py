@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import warnings
 from collections.abc import Iterable
 from typing import Any
 
@@ -39,7 +40,7 @@ class TimerAction(Action):
     ) -> None:
         super().__init__(**kwargs)
         ensure_argument_type(actions, Iterable, "actions", "TimerAction")
-        self.__period = normalize_typed_substitution(period, float)
+        self.__period = normalize_typed_substitution(_seconds(period), float)
         self.__actions = list(actions)
         self.__cancel_on_shutdown = normalize_typed_substitution(cancel_on_shutdown, bool)
         self.__context_locals: dict[str, Any] = {}
@@ -135,3 +136,11 @@ class TimerAction(Action):
     def get_asyncio_future(self) -> asyncio.Future[None] | None:
         """Return a future that is done when the timer has fired or is cancelled."""
         return self.__completed
+
+
+def _seconds(period: float | SomeSubstitutionsType) -> float | SomeSubstitutionsType:
+    """Return a literal text as a number; launch reads it, too, but it is deprecated."""
+    if not isinstance(period, str):
+        return period
+    warnings.warn("TimerAction's 'period' is a float or a substitution; a text is deprecated", stacklevel=3)
+    return float(period)

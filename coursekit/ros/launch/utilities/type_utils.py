@@ -74,7 +74,9 @@ def is_instance_of(value: Any, data_type: Any, can_be_str: bool = False) -> bool
 
 
 def coerce_to_type(value: str, data_type: Any = None, can_be_str: bool = False) -> Any:
-    """Return the text `value` as `data_type`, read by YAML's rules; None: the type that YAML determines.
+    """Return the text `value` as `data_type`; None: the type that YAML's rules determine.
+
+    Numbers are read as Python reads them (`1e-3`, `inf`), booleans and lists as YAML does.
 
     >>> coerce_to_type('2', float), coerce_to_type('off'), coerce_to_type('a b')
     (2.0, False, 'a b')
@@ -88,11 +90,11 @@ def coerce_to_type(value: str, data_type: Any = None, can_be_str: bool = False) 
     if data_type is str or (data_type is None and not value):
         return value
     try:
-        read = yaml.safe_load(value)
-    except yaml.YAMLError as error:
-        raise ValueError(f"'{value}' is no YAML value: {error}") from error
-    if data_type is float and type(read) is int:
-        return float(read)
+        read = data_type(value) if data_type in (int, float) else yaml.safe_load(value)
+    except (ValueError, yaml.YAMLError) as error:
+        if can_be_str:
+            return value
+        raise ValueError(f"Failed to convert '{value}' to '{_type_name(data_type)}': {error}") from error
     if is_instance_of(read, data_type):
         return read
     if can_be_str:
@@ -101,6 +103,8 @@ def coerce_to_type(value: str, data_type: Any = None, can_be_str: bool = False) 
 
 
 def _type_name(data_type: Any) -> str:
+    if data_type is None:
+        return "a value by YAML's rules"
     return getattr(data_type, "__name__", None) if isinstance(data_type, type) else str(data_type)  # type: ignore
 
 
@@ -161,12 +165,9 @@ def normalize_typed_substitution(value: Any, data_type: Any) -> Any:
         return normalize_to_list_of_substitutions(value)
     if isinstance(value, Iterable) and not isinstance(value, (str, bytes)):
         return _normalize_typed_list(list(value), data_type)
-    if isinstance(value, str) and data_type not in (None, str):
-        return normalize_to_list_of_substitutions(value)
-    if data_type is float and type(value) is int:
-        return float(value)
     if not is_instance_of(value, data_type):
-        raise TypeError(f"Got a value of type '{type(value)}' for '{value}', expected '{data_type}'")
+        advice = f"; write {value}.0" if data_type is float and type(value) is int else ""
+        raise TypeError(f"Got a value of type '{type(value)}' for '{value}', expected '{data_type}'{advice}")
     return value
 
 

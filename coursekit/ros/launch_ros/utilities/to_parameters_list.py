@@ -23,6 +23,9 @@ def to_parameters_list(
 
     Files are read as a node reads them, with their wildcards and node names. A file without `ros__parameters` has
     only names and values, and applies to every node.
+
+    Raises:
+        RuntimeError: if a file is no parameter file.
     """
     import rclpy.parameter
 
@@ -42,7 +45,7 @@ def to_parameters_list(
 
 
 def _values_in_file(context: LaunchContext, path: str, full_name: str) -> Mapping[str, Any]:
-    from coursekit.rcl.arguments import parse_ros_arguments
+    from coursekit.rcl.arguments import RosArgumentsError, parse_ros_arguments
 
     try:
         tree = yaml.safe_load(read_text(path))
@@ -50,7 +53,10 @@ def _values_in_file(context: LaunchContext, path: str, full_name: str) -> Mappin
         tree = None  # the reader of node names says what is wrong
     if isinstance(tree, dict) and not _has_node_names(tree):
         return evaluate_parameter_dict(context, normalize_parameter_dict(tree))
-    return parse_ros_arguments(["--ros-args", "--params-file", path]).parameters_for(full_name)
+    try:
+        return parse_ros_arguments(["--ros-args", "--params-file", path]).parameters_for(full_name)
+    except RosArgumentsError as error:
+        raise RuntimeError(f"invalid yaml file {path}, error: {error}") from error
 
 
 def _has_node_names(tree: Mapping[str, Any]) -> bool:

@@ -1,0 +1,1 @@
+"""The functions that on a robot come from cv_bridge's C++ part."""

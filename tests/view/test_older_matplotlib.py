@@ -17,6 +17,7 @@ from coursekit.view import plots
 @pytest.fixture(autouse=True)
 def session():
     with Session(virtual=True).use() as virtual_session:
+        plt.switch_backend("agg")  # not a window of the desktop
         plots.install()
         yield virtual_session
     plt.close("all")

@@ -87,6 +87,15 @@ def desk(*panels: Any) -> Desk:
 
     Raises:
         BadArgument: when an argument is not a panel.
+
+    >>> %ros2 run turtlesim turtlesim_node &
+    [turtlesim_node: running]
+    >>> wait(1)
+    >>> desk(turtlesim_window(), pad("/turtle1/cmd_vel"))
+    On the desk:
+    TurtleSim [/turtlesim]
+      turtle1  x 5.54 m  y 5.54 m  heading   0.0°  drove 0.00 m
+    [pad /turtle1/cmd_vel: 0.50 m/s, 1.00 rad/s]
     """
     for panel in panels:
         if not isinstance(panel, ipywidgets.DOMWidget):

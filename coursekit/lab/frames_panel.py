@@ -20,6 +20,13 @@ def frames(seconds: float = LISTEN_SECONDS, *, live: bool = False, details: bool
 
     `details` adds broadcaster and times to each frame. `live=True` follows every change, and shows the pose of a
     frame when it is clicked.
+
+    >>> %ros2 run tf2_ros static_transform_publisher --x 1 --frame-id odom --child-frame-id base_link &
+    [static_transform_publisher: running]
+    >>> frames()
+    frames: 2 frames, 1 tree
+    odom
+    `-- base_link  static
     """
     if live:
         return FramesPanel(details=details)

@@ -20,6 +20,16 @@ def graph(view: str = "all", *, live: bool = False, **options: bool) -> GraphPic
     `view` is 'nodes', 'active' (topics that connect nodes) or 'all'; `services`, `actions`, `hidden` (names that
     begin with '_') and `debug` (/rosout, /parameter_events, parameter services) add more. `live=True` follows every
     change, and shows the details of a clicked node or topic.
+
+    >>> %ros2 run demo_nodes_py talker &
+    [talker: running]
+    >>> %ros2 run demo_nodes_py listener &
+    [listener: running]
+    >>> wait(1)
+    >>> graph()
+    graph: 2 nodes, 1 topic
+    nodes: /listener, /talker
+    topic /chatter [std_msgs/msg/String]: /talker -> /listener
     """
     unknown = sorted(set(options) - set(_OPTIONS))
     if unknown:

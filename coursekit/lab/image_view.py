@@ -90,5 +90,15 @@ class ImageView(Picture):
 
 
 def image_view(topic: str = "/camera/image_raw") -> ImageView:
-    """Show the newest image of a topic, live; `.image` is that image as an array in BGR order."""
+    """Show the newest image of a topic, live; `.image` is that image as an array in BGR order.
+
+    >>> %ros2 run image_tools cam2image --ros-args -p burger_mode:=true &
+    [cam2image: running]
+    >>> camera = image_view("/image")
+    >>> wait(until="/image")
+    >>> camera
+    [image /image: 320x240 bgr8]
+    >>> camera.image.shape
+    (240, 320, 3)
+    """
     return ImageView(topic)

@@ -133,6 +133,15 @@ def _clock_time(stamp: Time) -> str:
 def log_console(level: str = "DEBUG", node: str = "", text: str = "") -> LogConsole:
     """Show the log lines of nodes, with filters by level, node and text.
 
+    >>> %ros2 run demo_nodes_py talker &
+    [talker: running]
+    >>> console = log_console(node="talker")
+    >>> wait(2.5)
+    >>> console
+    log: 2 INFO
+    [INFO] [talker]: Publishing: "Hello World: 0"
+    [INFO] [talker]: Publishing: "Hello World: 1"
+
     In ROS 2: `ros2 topic echo /rosout`, or rqt's console.
     """
     return LogConsole(level, node, text)

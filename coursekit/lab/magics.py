@@ -31,7 +31,16 @@ _DURATION = re.compile(r"\[[0-9.]+(min )?[0-9.]*s(?=[],])")
 
 
 def terminal(name: str) -> Terminal:
-    """Return the newest terminal named after the executable, the launch file, or the value of `--name`."""
+    """Return the newest terminal named after the executable, the launch file, or the value of `--name`.
+
+    >>> %ros2 run demo_nodes_py talker &
+    [talker: running]
+    >>> wait(2.5)
+    >>> print(terminal("talker").tail(2))
+    [INFO] [1700000001.000000000] [talker]: Publishing: "Hello World: 0"
+    [INFO] [1700000002.000000000] [talker]: Publishing: "Hello World: 1"
+    >>> terminal("talker").interrupt()
+    """
     try:
         return KNOWN[name]
     except KeyError:
@@ -45,7 +54,15 @@ def show_as(name: str, shown: Terminal) -> None:
 
 
 def terminals(*names: str, columns: int = 2) -> Terminals:
-    """Show terminals side by side; all of them when no name is given."""
+    """Show terminals side by side; all of them when no name is given.
+
+    >>> %ros2 run demo_nodes_py talker &
+    [talker: running]
+    >>> %ros2 run demo_nodes_py listener &
+    [listener: running]
+    >>> terminals("talker", "listener")
+    [talker: running] [listener: running]
+    """
     return Terminals([terminal(name) for name in names] or list(KNOWN.values()), columns)
 
 

@@ -57,7 +57,14 @@ def as_yaml(msg: Message) -> str:
 
 
 def echo(topic: str, n: int = 1, timeout_sec: float = 10.0) -> None:
-    """Print the next `n` messages of a topic, as `ros2 topic echo` does; TimeoutError when they do not arrive in time."""
+    """Print the next `n` messages of a topic, as `ros2 topic echo` does; TimeoutError when they do not arrive in time.
+
+    >>> %ros2 run demo_nodes_py talker &
+    [talker: running]
+    >>> echo("/chatter")
+    data: 'Hello World: 0'
+    ---
+    """
     hidden = HiddenNode("echo")
     heard: list[Message] = []
     enough = hidden.session.clock.new_event()

@@ -214,6 +214,15 @@ def parameter_panel(node: str) -> ParameterPanel:
 
     LookupError: there is no such node; TimeoutError: it does not spin, so it cannot answer.
 
+    >>> %ros2 run turtlesim turtlesim_node &
+    [turtlesim_node: running]
+    >>> panel = parameter_panel("/turtlesim")
+    >>> panel.set("background_r", 200)
+    background_r = 200
+    True
+    >>> panel.values["background_r"]
+    200
+
     In ROS 2: `ros2 param list|get|set|describe`, or rqt's dynamic reconfigure.
     """
     return ParameterPanel(node)

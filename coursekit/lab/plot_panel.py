@@ -178,6 +178,14 @@ def plot(*paths: str, seconds: float = SECONDS, bag: str | Path | None = None) -
     numbers. The last `seconds` are shown; the time line below goes back over the last five minutes. With `bag` the
     curves are those of a recording. Raises LookupError when there is no such topic.
 
+    >>> %ros2 run turtlesim turtlesim_node &
+    [turtlesim_node: running]
+    >>> curves = plot("/turtle1/pose.x", "/turtle1/pose.theta")
+    >>> wait(2)
+    >>> curves
+    /turtle1/pose.theta: 125 values, 0 to 0, last 0
+    /turtle1/pose.x: 125 values, 5.54 to 5.54, last 5.54
+
     In ROS 2: `ros2 run rqt_plot rqt_plot /odom/twist/twist/linear/x`, or PlotJuggler.
     """
     return PlotPanel(paths, seconds, bag)

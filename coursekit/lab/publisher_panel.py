@@ -147,6 +147,13 @@ def message_publisher(topic: str = "", type_name: str = "") -> MessagePublisher:
 
     `type_name` is needed for a topic that no node has yet, such as `message_publisher("/speed", "std_msgs/msg/Float64")`.
 
+    >>> %ros2 run turtlesim turtlesim_node &
+    [turtlesim_node: running]
+    >>> form = message_publisher("/turtle1/cmd_vel")
+    >>> form.publish(linear={"x": 1.0})
+    >>> form.count
+    1
+
     In ROS 2: `ros2 topic pub`, or rqt's message publisher.
     """
     return MessagePublisher(topic, type_name)

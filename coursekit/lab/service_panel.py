@@ -143,6 +143,11 @@ def _answer(response: Message) -> str:
 def service_caller(service: str = "") -> ServiceCaller:
     """Show a form to choose and call a service and see its response; `.call(service, **fields)` from code.
 
+    >>> %ros2 run demo_nodes_py add_two_ints_server &
+    [add_two_ints_server: running]
+    >>> service_caller().call("/add_two_ints", a=2, b=3)
+    example_interfaces.srv.AddTwoInts_Response(sum=5)
+
     In ROS 2: `ros2 service call`, or rqt's service caller.
     """
     return ServiceCaller(service)

@@ -73,5 +73,12 @@ def pad(topic: str = "/cmd_vel", linear: float = 0.5, angular: float = 1.0, holo
 
     It takes arrow keys or WASD, an on-screen stick for touch or mouse, and a gamepad; with `holonomic` Q and E move
     sideways. From code, for example in a test: `pad().press("up", seconds=1)`.
+
+    >>> %ros2 run turtlesim turtlesim_node &
+    [turtlesim_node: running]
+    >>> keys = pad("/turtle1/cmd_vel", linear=2.0)
+    >>> keys.press("left", seconds=1)
+    >>> keys
+    [pad /turtle1/cmd_vel: 2.00 m/s, 1.00 rad/s]
     """
     return Pad(topic, linear, angular, holonomic)

@@ -140,6 +140,15 @@ class TopicPanel(Panel):
 def topic_panel(*topics: str) -> TopicPanel:
     """Show the topics with their types and counts; the named topics are watched: rate and last message.
 
+    >>> %ros2 run demo_nodes_py talker &
+    [talker: running]
+    >>> table = topic_panel("/chatter")
+    >>> wait(3)
+    >>> table
+    topics: 1
+    /chatter [std_msgs/msg/String] 1 -> 0  1.00 Hz
+        data: 'Hello World: 2'
+
     In ROS 2: `ros2 topic list -t`, `ros2 topic hz`, `ros2 topic echo`, or the topic monitor of rqt.
     """
     return TopicPanel(*topics)

@@ -109,6 +109,13 @@ def drive_along(
 
     Points are x and y in the world [m]; `speed` is in m/s. It publishes geometry_msgs/Twist on `topic`.
     LookupError: no simulator or robot; RuntimeError: it is stuck; the message gives the position.
+
+    >>> %ros2 launch coursekit_robots simulation.launch.py &
+    [simulation.launch.py: running]
+    >>> wait(2)
+    >>> tour = drive_along([(0.5, 0.0), (0.5, 0.5)])
+    >>> round(tour.length, 1)
+    0.6
     """
     from tf2_ros import Buffer, TransformListener
 

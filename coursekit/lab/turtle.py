@@ -200,5 +200,13 @@ def turtlesim_window(node: str | None = None, turtle: str = "turtle1") -> Turtle
 
     Click it and drive `turtle` with the arrow keys or the stick; clicking another turtle drives that one.
     From code: `window.press("up", seconds=1)`, `window.snapshot()`.
+
+    >>> %ros2 run turtlesim turtlesim_node &
+    [turtlesim_node: running]
+    >>> window = turtlesim_window()
+    >>> window.press("up", seconds=1)
+    >>> window
+    TurtleSim [/turtlesim]
+      turtle1  x 7.34 m  y 5.54 m  heading   0.0°  drove 1.79 m
     """
     return TurtleWindow(node, turtle)

@@ -194,6 +194,14 @@ def viewer(
     yaw, pitch [rad] and target, and a target_frame to follow. ValueError for an unknown display or option lists the
     valid ones; OSError: there is no such file.
 
+    >>> %ros2 run tf2_ros static_transform_publisher --x 1 --frame-id odom --child-frame-id base_link &
+    [static_transform_publisher: running]
+    >>> wait(1)
+    >>> viewer(fixed_frame="odom", displays=["Grid", "TF"])
+    viewer: fixed frame odom
+    [x] Grid  Ok
+    [x] TF    Ok     2 frames
+
     In ROS 2: `rviz2 -d FILE`.
     """
     try:

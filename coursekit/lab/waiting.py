@@ -29,6 +29,13 @@ def wait(seconds: float = 0.0, until: str = "", timeout_sec: float = PATIENCE_SE
 
     TooLate (a TimeoutError) when no message came, NotNow when no program runs that could publish one.
     `wait(3, until="/map")` waits 3 s, or longer if SLAM takes longer to start.
+
+    >>> %ros2 run demo_nodes_py talker &
+    [talker: running]
+    >>> wait(until="/chatter")
+    >>> echo("/chatter")
+    data: 'Hello World: 1'
+    ---
     """
     session = current()
     what = gettext(f"Waiting for a message on {until}") if until else gettext("Waiting")

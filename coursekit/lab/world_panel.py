@@ -17,6 +17,7 @@ from coursekit.words.gettext import gettext
 
 from .errors import BadArgument
 from .panel import static
+from .panel_node import appears
 from .scene_panel import ScenePanel
 
 NOTHING = "No simulator runs. Start one: %ros2 launch gazebo_ros gazebo.launch.py &"
@@ -88,7 +89,12 @@ class WorldView(ScenePanel):
         simulation.put(name, Pose2D(float(x), float(y), float(heading)))
 
     def add_box(self, x: float, y: float, size: float = BOX_M) -> str:
-        """Add a movable box to the world [m]. Returns its name."""
+        """Add a movable box to the world [m], and wait until it is there. Returns its name."""
+        name = self._begin_box(x, y, size)
+        appears(lambda: name in self._simulator().simulation.names())
+        return name
+
+    def _begin_box(self, x: float, y: float, size: float = BOX_M) -> str:
         simulator = self._simulator()
         name = self._free_name({*simulator.simulation.names(), *simulator.assemblies})
         half = size / 2
@@ -106,7 +112,11 @@ class WorldView(ScenePanel):
                 return name
 
     def remove(self, name: str) -> None:
-        """Remove a robot or object from the world; LookupError suggests similar names."""
+        """Remove a robot or object from the world, and wait until it is gone; LookupError suggests similar names."""
+        self._begin_removal(name)
+        appears(lambda: name not in self._simulator().simulation.names())
+
+    def _begin_removal(self, name: str) -> None:
         simulator = self._simulator()
         simulator.simulation.pose_of(name)
         simulator.soon(simulator.delete, name)
@@ -191,11 +201,11 @@ class WorldView(ScenePanel):
 
     def on_box(self, message: dict[str, Any]) -> None:
         """Add a box at the clicked position."""
-        self._try(lambda: self.add_box(*_floor(message)))
+        self._try(lambda: self._begin_box(*_floor(message)))
 
     def on_remove(self, message: dict[str, Any]) -> None:
         """Remove the clicked object."""
-        self._try(lambda: self.remove(str(message.get("name"))))
+        self._try(lambda: self._begin_removal(str(message.get("name"))))
 
     def _try(self, does: Any) -> None:
         try:

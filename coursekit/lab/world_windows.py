@@ -21,6 +21,14 @@ def world_view(height: int = 420) -> WorldView:
     It shows the newest simulator of this notebook. From code: `world_view().pause()`, `.step(0.5)`, `.speed(2)`,
     `.move("box_1", 1.0, 0.5)`, `.add_box(1.0, 0.0)`.
 
+    >>> %ros2 launch gazebo_ros gazebo.launch.py world:=robot_world &
+    [gazebo.launch.py: running]
+    >>> wait(1)
+    >>> world = world_view()
+    >>> world.add_box(1.0, 0.0)
+    'box_1'
+    >>> world.move("box_1", 2.0, 0.0)
+
     In ROS 2: `gzclient`, Gazebo's window.
     """
     from .world_panel import WorldView

@@ -123,14 +123,18 @@ def test_a_speed_that_is_none_is_refused(world, times):
 
 def test_boxes_are_models_of_the_world(session, world):
     assert (world.add_box(1.0, 1.0), world.add_box(-2.0, 0.0)) == ("box_1", "box_2")
-    session.clock.sleep(0.1)
     assert "box_1: can be pushed, at (1.00, 1.00)" in world.text()
     assert {"box_1", "box_2", "runner"} <= set(world.stage.simulator.around.models())
     world.remove("box_1")
-    session.clock.sleep(0.1)
     assert "box_1" not in world.text() and "box_1" not in world.stage.simulator.around.models()
     with pytest.raises(LookupError, match="there is no 'box_1'"):
         world.remove("box_1")
+
+
+def test_a_box_can_be_moved_at_once_also_in_a_paused_world(world):
+    world.pause()
+    world.move(world.add_box(1.0, 1.0), 2.0, 1.5)
+    assert "box_1: can be pushed, at (2.00, 1.50)" in world.text()
 
 
 def test_another_thing_under_an_old_name_is_drawn_anew(world):

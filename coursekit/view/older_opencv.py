@@ -114,6 +114,27 @@ add_aruco = adding(_of_aruco)
 """Adds the functions that OpenCV lacks; returns what takes them away."""
 
 
+def turn_rectangles(_found: Any) -> Callable[[], None]:
+    """Have minAreaRect tell angles from above 0 to 90 degrees, as OpenCV 4.5.1 to 4.12; return what ends that."""
+    theirs = cv2.minAreaRect
+
+    def minAreaRect(points: Any) -> Any:
+        center, (width, height), angle = theirs(points)
+        if angle >= 0:
+            return center, (width, height), angle
+        if angle <= -90:
+            return center, (width, height), angle + 180
+        return center, (height, width), angle + 90
+
+    cv2.minAreaRect = minAreaRect
+
+    def remove() -> None:
+        if cv2.minAreaRect is minAreaRect:
+            cv2.minAreaRect = theirs
+
+    return remove
+
+
 def _absent(name: str) -> Any:
     text = f"module 'cv2' has no attribute '{name}'"
     if name in _CONTRIB:
@@ -132,6 +153,7 @@ def tell_absent(_found: Any) -> Callable[[], None]:
 _TEST = "tests/view/test_older_opencv.py"
 PATCHES = (
     Change("cv2.aruco (older names)", add_aruco, "programs for Humble's OpenCV 4.5 find their markers", _TEST, IMPORTS),
+    Change("cv2.minAreaRect", turn_rectangles, "its angles are those of OpenCV 4.5, as on a robot", _TEST, IMPORTS),
     Change(
         "cv2.__getattr__", tell_absent, "what only OpenCV's contrib modules have is told, with what to type", _TEST, IMPORTS
     ),

@@ -115,6 +115,22 @@ def test_results_have_the_shapes_that_programs_for_humble_unpack():
     assert not cv2.CascadeClassifier(cv2.data.haarcascades + "haarcascade_frontalface_default.xml").empty()
 
 
+@pytest.mark.parametrize("turned", [5, 30, 45, 80, 90])
+def test_the_smallest_rectangle_is_turned_by_more_than_0_up_to_90_degrees(turned):
+    corners = cv2.boxPoints(((100.0, 100.0), (80.0, 20.0), turned))
+    center, size, angle = cv2.minAreaRect(corners)
+    assert (center, size, angle) == (
+        pytest.approx((100.0, 100.0), abs=1e-3), pytest.approx((80.0, 20.0), abs=1e-3), pytest.approx(turned, abs=1e-3),
+    )  # fmt: skip
+
+
+def test_the_smallest_rectangle_of_an_upright_one_stands_on_its_side():
+    upright = np.array([[0, 0], [20, 0], [20, 10], [0, 10]], np.int32)
+    assert cv2.minAreaRect(upright) == ((10.0, 5.0), (10.0, 20.0), 90.0)
+    corners = cv2.boxPoints(cv2.minAreaRect(points=upright)).round()
+    assert sorted(corners.tolist()) == sorted(upright.tolist())
+
+
 @pytest.mark.skipif(hasattr(cv2, "face"), reason="this OpenCV has it")
 def test_what_only_contrib_modules_have_is_told_with_what_to_type():
     with pytest.raises(AttributeError, match=r"'face'.*pip install \"opencv-contrib-python-headless<5\""):
@@ -130,6 +146,14 @@ def test_after_the_last_session_opencv_is_as_it_was_found():
     undo = older_opencv.add_aruco(None)
     undo()
     assert {name for name in older_opencv.ARUCO if name in vars(cv2.aruco)} == added
+
+
+def test_the_smallest_rectangle_is_opencvs_own_again_after_it_was_turned():
+    before = cv2.minAreaRect
+    undo = older_opencv.turn_rectangles(None)
+    assert cv2.minAreaRect is not before
+    undo()
+    assert cv2.minAreaRect is before
 
 
 @pytest.mark.parametrize("order", [("cv2", "rclpy"), ("rclpy", "cv2")])

@@ -263,47 +263,47 @@ bool sleep_for(const std::chrono::nanoseconds & duration, Context::SharedPtr con
 
 // -- clocks
 
-bool Clock::simulated() const {return handle_.type == RCL_ROS_TIME && node_ && coursekit::simulated_time();}
+bool Clock::simulated() const {return handle().type == RCL_ROS_TIME && node() && coursekit::simulated_time();}
 bool Clock::ros_time_is_active() const
 {
-  return handle_.overridden || (simulated() && ask("ros_time_active", Packer{}.i(node_)).i());
+  return handle().overridden || (simulated() && ask("ros_time_active", Packer{}.i(node())).i());
 }
 Time Clock::now() const
 {
-  if (handle_.overridden) {
-    return Time(handle_.time, handle_.type);
+  if (handle().overridden) {
+    return Time(handle().time, handle().type);
   }
   if (simulated()) {
-    return Time(ask("ros_now", Packer{}.i(node_)).i(), handle_.type);
+    return Time(ask("ros_now", Packer{}.i(node())).i(), handle().type);
   }
-  return Time(handle_.type == RCL_STEADY_TIME ? coursekit::steady_now() : coursekit::system_now(), handle_.type);
+  return Time(handle().type == RCL_STEADY_TIME ? coursekit::steady_now() : coursekit::system_now(), handle().type);
 }
 bool Clock::sleep_until(Time until, Context::SharedPtr context)
 {
-  if (until.get_clock_type() != handle_.type) {
+  if (until.get_clock_type() != handle().type) {
     throw std::runtime_error("until's clock type does not match this clock's type");
   }
   return sleep_for(until - now(), context);
 }
 bool Clock::sleep_by_override(const Time & until, const Context::SharedPtr & context) const
 {
-  while (handle_.overridden && now() < until) {
+  while (handle().overridden && now() < until) {
     if (!context->sleep_for(std::chrono::milliseconds(1))) {
       return false;
     }
   }
-  return handle_.overridden;
+  return handle().overridden;
 }
 bool Clock::sleep_for(Duration duration, Context::SharedPtr context)
 {
   if (!context || !context->is_valid()) {
     throw std::runtime_error("context cannot be slept with because it's invalid");
   }
-  if (handle_.overridden) {
+  if (handle().overridden) {
     return sleep_by_override(now() + duration, context);
   }
-  if (handle_.type == RCL_ROS_TIME && node_) {  // also where it does not follow /clock yet: who sleeps wakes when it does
-    return ask("ros_sleep", Packer{}.i(node_).i(duration.nanoseconds())).i();
+  if (handle().type == RCL_ROS_TIME && node()) {  // also where it does not follow /clock yet: who sleeps wakes when it does
+    return ask("ros_sleep", Packer{}.i(node()).i(duration.nanoseconds())).i();
   }
   return context->sleep_for(std::chrono::nanoseconds(duration.nanoseconds()));
 }
@@ -324,7 +324,7 @@ JumpHandler::SharedPtr Clock::create_jump_callback(
   JumpHandler::pre_callback_t pre, JumpHandler::post_callback_t post, const rcl_jump_threshold_t & threshold)
 {
   auto made = std::make_shared<JumpHandler>(std::move(pre), std::move(post), threshold);
-  if (handle_.type != RCL_ROS_TIME || !node_) {
+  if (handle().type != RCL_ROS_TIME || !node()) {
     return made;
   }
   std::weak_ptr<JumpHandler> weak = made;
@@ -341,7 +341,7 @@ JumpHandler::SharedPtr Clock::create_jump_callback(
           me->post_callback({change, {from.i()}});
         }
       });
-  Packer with = Packer{}.i(node_).i(threshold.on_clock_change).i(threshold.min_forward.nanoseconds);
+  Packer with = Packer{}.i(node()).i(threshold.on_clock_change).i(threshold.min_forward.nanoseconds);
   made->id = ask("jump_callback", with.i(threshold.min_backward.nanoseconds).i(before).i(after)).i();
   return made;
 }

@@ -59,6 +59,25 @@ def detected(image: np.ndarray, patterns: np.ndarray, size: int, correction: int
     return cv2.aruco.ArucoDetector(_dictionary(patterns, size, correction), parameters).detectMarkers(image)
 
 
+def grid(
+    patterns: np.ndarray,
+    size: int,
+    correction: int,
+    shape: tuple[int, int],
+    side: float,
+    gap: float,
+    ids: np.ndarray,
+    pixels: tuple[int, int],
+    margin: int,
+    border: int,
+) -> np.ndarray:
+    """Return the image of a board of markers in rows, uint8; `shape` and `pixels` are (width, height), side and gap in m."""
+    import cv2
+
+    board = cv2.aruco.GridBoard(shape, side, gap, _dictionary(patterns, size, correction), ids)
+    return board.generateImage(pixels, marginSize=margin, borderBits=border)
+
+
 def poses(corners: list[np.ndarray], side: float, camera: np.ndarray, distortion: np.ndarray | None) -> Any:
     """Return each marker's turn and place, (N, 1, 3), and where its corners are in its own frame [m]."""
     import cv2
@@ -87,6 +106,7 @@ FACES: dict[str, Callable[..., Any]] = {
     "aruco_new_dictionary": generated,
     "aruco_marker": drawn,
     "aruco_detect": detected,
+    "aruco_grid": grid,
     "aruco_poses": poses,
     "aruco_draw": outlined,
     "cascade": cascade,

@@ -13,7 +13,7 @@ import numpy as np
 if TYPE_CHECKING:
     import cv2
 
-KINDS = {"ORB", "SIFT", "BRISK", "AKAZE", "FastFeatureDetector", "GFTTDetector"}
+KINDS = {"ORB", "SIFT", "BRISK", "AKAZE", "FastFeatureDetector", "GFTTDetector", "SimpleBlobDetector"}
 
 
 def rows_of(points: Sequence[cv2.KeyPoint]) -> np.ndarray:
@@ -30,6 +30,15 @@ def points_of(rows: np.ndarray | None) -> list[cv2.KeyPoint]:
     return [cv2.KeyPoint(*floats, int(octave), int(kind)) for *floats, octave, kind in found]  # type: ignore[call-overload]
 
 
+def _settings(kind: str, fields: dict[str, float]) -> Any:
+    import cv2
+
+    settings = getattr(cv2, f"{kind}_Params")()
+    for name, value in fields.items():
+        setattr(settings, name, type(getattr(settings, name))(value))
+    return settings
+
+
 class Detector:
     """Finds key points and describes them.
 
@@ -37,12 +46,13 @@ class Detector:
         ValueError: for a kind that OpenCV does not have here.
     """
 
-    def __init__(self, kind: str, *arguments: float) -> None:
+    def __init__(self, kind: str, *arguments: float, **fields: float) -> None:
         import cv2
 
         if kind not in KINDS:
             raise ValueError(f"There is no detector {kind}. There are {', '.join(sorted(KINDS))}.")
-        self._detector = getattr(cv2, f"{kind}_create")(*arguments)
+        settings = [_settings(kind, fields)] if fields else arguments
+        self._detector = getattr(cv2, f"{kind}_create")(*settings)
 
     def detect(self, image: np.ndarray, mask: np.ndarray | None) -> np.ndarray:
         """Return the key points where the mask is not zero."""

@@ -23,12 +23,16 @@ public:
   rcl_jump_threshold_t notice_threshold;
 };
 
+/// A clock; its copies are the same clock, as upstream's, where each holds what it shares with the others.
 class Clock
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Clock)
   explicit Clock(rcl_clock_type_t type = RCL_SYSTEM_TIME, int64_t node = 0)
-  : node_(node) {handle_.type = type;}
+  {
+    shared_->handle.type = type;
+    shared_->node = node;
+  }
   Time now() const;
   bool sleep_until(Time until, Context::SharedPtr context = contexts::get_global_default_context());
   bool sleep_for(Duration duration, Context::SharedPtr context = contexts::get_global_default_context());
@@ -44,21 +48,26 @@ public:
   JumpHandler::SharedPtr create_jump_callback(
     JumpHandler::pre_callback_t pre_callback, JumpHandler::post_callback_t post_callback,
     const rcl_jump_threshold_t & threshold);
-  rcl_clock_type_t get_clock_type() const noexcept {return handle_.type;}
+  rcl_clock_type_t get_clock_type() const noexcept {return shared_->handle.type;}
   /// The node whose time this is, by its number at the session; 0 for none.
-  int64_t node() const {return node_;}
-  void follow(int64_t node) {node_ = node;}
+  int64_t node() const {return shared_->node;}
+  void follow(int64_t node) {shared_->node = node;}
   /// To be held while a jump callback is made or ends, so that none runs meanwhile.
-  std::mutex & get_clock_mutex() noexcept {return lock_;}
+  std::mutex & get_clock_mutex() noexcept {return shared_->lock;}
 
-  rcl_clock_t * get_clock_handle() noexcept {return &handle_;}
+  rcl_clock_t * get_clock_handle() noexcept {return &shared_->handle;}
 
 private:
   bool simulated() const;
   /// Sleep by the time that the program gives.
   bool sleep_by_override(const Time & until, const Context::SharedPtr & context) const;
-  rcl_clock_t handle_;
-  std::atomic<int64_t> node_;
-  std::mutex lock_;
+  struct Shared
+  {
+    rcl_clock_t handle;
+    std::atomic<int64_t> node{0};
+    std::mutex lock;
+  };
+  rcl_clock_t & handle() const {return shared_->handle;}
+  std::shared_ptr<Shared> shared_ = std::make_shared<Shared>();
 };
 }  // namespace rclcpp

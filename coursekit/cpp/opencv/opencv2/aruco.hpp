@@ -110,3 +110,5 @@ inline void drawAxis(
   drawFrameAxes(image, camera, distortion, rvec, tvec, length);
 }
 }  // namespace cv::aruco
+
+#include "opencv2/aruco/board.hpp"

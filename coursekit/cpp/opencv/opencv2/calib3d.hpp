@@ -88,9 +88,10 @@ inline Mat findHomography(InputArray from, InputArray to, OutputArray mask, int 
 {
   return findHomography(from, to, method, threshold, mask);
 }
-inline Mat estimateAffine2D(InputArray from, InputArray to, OutputArray inliers = noArray())
+inline Mat estimateAffine2D(
+  InputArray from, InputArray to, OutputArray inliers = noArray(), int method = RANSAC, double threshold = 3)
 {
-  auto answer = call("estimateAffine2D", from, to);
+  auto answer = call("estimateAffine2D", from, to, kw("method", method), kw("ransacReprojThreshold", threshold));
   inliers.assign(answer[1]);
   return answer[0].mat;
 }
@@ -121,3 +122,5 @@ inline void reprojectImageTo3D(
     call("reprojectImageTo3D", disparity, q, kw("handleMissingValues", handle_missing), kw("ddepth", ddepth)));
 }
 }  // namespace cv
+
+#include "opencv2/calib3d/two_views.hpp"

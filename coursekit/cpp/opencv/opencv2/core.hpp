@@ -211,6 +211,21 @@ inline Mat & operator-=(Mat & a, const Scalar & b) {subtract(a, b, a); return a;
 inline Mat & operator*=(Mat & a, double by) {a.convertTo(a, -1, by); return a;}
 inline Mat & operator/=(Mat & a, double by) {a.convertTo(a, -1, 1 / by); return a;}
 
+// -- the library and the computer
+
+inline std::string getVersionString() {return CV_VERSION;}
+inline int getNumThreads() {return 1;}
+/// Not followed: OpenCV runs in the session.
+inline void setNumThreads(int) {}
+/// Call `body` with parts of a range: here with all of it, in this thread.
+template<class F>
+void parallel_for_(const Range & range, const F & body, double = -1)
+{
+  if (!range.empty()) {
+    body(range);
+  }
+}
+
 // -- time
 
 inline int64_t getTickCount()
@@ -241,4 +256,5 @@ private:
 };
 }  // namespace cv
 #include "opencv2/core/algebra.hpp"
+#include "opencv2/core/orders.hpp"
 #include "opencv2/core/persistence.hpp"

@@ -128,6 +128,45 @@ inline void FAST(InputArray image, std::vector<KeyPoint> & points, int threshold
   FastFeatureDetector::create(threshold, suppressed)->detect(image, points);
 }
 
+/// Finds spots of one colour, by their size and shape.
+class SimpleBlobDetector : public Feature2D
+{
+public:
+  struct Params
+  {
+    float thresholdStep = 10, minThreshold = 50, maxThreshold = 220;
+    size_t minRepeatability = 2;
+    float minDistBetweenBlobs = 10;
+    bool filterByColor = true;
+    uchar blobColor = 0;
+    bool filterByArea = true;
+    float minArea = 25, maxArea = 5000;
+    bool filterByCircularity = false;
+    float minCircularity = 0.8f, maxCircularity = std::numeric_limits<float>::max();
+    bool filterByInertia = true;
+    float minInertiaRatio = 0.1f, maxInertiaRatio = std::numeric_limits<float>::max();
+    bool filterByConvexity = true;
+    float minConvexity = 0.95f, maxConvexity = std::numeric_limits<float>::max();
+  };
+  using Feature2D::Feature2D;
+  static Ptr<SimpleBlobDetector> create(const Params & p) {return made(p);}
+  static Ptr<SimpleBlobDetector> create() {return made(Params());}
+
+private:
+  static Ptr<SimpleBlobDetector> made(const Params & p)
+  {
+    return makePtr<SimpleBlobDetector>(
+#define COURSEKIT_FIELD(name) remote::kw(#name, p.name)
+      "SimpleBlobDetector", COURSEKIT_FIELD(thresholdStep), COURSEKIT_FIELD(minThreshold), COURSEKIT_FIELD(maxThreshold),
+      COURSEKIT_FIELD(minRepeatability), COURSEKIT_FIELD(minDistBetweenBlobs), COURSEKIT_FIELD(filterByColor),
+      COURSEKIT_FIELD(blobColor), COURSEKIT_FIELD(filterByArea), COURSEKIT_FIELD(minArea), COURSEKIT_FIELD(maxArea),
+      COURSEKIT_FIELD(filterByCircularity), COURSEKIT_FIELD(minCircularity), COURSEKIT_FIELD(maxCircularity),
+      COURSEKIT_FIELD(filterByInertia), COURSEKIT_FIELD(minInertiaRatio), COURSEKIT_FIELD(maxInertiaRatio),
+      COURSEKIT_FIELD(filterByConvexity), COURSEKIT_FIELD(minConvexity), COURSEKIT_FIELD(maxConvexity));
+#undef COURSEKIT_FIELD
+  }
+};
+
 /// Finds for each description the one that is most alike, by trying all.
 class BFMatcher
 {
@@ -153,6 +192,14 @@ private:
   bool crossed_;
 };
 using DescriptorMatcher = BFMatcher;
+/// For descriptions of float: OpenCV's is faster and may miss the nearest, this one does not.
+class FlannBasedMatcher : public BFMatcher
+{
+public:
+  FlannBasedMatcher()
+  : BFMatcher(NORM_L2) {}
+  static Ptr<FlannBasedMatcher> create() {return makePtr<FlannBasedMatcher>();}
+};
 
 enum class DrawMatchesFlags {DEFAULT = 0, DRAW_OVER_OUTIMG = 1, NOT_DRAW_SINGLE_POINTS = 2, DRAW_RICH_KEYPOINTS = 4};
 inline void drawKeypoints(

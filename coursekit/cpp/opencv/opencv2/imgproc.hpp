@@ -2,6 +2,7 @@
 #pragma once
 #include "opencv2/core.hpp"
 #include "opencv2/imgproc/drawing.hpp"
+#include "opencv2/imgproc/lines.hpp"
 #include "opencv2/imgproc/measures.hpp"
 #include "opencv2/imgproc/shapes.hpp"
 
@@ -43,6 +44,26 @@ inline void filter2D(
   int border = BORDER_DEFAULT)
 {
   dst.assign(call("filter2D", src, depth, kernel, kw("anchor", anchor), kw("delta", delta), kw("borderType", border)));
+}
+inline void sepFilter2D(
+  InputArray src, OutputArray dst, int depth, InputArray row, InputArray column, Point anchor = Point(-1, -1),
+  double delta = 0, int border = BORDER_DEFAULT)
+{
+  dst.assign(
+    call("sepFilter2D", src, depth, row, column, kw("anchor", anchor), kw("delta", delta), kw("borderType", border)));
+}
+/// What belongs to a thing in an image: its mask is 1 or 3 there.
+inline void grabCut(
+  InputArray image, InputOutputArray mask, Rect rect, InputOutputArray background, InputOutputArray foreground,
+  int iterations, int mode = GC_EVAL)
+{
+  const Mat known = mask.getMat().empty() ? Mat::zeros(image.size(), CV_8UC1) : mask.getMat();
+  auto model = [](const Mat & mat) {return mat.empty() ? Mat::zeros(1, 65, CV_64F) : mat;};
+  auto answer = call(
+    "grabCut", image, known, rect, model(background.getMat()), model(foreground.getMat()), iterations, mode);
+  mask.assign(answer[0]);
+  background.assign(answer[1]);
+  foreground.assign(answer[2]);
 }
 inline void Sobel(
   InputArray src, OutputArray dst, int depth, int dx, int dy, int size = 3, double scale = 1, double delta = 0,

@@ -31,6 +31,39 @@ private:
   std::shared_ptr<remote::Object> object_;
 };
 
+/// Finds what a trained vector tells from everything else: people, with the one that comes with OpenCV.
+class HOGDescriptor
+{
+public:
+  HOGDescriptor()
+  : object_(std::make_shared<remote::Object>("HOGDescriptor")) {}
+  static std::vector<float> getDefaultPeopleDetector()
+  {
+    std::vector<float> trained;
+    detail::fill(trained, remote::call("HOGDescriptor_getDefaultPeopleDetector"));
+    return trained;
+  }
+  void setSVMDetector(InputArray trained) {object_->call("setSVMDetector", trained);}
+  void detectMultiScale(
+    InputArray image, std::vector<Rect> & found, std::vector<double> & weights, double threshold = 0, Size stride = Size(),
+    Size padding = Size(), double scale = 1.05, double together = 2, bool meanshift = false) const
+  {
+    auto answer = object_->call("detectMultiScale", image, threshold, stride, padding, scale, together, meanshift);
+    detail::fill(found, answer[0]);
+    detail::fill(weights, answer[1]);
+  }
+  void detectMultiScale(
+    InputArray image, std::vector<Rect> & found, double threshold = 0, Size stride = Size(), Size padding = Size(),
+    double scale = 1.05, double together = 2, bool meanshift = false) const
+  {
+    std::vector<double> weights;
+    detectMultiScale(image, found, weights, threshold, stride, padding, scale, together, meanshift);
+  }
+
+private:
+  std::shared_ptr<remote::Object> object_;
+};
+
 class QRCodeDetector
 {
 public:

@@ -52,6 +52,13 @@ int main(int argc, char ** argv)
   check("not too early", steady.now() >= until);
   throws<std::runtime_error>("until of another clock", [&] {steady.sleep_until(system.now());});
   check("sleep_for of a clock", system.sleep_for(10ms));
+  rclcpp::Clock assigned;
+  assigned = rclcpp::Clock(RCL_ROS_TIME);
+  check("a clock is assigned", assigned.get_clock_type() == RCL_ROS_TIME);
+  auto copied = std::make_shared<rclcpp::Clock>(assigned);
+  check("its time is given", rcl_enable_ros_time_override(assigned.get_clock_handle()) == RCL_RET_OK &&
+    rcl_set_ros_time_override(assigned.get_clock_handle(), 7) == RCL_RET_OK);
+  equal("a clock's copy is the same clock", copied->now().nanoseconds(), 7);
   rclcpp::WallRate rate(50ms);
   before = steady.now();
   for (int i = 0; i < 4; ++i) {

@@ -2,6 +2,7 @@
 #include "check.hpp"
 #include "rclcpp/get_message_type_support_handle.hpp"
 #include "rclcpp/typesupport_helpers.hpp"
+#include "rosbag2_cpp/typesupport_helpers.hpp"
 #include "rcpputils/asserts.hpp"
 #include "rmw/rmw.h"
 #include "std_msgs/msg/string.hpp"
@@ -50,6 +51,12 @@ int main(int argc, char ** argv)
   auto library = rclcpp::get_typesupport_library("std_msgs/msg/String", plain);
   auto named = rclcpp::get_typesupport_handle("std_msgs/msg/String", plain, *library);
   check("a name has a support", named && named == rclcpp::get_typesupport_handle("std_msgs/msg/String", plain, *library));
+  check("rosbag2's names for it", rosbag2_cpp::get_typesupport_handle("std_msgs/msg/String", plain,
+    rosbag2_cpp::get_typesupport_library("std_msgs/msg/String", plain)) != nullptr);
+  check("a type's parts", rosbag2_cpp::extract_type_identifier("std_msgs/msg/String") ==
+    std::make_tuple(std::string("std_msgs"), std::string("msg"), std::string("String")));
+  equal("a type without its kind", std::get<1>(rosbag2_cpp::extract_type_identifier("std_msgs/String")), "");
+  throws<std::runtime_error>("a type of no package", [] {rosbag2_cpp::extract_type_identifier("String");});
   throws<std::runtime_error>("not a name of none", [&] {rclcpp::get_typesupport_library("std_msgs/msg/Nothing", plain);});
   throws<std::runtime_error>(
     "no library looks into messages",

@@ -22,6 +22,44 @@ inline Mat Mat::inv(int how) const
   invert(*this, made, how);
   return made;
 }
+inline Mat Mat::mul(const Mat & o, double scale) const
+{
+  Mat made;
+  multiply(*this, o, made, scale);
+  return made;
+}
+inline double Mat::dot(const Mat & o) const
+{
+  Mat a, b;
+  convertTo(a, CV_64F);
+  o.convertTo(b, CV_64F);
+  const auto products = sum(a.mul(b));
+  return products[0] + products[1] + products[2] + products[3];
+}
+inline Mat Mat::cross(const Mat & o) const
+{
+  Mat made;
+  Mat(Vec3d(*this).cross(Vec3d(o))).reshape(channels(), rows).convertTo(made, depth());
+  return made;
+}
+inline Mat Mat::diag(int d) const
+{
+  const int y = std::max(-d, 0), x = std::max(d, 0), count = std::min(rows - y, cols - x);
+  Mat made(count, 1, type());
+  for (int i = 0; i < count; ++i) {
+    (*this)(Rect(x + i, y + i, 1, 1)).copyTo(made.row(i));
+  }
+  return made;
+}
+inline Mat Mat::diag(const Mat & numbers)
+{
+  const int count = static_cast<int>(numbers.total());
+  Mat made = zeros(count, count, numbers.type());
+  for (int i = 0; i < count; ++i) {
+    (numbers.rows == 1 ? numbers.col(i) : numbers.row(i)).copyTo(made(Rect(i, i, 1, 1)));
+  }
+  return made;
+}
 inline bool solve(InputArray a, InputArray b, OutputArray x, int how = DECOMP_LU)
 {
   auto answer = call("solve", a, b, kw("flags", how));

@@ -1,5 +1,7 @@
 // InputArray, OutputArray and InputOutputArray: whatever a function takes and gives.
 #pragma once
+#include <array>
+
 #include "coursekit/opencv/remote.hpp"
 
 namespace cv
@@ -23,6 +25,12 @@ public:
       all_.emplace_back(items);
     }
   }
+  template<class T, size_t n>
+  _InputArray(const T (& items)[n])  // NOLINT
+  : mat_(static_cast<int>(n), 1, DataType<T>::type, const_cast<T *>(items)) {}
+  template<class T, size_t n>
+  _InputArray(const std::array<T, n> & items)  // NOLINT
+  : mat_(static_cast<int>(n), 1, DataType<T>::type, const_cast<T *>(items.data())) {}
   _InputArray(const Scalar & value)  // NOLINT
   : scalar_(true), value_(value) {}
   template<class T, int n>
@@ -85,6 +93,15 @@ void fill(std::vector<std::vector<T>> & lists, const remote::Value & value)
     fill(lists[i], value.items[i]);
   }
 }
+/// The same for as many numbers as the compiler knows; nothing came back where what was asked for is not there.
+template<class T>
+void fill(T * numbers, size_t count, const remote::Value & value)
+{
+  std::vector<T> all;
+  fill(all, value);
+  CV_Assert(all.empty() || all.size() == count);
+  std::copy(all.begin(), all.end(), numbers);
+}
 inline void fill(std::vector<Mat> & all, const remote::Value & value)
 {
   all.clear();
@@ -115,6 +132,12 @@ public:
   template<class T>
   _OutputArray(std::vector<T> & items)  // NOLINT
   : set_([&items](const remote::Value & value) {detail::fill(items, value);}) {}
+  template<class T, int n>
+  _OutputArray(Vec<T, n> & v)  // NOLINT
+  : part_(v), set_([&v](const remote::Value & value) {detail::fill(v.val, n, value);}) {}
+  template<class T, int m, int n>
+  _OutputArray(Matx<T, m, n> & small)  // NOLINT
+  : part_(small), set_([&small](const remote::Value & value) {detail::fill(small.val, m * n, value);}) {}
   void assign(const remote::Value & value) const
   {
     if (set_) {

@@ -87,6 +87,29 @@ public:
   Mat reshape(int channels_, int rows_ = 0) const;
   Mat t() const;
   Mat inv(int how = DECOMP_LU) const;
+  /// Number by number.
+  Mat mul(const Mat & o, double scale = 1) const;
+  double dot(const Mat & o) const;
+  Mat cross(const Mat & o) const;
+  /// Its diagonal as a column; d above it, or below.
+  Mat diag(int d = 0) const;
+  /// A square matrix with these numbers on its diagonal.
+  static Mat diag(const Mat & numbers);
+  template<class T, int n>
+  operator Vec<T, n>() const
+  {
+    Vec<T, n> made;
+    numbers_to(made.val, n);
+    return made;
+  }
+  template<class T, int m, int n>
+  operator Matx<T, m, n>() const
+  {
+    Matx<T, m, n> made;
+    CV_Assert(rows == m && cols == n);
+    numbers_to(made.val, m * n);
+    return made;
+  }
 
   Mat row(int y) const {return Mat(*this, Range(y, y + 1), Range::all());}
   Mat col(int x) const {return Mat(*this, Range::all(), Range(x, x + 1));}
@@ -153,10 +176,26 @@ public:
     }
   }
   void push_back(const Mat & more);
+  /// More rows, or fewer; new ones are zero.
+  void resize(size_t count)
+  {
+    Mat made = zeros(static_cast<int>(count), cols, type());
+    const int kept = std::min(rows, made.rows);
+    rowRange(0, kept).copyTo(made.rowRange(0, kept));
+    *this = made;
+  }
   template<class T>
   void push_back(const T & row_) {push_back(Mat(1, 1, DataType<T>::type, const_cast<T *>(&row_)));}
 
 private:
+  template<class T>
+  void numbers_to(T * to, size_t count) const
+  {
+    Mat same;
+    convertTo(same, DataType<T>::depth);
+    CV_Assert(same.total() * static_cast<size_t>(same.channels()) == count);
+    std::memcpy(to, same.data, count * sizeof(T));
+  }
   void shape(int rows_, int cols_, size_t step_)
   {
     rows = size.p[0] = rows_;

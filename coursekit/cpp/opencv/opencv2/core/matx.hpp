@@ -1,7 +1,9 @@
 // Small matrices whose sizes the compiler knows.
 #pragma once
+#include <functional>
 #include <type_traits>
 
+#include "opencv2/core/constants.hpp"
 #include "opencv2/core/types.hpp"
 
 namespace cv
@@ -35,10 +37,61 @@ public:
     }
     return made;
   }
+  static Matx diag(const Vec<T, (m < n ? m : n)> & numbers)
+  {
+    Matx made;
+    for (int i = 0; i < std::min(m, n); ++i) {
+      made(i, i) = numbers[i];
+    }
+    return made;
+  }
+  /// The same numbers in another type.
+  template<class U>
+  operator Matx<U, m, n>() const
+  {
+    Matx<U, m, n> made;
+    std::transform(val, val + m * n, made.val, saturate_cast<U, T>);
+    return made;
+  }
   T & operator()(int y, int x) {return val[y * n + x];}
   const T & operator()(int y, int x) const {return val[y * n + x];}
   T & operator()(int i) {return val[i];}
   const T & operator()(int i) const {return val[i];}
+  /// A part of it, from its upper left corner on.
+  template<int rows_, int cols_>
+  Matx<T, rows_, cols_> get_minor(int y, int x) const
+  {
+    Matx<T, rows_, cols_> part;
+    for (int i = 0; i < rows_ * cols_; ++i) {
+      part.val[i] = (*this)(y + i / cols_, x + i % cols_);
+    }
+    return part;
+  }
+  Matx<T, 1, n> row(int y) const {return Matx<T, 1, n>(val + y * n);}
+  Matx<T, m, 1> col(int x) const {return get_minor<m, 1>(0, x);}
+  Vec<T, (m < n ? m : n)> diag() const
+  {
+    Vec<T, (m < n ? m : n)> numbers;
+    for (int i = 0; i < std::min(m, n); ++i) {
+      numbers[i] = (*this)(i, i);
+    }
+    return numbers;
+  }
+  T dot(const Matx & o) const {return std::inner_product(val, val + m * n, o.val, T());}
+  double ddot(const Matx & o) const {return std::inner_product(val, val + m * n, o.val, 0.0);}
+  /// Number by number.
+  Matx mul(const Matx & o) const
+  {
+    Matx made;
+    std::transform(val, val + m * n, o.val, made.val, std::multiplies<T>());
+    return made;
+  }
+  /// Zeros where there is none.
+  Matx<T, n, m> inv(int how = DECOMP_LU, bool * is_ok = nullptr) const;
+  /// x where this times x is b.
+  template<int k>
+  Matx<T, n, k> solve(const Matx<T, m, k> & b, int how = DECOMP_LU) const {return inv(how) * b;}
+  Vec<T, n> solve(const Vec<T, m> & b, int how = DECOMP_LU) const {return inv(how) * b;}
   Matx<T, n, m> t() const
   {
     Matx<T, n, m> turned;
@@ -74,7 +127,12 @@ public:
   }
   Matx operator+(const Matx & o) const {return combined(o, 1);}
   Matx operator-(const Matx & o) const {return combined(o, -1);}
+  Matx operator-() const {return *this * -1;}
   Matx operator*(double by) const {return Matx().combined(*this, by);}
+  Matx operator/(double by) const {return *this * (1 / by);}
+  Matx & operator+=(const Matx & o) {return *this = *this + o;}
+  Matx & operator-=(const Matx & o) {return *this = *this - o;}
+  Matx & operator*=(double by) {return *this = *this * by;}
   bool operator==(const Matx & o) const {return std::equal(val, val + m * n, o.val);}
   bool operator!=(const Matx & o) const {return !(*this == o);}
 
@@ -94,12 +152,17 @@ Vec<T, 3> operator*(const Matx<T, 3, n> & by, const Point3_<T> & p)
   static_assert(n == 3, "a matrix that turns a point has three columns");
   return by * Vec<T, 3>(p.x, p.y, p.z);
 }
-using Matx22d = Matx<double, 2, 2>;
-using Matx23d = Matx<double, 2, 3>;
-using Matx33f = Matx<float, 3, 3>;
-using Matx33d = Matx<double, 3, 3>;
-using Matx34f = Matx<float, 3, 4>;
-using Matx34d = Matx<double, 3, 4>;
-using Matx31d = Matx<double, 3, 1>;
-using Matx44d = Matx<double, 4, 4>;
+template<class T, int m, int n>
+Matx<T, m, n> operator*(double by, const Matx<T, m, n> & small) {return small * by;}
+#define COURSEKIT_MATX(m, n) \
+  using Matx ## m ## n ## f = Matx<float, m, n>; \
+  using Matx ## m ## n ## d = Matx<double, m, n>;
+COURSEKIT_MATX(1, 2) COURSEKIT_MATX(1, 3) COURSEKIT_MATX(1, 4) COURSEKIT_MATX(1, 6)
+COURSEKIT_MATX(2, 1) COURSEKIT_MATX(2, 2) COURSEKIT_MATX(2, 3)
+COURSEKIT_MATX(3, 1) COURSEKIT_MATX(3, 2) COURSEKIT_MATX(3, 3) COURSEKIT_MATX(3, 4)
+COURSEKIT_MATX(4, 1) COURSEKIT_MATX(4, 3) COURSEKIT_MATX(4, 4)
+COURSEKIT_MATX(6, 1) COURSEKIT_MATX(6, 6)
+#undef COURSEKIT_MATX
 }  // namespace cv
+
+#include "opencv2/core/matx.inl.hpp"

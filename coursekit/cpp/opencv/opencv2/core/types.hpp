@@ -116,6 +116,8 @@ struct Rect_
     Point_<T> from(std::min(x, o.x), std::min(y, o.y)), to(std::max(br().x, o.br().x), std::max(br().y, o.br().y));
     return Rect_(from, to);
   }
+  Rect_ & operator&=(const Rect_ & o) {return *this = *this & o;}
+  Rect_ & operator|=(const Rect_ & o) {return *this = *this | o;}
   Rect_ operator+(const Point_<T> & by) const {return {x + by.x, y + by.y, width, height};}
   Rect_ operator-(const Point_<T> & by) const {return {x - by.x, y - by.y, width, height};}
 };
@@ -171,6 +173,28 @@ struct RotatedRect
   Point2f center;
   Size2f size;
   float angle = 0;
+  RotatedRect() = default;
+  RotatedRect(const Point2f & center_, const Size2f & size_, float angle_)
+  : center(center_), size(size_), angle(angle_) {}
+  /// The smallest upright rectangle around it, in whole pixels.
+  Rect boundingRect() const
+  {
+    const Rect2f exact = boundingRect2f();
+    const Point from(cvFloor(exact.x), cvFloor(exact.y));
+    const Point2f to = exact.br();
+    return {from.x, from.y, cvCeil(to.x) - from.x + 1, cvCeil(to.y) - from.y + 1};
+  }
+  Rect2f boundingRect2f() const
+  {
+    Point2f corners[4];
+    points(corners);
+    Point2f low = corners[0], high = corners[0];
+    for (auto & corner : corners) {
+      low = {std::min(low.x, corner.x), std::min(low.y, corner.y)};
+      high = {std::max(high.x, corner.x), std::max(high.y, corner.y)};
+    }
+    return Rect2f(low, high);
+  }
   /// The corners: bottom left, top left, top right, bottom right, where the angle is 0.
   void points(Point2f corners[]) const
   {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <ostream>
 #include <type_traits>
 
@@ -11,6 +12,8 @@ using uchar = unsigned char;
 using schar = signed char;
 using ushort = unsigned short;  // NOLINT: OpenCV's own names
 using uint = unsigned int;
+using int64 = int64_t;
+using uint64 = uint64_t;
 
 #define CV_8U 0
 #define CV_8S 1
@@ -73,6 +76,16 @@ struct Vec
   template<class ... A, class = std::enable_if_t<sizeof...(A) == n && (std::is_arithmetic_v<A>&& ...)>>
   Vec(A... numbers)  // NOLINT: as OpenCV's
   : val{static_cast<T>(numbers)...} {}
+  /// From so many numbers.
+  explicit Vec(const T * numbers) {std::copy(numbers, numbers + n, val);}
+  /// The same numbers in another type, clipped to its range.
+  template<class U>
+  operator Vec<U, n>() const
+  {
+    Vec<U, n> made;
+    std::transform(val, val + n, made.val, saturate_cast<U, T>);
+    return made;
+  }
   T & operator[](int i) {return val[i];}
   const T & operator[](int i) const {return val[i];}
   T & operator()(int i) {return val[i];}
@@ -87,6 +100,18 @@ struct Vec
   Vec operator-(const Vec & o) const {return combined(o, [](auto a, auto b) {return a - b;});}
   Vec operator*(double by) const {return combined(*this, [by](auto a, auto) {return a * by;});}
   Vec operator/(double by) const {return combined(*this, [by](auto a, auto) {return a / by;});}
+  Vec operator-() const {return *this * -1;}
+  Vec & operator*=(double by) {return *this = *this * by;}
+  Vec & operator/=(double by) {return *this = *this / by;}
+  /// Number by number.
+  Vec mul(const Vec & o) const {return combined(o, [](auto a, auto b) {return a * b;});}
+  T dot(const Vec & o) const {return std::inner_product(val, val + n, o.val, T());}
+  double ddot(const Vec & o) const {return std::inner_product(val, val + n, o.val, 0.0);}
+  Vec cross(const Vec & o) const
+  {
+    static_assert(n == 3, "a cross product is of three numbers each");
+    return Vec(val[1] * o[2] - val[2] * o[1], val[2] * o[0] - val[0] * o[2], val[0] * o[1] - val[1] * o[0]);
+  }
   Vec & operator+=(const Vec & o) {return *this = *this + o;}
   Vec & operator-=(const Vec & o) {return *this = *this - o;}
   bool operator==(const Vec & o) const {return std::equal(val, val + n, o.val);}
@@ -104,6 +129,8 @@ private:
   }
 };
 template<class T, int n>
+Vec<T, n> operator*(double by, const Vec<T, n> & v) {return v * by;}
+template<class T, int n>
 double norm(const Vec<T, n> & v)
 {
   double sum = 0;
@@ -111,6 +138,12 @@ double norm(const Vec<T, n> & v)
     sum += static_cast<double>(one) * one;
   }
   return std::sqrt(sum);
+}
+template<class T, int n>
+Vec<T, n> normalize(const Vec<T, n> & v)
+{
+  const double length = norm(v);
+  return v * (length != 0 ? 1 / length : 0);
 }
 template<class T, int n>
 std::ostream & operator<<(std::ostream & out, const Vec<T, n> & v)
@@ -125,16 +158,23 @@ using Vec3b = Vec<uchar, 3>;
 using Vec4b = Vec<uchar, 4>;
 using Vec2s = Vec<short, 2>;  // NOLINT: OpenCV's own names
 using Vec3s = Vec<short, 3>;  // NOLINT
+using Vec4s = Vec<short, 4>;  // NOLINT
+using Vec2w = Vec<ushort, 2>;
 using Vec3w = Vec<ushort, 3>;
+using Vec4w = Vec<ushort, 4>;
 using Vec2i = Vec<int, 2>;
 using Vec3i = Vec<int, 3>;
 using Vec4i = Vec<int, 4>;
+using Vec6i = Vec<int, 6>;
+using Vec8i = Vec<int, 8>;
 using Vec2f = Vec<float, 2>;
 using Vec3f = Vec<float, 3>;
 using Vec4f = Vec<float, 4>;
+using Vec6f = Vec<float, 6>;
 using Vec2d = Vec<double, 2>;
 using Vec3d = Vec<double, 3>;
 using Vec4d = Vec<double, 4>;
+using Vec6d = Vec<double, 6>;
 
 /// The depth and the number of channels of what a matrix may hold.
 template<class T>

@@ -50,6 +50,25 @@ struct Moments
   double mu20 = 0, mu11 = 0, mu02 = 0, mu30 = 0, mu21 = 0, mu12 = 0, mu03 = 0;
   double nu20 = 0, nu11 = 0, nu02 = 0, nu30 = 0, nu21 = 0, nu12 = 0, nu03 = 0;
 };
+/// Seven numbers of a shape that stay the same where it is moved, turned or scaled.
+inline void HuMoments(const Moments & m, double hu[7])
+{
+  const double sum = m.nu20 + m.nu02, gap = m.nu20 - m.nu02;
+  const double a = m.nu30 + m.nu12, b = m.nu21 + m.nu03, c = m.nu30 - 3 * m.nu12, d = 3 * m.nu21 - m.nu03;
+  hu[0] = sum;
+  hu[1] = gap * gap + 4 * m.nu11 * m.nu11;
+  hu[2] = c * c + d * d;
+  hu[3] = a * a + b * b;
+  hu[4] = c * a * (a * a - 3 * b * b) + d * b * (3 * a * a - b * b);
+  hu[5] = gap * (a * a - b * b) + 4 * m.nu11 * a * b;
+  hu[6] = d * a * (a * a - 3 * b * b) - c * b * (3 * a * a - b * b);
+}
+inline void HuMoments(const Moments & m, OutputArray hu)
+{
+  Mat made(7, 1, CV_64F);
+  HuMoments(m, made.ptr<double>());
+  hu.assign(made);
+}
 inline Moments moments(InputArray shape, bool binary = false)
 {
   remote::Value found = call("moments", shape, binary);

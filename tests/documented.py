@@ -4,6 +4,7 @@ Those of ROS packages have a `node`. Those of the lab are cells: `%ros2` runs in
 """
 
 import contextlib
+import doctest
 import os
 from pathlib import Path
 
@@ -65,10 +66,11 @@ def _as_cells(item):
     shell.register_magics(CourseMagics)
     for example in item.dtest.examples:
         example.source = shell.input_transformer_manager.transform_cell(example.source)
+        example.options[doctest.ELLIPSIS] = True  # "..." in what they show stands for anything
     names = {name: getattr(lab, name) for name in lab.__all__} | {"get_ipython": lambda: shell}
     item.dtest.globs.update(names | item.dtest.globs)
     with pytest.MonkeyPatch.context() as patch, Session(virtual=True).use():
-        patch.setitem(os.environ, "COURSEKIT_WORKSPACE", str(item.config._tmp_path_factory.mktemp("ws")))
+        patch.setitem(os.environ, "COURSEKIT_WORKSPACE", str(item.config._tmp_path_factory.mktemp("course") / "ros2_ws"))
         try:
             yield
         finally:

@@ -71,6 +71,14 @@ def edit(path: str, old: str, new: str) -> None:
 
     It can be run again at any time. An existing addition is not added twice, and a cell with a changed edit replaces
     its own earlier edit. LookupError when the file or the text is missing.
+
+    >>> %%write src/greeting.py
+    ... who = "robot"
+    ... print("hello", who)
+    Wrote ros2_ws/src/greeting.py (2 lines)
+    >>> edit("src/greeting.py", 'print("hello", who)', 'print("good morning", who)')
+    src/greeting.py:
+        print("good morning", who)
     """
     file = workspace() / path
     if not file.is_file():

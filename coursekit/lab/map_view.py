@@ -118,6 +118,14 @@ def map_view(source: str | Path = "/map", *, truth: bool = False, tour: Tour | N
     `truth` overlays the walls of the simulated world and reports how well they agree; `tour` draws the tracks
     recorded by `drive_along`. LookupError: there is no such topic; TimeoutError: no map arrived; MapError: the file
     is no map.
+
+    >>> %ros2 launch coursekit_robots simulation.launch.py &
+    [simulation.launch.py: running]
+    >>> %ros2 launch slam_toolbox online_async_launch.py &
+    [online_async_launch.py: running]
+    >>> wait(3, until="/map")
+    >>> map_view("/map")
+    map of 128 x 128 cells of 0.05 m: ... walls, ... free, ... unknown
     """
     name = str(source)
     grid = load_map(name) if name.endswith((".yaml", ".yml")) else _heard(name)

@@ -118,6 +118,14 @@ def windows(*names: str) -> Windows:
 
     Click a window and press a key for `cv2.waitKey`; from code: `windows().press("q")`. Trackbars are sliders below the
     picture; from code: `windows()["tune"].slide("hue", 20)`, and for the mouse `windows()["frame"].click(320, 240)`.
+
+    >>> %ros2 run image_tools cam2image --ros-args -p burger_mode:=true &
+    [cam2image: running]
+    >>> %ros2 run image_tools showimage &
+    [showimage: running]
+    >>> wait(2)
+    >>> windows()
+    [window /image: 320x240]
     """
     older = _shown.pop(names, None)
     if older is not None:

@@ -97,6 +97,14 @@ def test_an_exception_in_a_launched_program_is_told_too():
     assert exception_in(lines).startswith("AttributeError: 'PyPublisher'")
 
 
+def test_a_line_of_the_course_s_own_code_is_never_shown():
+    from rclpy import executors
+
+    inside = f'  File "{executors.__file__}", line 28, in _take\n    result = callback(*args)\n'
+    died = f"Traceback (most recent call last):\n{inside}TypeError: work() missing 1 required positional argument: 'x'\n"
+    assert exception_in(died) == "TypeError: work() missing 1 required positional argument: 'x'"
+
+
 def test_a_function_s_own_line_is_shown():
     scope = {}
     exec(compile("def tip(a):\n    return [a][1]\n", "<cell>", "exec"), scope)

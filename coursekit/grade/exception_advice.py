@@ -19,6 +19,7 @@ OTHER_TYPE = "A message's field takes exactly its type, and sys.argv holds texts
 NO_BASE = "Nothing of the node is there yet: begin __init__ with super().__init__(...) and the node's name."
 NO_DEPTH = "A publisher and a subscription take the depth of their queue as the last value, for example 10."
 NOT_YET = "A future is not yet the response: `await` it in an `async def`, or spin until it is done and take its result()."
+NONE_GIVEN = "A message was expected and None came: does the function that makes it end with `return`?"
 NO_METHOD = "It is called with one value, and stands outside of a class: leave `self` out of its first line."
 NO_CALLBACK = "A timer, subscription or service was given None: give it the function itself, without brackets: `self.tick`."
 NO_CALL = "What stands before those brackets is a value and no function: leave the brackets out."
@@ -37,6 +38,7 @@ _CAUSES = (
     (r"TypeError: \w+\(\) missing 1 required positional argument: '\w+'(?: \(line .*\bspin\(.*\))?$", NO_METHOD),
     (r"TypeError: 'NoneType' object is not callable(?: \(line .*\bspin\(.*\))?$", NO_CALLBACK),
     (r"TypeError: '(?:bool|int|float|str|list|tuple|dict|NoneType)' object is not callable", NO_CALL),
+    (r"TypeError: Expected .*got <class 'NoneType'>", NONE_GIVEN),
     (r"TypeError: cannot unpack non-iterable|ValueError: (?:not enough|too many) values to unpack", UNPACKED),
     (r".*\.load\(\)\)$", NOT_LOADED),
     (r".*executable '[^']*' not found on the libexec directory", NOT_INSTALLED),

@@ -37,6 +37,9 @@ SAID = {
     "TypeError: Gate.add() takes 2 positional arguments but 3 were given (line 9 of running.py: rclpy.spin(node))": (
         "`def add(self, request, response):`"
     ),
+    "TypeError: Expected <class 'std_msgs.msg._string.String'>, got <class 'NoneType'> (line 13 of a.py: publish(made()))": (
+        "does the function that makes it end with `return`?"
+    ),
     "TypeError: 'bool' object is not callable (line 6 of fetching.py: if goal_handle.is_cancel_requested():)": (
         "a value and no function"
     ),

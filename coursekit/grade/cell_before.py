@@ -12,6 +12,7 @@ from coursekit.suggestions import similar
 from .verdict import CheckFailed, Verdict
 
 _DEFINED = re.compile(r"^(?:async )?def (\w+)", re.MULTILINE)
+_SET = re.compile(r"^(\w+)(?:: *\w+)? *=(?!=)", re.MULTILINE)
 _ALIKE = 0.8
 """The minimum similarity of a misspelt name: `full_nam` has 0.94 of `full_name`, another name of three words has less."""
 
@@ -22,6 +23,7 @@ def explained(verdict: Verdict, asked: Collection[str], shell: Any) -> Verdict:
         return verdict
     before = shell.last_execution_result
     cause = _failed(before, asked) if before else ""
+    cause = cause or (_set_under_another_name(before, asked) if before else "")
     cause = cause or _misspelt(shell.user_ns.get("In", ()), asked)
     return replace(verdict, cause=cause, hint="") if cause else verdict
 
@@ -51,6 +53,19 @@ def _is_about(before: Any, asked: Collection[str]) -> bool:
         return True
     words = set(re.findall(r"\w+", before.info.raw_cell or ""))
     return not words.isdisjoint(asked)
+
+
+def _set_under_another_name(before: Any, asked: Collection[str]) -> str:
+    """Return what to say if the cell before the check set a variable with a name like the one that is judged."""
+    if before.error_before_exec or before.error_in_exec:
+        return ""
+    there = _SET.findall(before.info.raw_cell or "")
+    names = {name.lower(): name for name in there}
+    for name in asked:
+        if name not in there and (alike := similar(name.lower(), names, cutoff=_ALIKE)):
+            slip = f"The cell before this check sets `{names[alike[0]]}`, and `{name}` is judged, which is older."
+            return f"{slip} Is the name a slip?"
+    return ""
 
 
 def _misspelt(cells: Sequence[str], asked: Collection[str]) -> str:

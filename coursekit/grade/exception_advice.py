@@ -19,6 +19,10 @@ OTHER_TYPE = "A message's field takes exactly its type, and sys.argv holds texts
 NO_BASE = "Nothing of the node is there yet: begin __init__ with super().__init__(...) and the node's name."
 NO_DEPTH = "A publisher and a subscription take the depth of their queue as the last value, for example 10."
 NOT_YET = "A future is not yet the response: `await` it in an `async def`, or spin until it is done and take its result()."
+NONE_GIVEN = "A message was expected and None came: does the function that makes it end with `return`?"
+NO_METHOD = "It is called with one value, and stands outside of a class: leave `self` out of its first line."
+NO_CALLBACK = "A timer, subscription or service was given None: give it the function itself, without brackets: `self.tick`."
+NO_CALL = "What stands before those brackets is a value and no function: leave the brackets out."
 OWN_NAME = "The first of sys.argv is the program's own name: the arguments begin with sys.argv[1]."
 _CAUSES = (
     (r"TypeError: .*missing 1 required positional argument: 'qos_profile'", NO_DEPTH),
@@ -31,16 +35,28 @@ _CAUSES = (
     (r"NotImplementedError", STUB),
     (r".*(?:has no attribute 'successful'|Callback returned an invalid type)", NO_RESULT),
     (r"TypeError \(line", NO_RESPONSE),
+    (r"TypeError: \w+\(\) missing 1 required positional argument: '\w+'(?: \(line .*\bspin\(.*\))?$", NO_METHOD),
+    (r"TypeError: 'NoneType' object is not callable(?: \(line .*\bspin\(.*\))?$", NO_CALLBACK),
+    (r"TypeError: '(?:bool|int|float|str|list|tuple|dict|NoneType)' object is not callable", NO_CALL),
+    (r"TypeError: Expected .*got <class 'NoneType'>", NONE_GIVEN),
     (r"TypeError: cannot unpack non-iterable|ValueError: (?:not enough|too many) values to unpack", UNPACKED),
     (r".*\.load\(\)\)$", NOT_LOADED),
     (r".*executable '[^']*' not found on the libexec directory", NOT_INSTALLED),
 )
 """The beginnings of exception messages, and their causes."""
 _CALL = re.compile(
-    r"TypeError: (?:\w+\.)+(?P<name>\w+)\(\) takes \d+ positional arguments? but (?P<given>[12]) (?:was|were) given"
+    r"TypeError: (?:\w+\.)+(?P<name>\w+)\(\) takes \d+ positional arguments? but (?P<given>[123]) (?:was|were) given"
 )
 """A method defined without `self`, or without the message: Python reports it at the call."""
+_TICK = re.compile(
+    r"TypeError: (?:\w+\.)+(?P<name>\w+)\(\) missing 1 required positional argument: '\w+'(?: \(line .*\bspin\(.*\))?$"
+)
+"""A timer's callback that is defined like a subscription's."""
 
+_NOT_IN_MODULE = re.compile(
+    r"AttributeError: module '[\w.]+\.(?P<module>\w+)' has no attribute '(?P<name>\w+)'(?!.*\.load\(\)\)$)"
+)
+"""A class that `main` looks for; a missing `main` itself is NOT_LOADED."""
 _UNKNOWN = re.compile(r"NameError: name '(?P<name>\w+)' is not defined")
 _OF_THE_NODE = re.compile(r"(?:create|get|declare|set|destroy)_\w+")
 _MAKES = re.compile(r"\(line .*create_(?:subscription|timer|service|client|publisher)\(")
@@ -57,15 +73,17 @@ def cause_of(died: str) -> str:
     '`heard` gets two values, the object itself and what it is called with: begin it with `def heard(self, msg):`.'
     """
     if call := _CALL.match(died):
-        if call["given"] == "1":
-            return f"`{call['name']}` gets one value, the object itself: begin it with `def {call['name']}(self):`."
-        begin = f"begin it with `def {call['name']}(self, msg):`."
-        return f"`{call['name']}` gets two values, the object itself and what it is called with: {begin}"
+        return _about_a_call(call["name"], int(call["given"]))
+    if tick := _TICK.match(died):
+        return f"A timer calls `{tick['name']}` with nothing: begin it with `def {tick['name']}(self):`."
     if unknown := _UNKNOWN.match(died):
         return _about_a_name(unknown["name"], died)
     if called := _CALLED.match(died):
         given = f"self.{called['name']}"
         return f"With brackets it is called there and then. Give the function itself, without brackets: `{given}`."
+    if absent := _NOT_IN_MODULE.match(died):
+        where = absent["module"]
+        return f"`{where}` defines no `{absent['name']}`: is it spelt so in its file, and was the package built since?"
     return next((cause for pattern, cause in _CAUSES if re.match(pattern, died)), DIED)
 
 
@@ -77,6 +95,17 @@ def no_executable(package: str, name: str) -> str:
     """
     missing = f"{package} has no executable {name}."
     return f"{missing} {NOT_INSTALLED}"
+
+
+def _about_a_call(name: str, given: int) -> str:
+    """Return advice about a method that is called with `given` values, of which the first is the object itself."""
+    if given == 1:
+        return f"`{name}` gets one value, the object itself: begin it with `def {name}(self):`."
+    if given == 2:
+        begin = f"begin it with `def {name}(self, msg):`."
+        return f"`{name}` gets two values, the object itself and what it is called with: {begin}"
+    begin = f"begin it with `def {name}(self, request, response):`."
+    return f"`{name}` gets three values, as a service's callback does, the object itself first: {begin}"
 
 
 def _about_a_name(name: str, died: str) -> str:

@@ -41,9 +41,12 @@ def _short(line: str) -> str:
 
 
 def _told(lines: list[str]) -> str:
+    """Return the first exception in these lines, with its place in the student's code or else in a library's."""
     place, own = "", ""
     for number, line in enumerate(lines):
         if frame := _FRAME.match(line):
+            if frame["file"].startswith(_OURS):
+                continue  # a student can mend nothing there
             source = lines[number + 1].strip() if number + 1 < len(lines) else ""
             place = f"line {frame['line']} of {Path(frame['file']).name}: {source[:100]}"
             own = place if _is_own(frame["file"]) else own

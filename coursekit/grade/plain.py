@@ -25,6 +25,9 @@ _OURS = str(Path(__file__).resolve().parents[1])
 _MADE = "<coursekit "
 """The prefix of the file names of generated message classes."""
 _UNFINISHED = ("coroutine", "generator", "async_generator")
+_IMPORTED = {name: f"import {name}" for name in ("math", "random", "re", "os", "sys", "time", "json", "itertools", "numpy")}
+_IMPORTED["np"] = "import numpy as np"
+"""Modules that functions of exercises use, by the names that they have there."""
 MOST = 100
 """The maximum length of a value in a verdict [characters]."""
 
@@ -133,7 +136,12 @@ def whole(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> 
     ...     print(wrong.cause)
     That is a float: `int(...)` makes an integer of it.
     """
+    array = _array(value)
+    if array is not None and array.ndim == 0:
+        value = array.item()  # numpy's functions return numbers in this form
     if not is_number(value) or type(value) is float or float(value) != int(value):
+        if type(value) is str:
+            cause = _why_no_number(value)
         if is_number(value):
             cut = float(value) == int(value)
             cause = "That is a float: `int(...)` makes an integer of it." if cut else cause or "An integer is asked for."
@@ -183,6 +191,8 @@ def _array(value: Any) -> Any:
 def text(value: Any, expected: str, cause: str = "") -> str:
     """Return the value as a str; Wrong when it is not one."""
     if type(value) is not str:
+        if (value.kind if type(value) is Described else type(value).__name__).endswith("Path"):
+            cause = cause or "That is a path object: `str(...)` makes a text of it."
         raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value), hint=NO_HINT)
     return value
 
@@ -250,6 +260,8 @@ def _why_it_stopped(error: Exception) -> str:
             "To change one outside, change what is in it, or say `global`."
         )
     if isinstance(error, NameError):
+        if error.name in _IMPORTED:
+            return f"`{error.name}` is a module: this notebook has no `{_IMPORTED[error.name]}` yet."
         return "Is it spelled so? After a restart, the cells above that make it have to be run again."
     if isinstance(error, AttributeError) and (of := re.match(r"'\w+_(Request|Response)' .*'(\w+)'$", str(error))):
         filled_in = re.search(rf"\.{of[2]} *=(?!=)", error_of(error)) is not None
@@ -267,7 +279,7 @@ def _why_it_stopped(error: Exception) -> str:
 def error_of(error: BaseException) -> str:
     """Format an exception for a verdict: its type, its message, and the student's own line, if it passed one."""
     try:
-        said = f"{type(error).__name__}: {error}"[:300]
+        said = f"{type(error).__name__}: {error}"[:300].removesuffix(": ")
     except Exception:
         said = type(error).__name__[:80]
     own = _frames(error)

@@ -85,7 +85,8 @@ class Work:
             raise Wrong(f"a variable named `{name}`", NOTHING, self._alike(name, cause))
         value = self.variables[name]
         if type(value) is not kind:
-            raise Wrong(f"`{name}` as {_a(kind.__name__)}", gave=f"{_a(type(value).__name__)}: {value!r:.80}", hint=NO_HINT)
+            gave = f"{_a(type(value).__name__)}: {value!r:.80}"
+            raise Wrong(f"`{name}` as {_a(kind.__name__)}", cause=_why_kind(kind, value), gave=gave, hint=NO_HINT)
         return value
 
     def function(self, name: str) -> Any:
@@ -202,6 +203,17 @@ def _words(command: str) -> list[str]:
         return split_words(command)
     except ValueError:
         raise Wrong("a command line whose quotes come in pairs", command[:120], hint=NO_HINT) from None
+
+
+def _why_kind(kind: type, value: Any) -> str:
+    """Return what to write for a value of that type; empty where nothing short helps."""
+    if kind is list and type(value) in (tuple, set):
+        return "A list stands in square brackets."
+    if kind is str and type(value) in (int, float):
+        return "A text stands between quotes."
+    if kind in (int, float) and type(value) is str:
+        return "A number stands without quotes."
+    return "What gave this value returns nothing: to print is not to return." if value is None else ""
 
 
 def _a(noun: str) -> str:

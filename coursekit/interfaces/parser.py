@@ -30,6 +30,9 @@ CONSTANT_NAME = re.compile(r"(?!.*__)(?!.*_$)[A-Z][A-Z0-9_]*")
 _TYPE = re.compile(
     r"(?P<base>[^\[\]<]+)(?:<=(?P<bound>[^\[\]]*))?(?P<array>\[(?P<upper><=)?(?P<size>[^\]]*)\])?"
 )
+_ARRAY_NAME = re.compile(r"(?P<name>\w+)(?P<brackets>\[[^\]]*\])")
+_OTHER_LANGUAGES = {"int": "int32", "long": "int64", "float": "float32", "double": "float64", "str": "string"}
+"""What C++ and Python call types that have other names here."""
 _INTEGER = re.compile(r"[0-9]+")
 _LONGEST = 2**31 - 1
 
@@ -107,6 +110,8 @@ class _Reader:
         name, value_text = name.rstrip(), value_text.strip()
         if not CONSTANT_NAME.fullmatch(name):
             why = f"'{name}' is no constant name: use capitals, digits and single underscores, as in MY_VALUE"
+            if PACKAGE_NAME.fullmatch(name):
+                why += "; a default value stands behind the name without '='"
             raise self.error(why, index, name_column)
         if kind.base not in PRIMITIVES or kind.is_array or kind.string_bound:
             raise self.error(f"the constant type '{kind}' must be a primitive type", index)
@@ -122,7 +127,7 @@ class _Reader:
     def _field(self, kind: FieldType, rest: str, index: int, name_column: int, commented: bool) -> None:
         name, _, value_text = rest.partition(" ")
         value_text = value_text.strip()
-        self._field_name(name, index, name_column)
+        self._field_name(name, kind, index, name_column)
         default = None
         if value_text:
             value_column = name_column + len(rest) - len(value_text)
@@ -133,7 +138,10 @@ class _Reader:
                 raise self.error(str(error), index, value_column) from None
         self.fields.append(Field(kind, name, default, " ".join(self.comments), self.first + index + 1))
 
-    def _field_name(self, name: str, index: int, column: int) -> None:
+    def _field_name(self, name: str, kind: FieldType, index: int, column: int) -> None:
+        if (array := _ARRAY_NAME.fullmatch(name)) and not kind.is_array:
+            why = f"the brackets stand behind the type: {kind}{array['brackets']} {array['name']}"
+            raise self.error(why, index, column)
         if not PACKAGE_NAME.fullmatch(name):
             why = (
                 f"'{name}' is no field name: use small letters, digits and single underscores, as in my_field"
@@ -186,9 +194,17 @@ class _Reader:
             known = f"builtin_interfaces/{base.capitalize()}"
             raise self.error(f"ROS 2 has no type '{base}'; write {known}", index)
         if not MESSAGE_NAME.fullmatch(name) or not PACKAGE_NAME.fullmatch(package):
-            hint = suggestion(base, PRIMITIVES) or f"; known: {', '.join(PRIMITIVES)} or package/Name"
-            raise self.error(f"unknown type '{base}'{hint}", index)
+            raise self.error(f"unknown type '{base}'{self._meant(base, index)}", index)
         return f"{package}/msg/{name}"
+
+    def _meant(self, base: str, index: int) -> str:
+        """The end of a message about an unknown type: what may have been meant."""
+        words = self.lines[index].split()
+        if len(words) > 1 and (words[1] in PRIMITIVES or "/" in words[1]) and words[0] == base:
+            return f"; the type stands first, then the name: {words[1]} {base}"
+        if other := _OTHER_LANGUAGES.get(base):
+            return f"; did you mean '{other}'?"
+        return suggestion(base, PRIMITIVES) or f"; known: {', '.join(PRIMITIVES)} or package/Name"
 
 
 def parse(package: str, kind: str, name: str, text: str, file: str = "") -> Interface:

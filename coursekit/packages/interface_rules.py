@@ -163,12 +163,20 @@ def _field_problems(interface: Interface, own: set[str], named: set[str], prefix
 def _unknown(base: str, message: Message, own: set[str], named: set[str], prefixes: list[Path]) -> str | None:
     package, _, name = base.split("/")
     if package == message.package:
-        return None if base in own else f"unknown type '{name}'{suggestion(base, own)}; is it in CMakeLists.txt?"
+        return None if base in own else f"unknown type '{name}'{_meant(name, own, named, prefixes)}"
     if not any((prefix / "share" / package / "msg" / f"{name}.msg").is_file() for prefix in prefixes):
         return f"unknown type '{package}/{name}': no package {package} with such a message is built or installed"
     if package not in named:
         return f"'{package}/{name}' needs DEPENDENCIES {package} in rosidl_generate_interfaces()"
     return None
+
+
+def _meant(name: str, own: set[str], named: set[str], prefixes: list[Path]) -> str:
+    """Return what may be meant by the name of a type that stands without a package."""
+    for package in sorted(named):
+        if any((prefix / "share" / package / "msg" / f"{name}.msg").is_file() for prefix in prefixes):
+            return f"; did you mean '{package}/{name}'?"
+    return suggestion(name, [known.rpartition("/")[2] for known in sorted(own)]) or "; is it in CMakeLists.txt?"
 
 
 def python_files(package: str, files: Iterable[Path]) -> dict[str, str]:

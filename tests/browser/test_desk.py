@@ -53,6 +53,31 @@ def test_the_notebooks_toolbar_stays_on_one_line(opened):
     page.wait_for_function(ON_ONE_LINE)
 
 
+def test_the_toolbar_is_looked_at_again_where_the_desk_takes_long_to_open(opened):
+    page = opened.page
+    page.evaluate(f"""() => {{
+        const {{ toolbar }} = ({NOTEBOOK})(), hide = toolbar.hide.bind(toolbar);
+        toolbar.hide = () => {{ hide(); window.fitted = true; }};
+    }}""")
+    page.evaluate(OPENED)
+    page.wait_for_function("() => window.fitted")
+    page.evaluate(f"() => {{ ({NOTEBOOK})().toolbar._resizer.invoke = async () => {{}}; }}")
+    page.set_viewport_size({"width": 800, "height": 768})
+    page.wait_for_function(f"() => !({ON_ONE_LINE})()")
+    page.evaluate(f"() => {{ delete ({NOTEBOOK})().toolbar._resizer.invoke; }}")
+    page.wait_for_function(ON_ONE_LINE, timeout=20_000)
+
+
+def test_a_narrow_desk_cuts_nothing_off_the_pad(opened):
+    page = opened.page
+    page.set_viewport_size({"width": 700, "height": 900})
+    over = """() => {
+        const pad = document.querySelector('.jupyterlab-sidecar .ck-pad'), end = pad.getBoundingClientRect().right;
+        return [...pad.querySelectorAll('*')].every((one) => one.getBoundingClientRect().right <= end + 1);
+    }"""
+    page.wait_for_function(over, timeout=20_000)
+
+
 def test_the_list_of_displays_folds_where_there_is_little_room(opened):
     page = opened.page
     listed, button = page.locator(".jupyterlab-sidecar .ck-list"), page.get_by_role("button", name="Displays")

@@ -18,6 +18,19 @@ def test_a_timer_keeps_its_period(world):
     assert 0.15 < stamps[4] - stamps[0] < 0.6
 
 
+def test_a_callback_that_wants_an_argument_ends_the_spin(world):
+    world.node().create_timer(0.01, lambda message: None)
+    with pytest.raises(TypeError, match="missing 1 required positional argument: 'message'"):
+        world.spin_for(1.0)
+
+
+@pytest.mark.humble_only("later versions stumble over it before they call it")
+def test_a_function_that_was_called_where_it_should_be_given_ends_the_spin(world):
+    world.node().create_timer(0.01, (lambda: None)())
+    with pytest.raises(TypeError, match="'NoneType' object is not callable"):
+        world.spin_for(1.0)
+
+
 def test_the_period_is_in_nanoseconds(world):
     timer = world.node().create_timer(0.5, lambda: None)
     assert timer.timer_period_ns == 500_000_000

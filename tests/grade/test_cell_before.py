@@ -59,6 +59,17 @@ def test_an_older_function_under_the_right_name_is_told():
     assert said.startswith("A newer cell defines `full_nam`. What was judged is `full_name`, which is older.")
 
 
+@pytest.mark.parametrize("cell", ["Me = 'Vera Course'", "mee = 3", "ME: str = ''"])
+def test_a_variable_that_was_set_under_another_name_is_told(cell):
+    name = cell.split()[0].rstrip(":")
+    assert cause(["me"], cell=cell).startswith(f"The cell before this check sets `{name}`, and `me` is judged, which")
+
+
+@pytest.mark.parametrize("cell", ["x = 3", "me == 3", "    Me = 3", "Me.x = 3", "me = 4\nMe = 3", "check('ch00.q1')", ""])
+def test_another_variable_is_not(cell):
+    assert cause(["me"], cell=cell) == WRONG.cause
+
+
 @pytest.mark.parametrize(
     "cells",
     [[FIRST], [SECOND, FIRST], [SECOND, FIRST, SECOND], [FIRST, OTHER], [f"{FIRST}\n{SECOND}"], [SECOND]],

@@ -23,6 +23,26 @@ SAID = {
     ),
     "ValueError: invalid literal for int() with base 10: '/ws/install/p/lib/p/client_exe' (line 8 of main.py: a, b = "
     "map(int, sys.argv))": "sys.argv[1]",
+    "AttributeError: module 's4_py_apps.ear' has no attribute 'Ear' (line 8 of mains.py: run(module.Ear))": (
+        "`ear` defines no `Ear`"
+    ),
+    "TypeError: work() missing 1 required positional argument: 'goal_handle'": "leave `self` out",
+    "TypeError: work() missing 1 required positional argument: 'goal_handle' (line 9 of running.py: rclpy.spin(node))": (
+        "leave `self` out"
+    ),
+    "TypeError: 'NoneType' object is not callable (line 9 of running.py: rclpy.spin(node))": "without brackets: `self.tick`",
+    "TypeError: Clock.tick() missing 1 required positional argument: 'msg' (line 9 of running.py: rclpy.spin(node))": (
+        "`def tick(self):`"
+    ),
+    "TypeError: Gate.add() takes 2 positional arguments but 3 were given (line 9 of running.py: rclpy.spin(node))": (
+        "`def add(self, request, response):`"
+    ),
+    "TypeError: Expected <class 'std_msgs.msg._string.String'>, got <class 'NoneType'> (line 13 of a.py: publish(made()))": (
+        "does the function that makes it end with `return`?"
+    ),
+    "TypeError: 'bool' object is not callable (line 6 of fetching.py: if goal_handle.is_cancel_requested():)": (
+        "a value and no function"
+    ),
 }
 
 
@@ -37,6 +57,7 @@ def test_a_first_mistake_is_named_with_its_cure(died):
         "NameError: name 'speed' is not defined (line 8 of ear.py: return speed * 2)",
         "TypeError: area() missing 1 required positional argument: 'width' (line 8 of ear.py: return area(2))",
         "ValueError: invalid literal for int() with base 10: 'x' (line 8 of main.py: a = int(sys.argv[1]))",
+        "AttributeError: module 'math' has no attribute 'PI' (line 8 of ear.py: math.PI)",
     ],
 )
 def test_where_the_cause_is_not_known_none_is_claimed(died):

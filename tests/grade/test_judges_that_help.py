@@ -97,6 +97,35 @@ def test_an_exception_in_a_launched_program_is_told_too():
     assert exception_in(lines).startswith("AttributeError: 'PyPublisher'")
 
 
+@pytest.mark.parametrize(
+    ("kind", "value", "cause"),
+    [(list, (1, 2), "square brackets"), (str, 3, "quotes"), (int, "2", "without quotes"), (list, None, "returns nothing")],
+)
+def test_a_value_of_another_type_is_told_how_to_be_written(kind, value, cause):
+    assert cause in judge_work(exercise(lambda work: work.value("x", kind)), Work({"x": value}, None)).cause
+
+
+def test_a_module_that_is_not_imported_is_told_how_to_import():
+    with pytest.raises(Wrong) as caught:
+        called(lambda: math_.pi, told="f()")  # noqa: F821
+    assert "After a restart" in caught.value.cause
+    with pytest.raises(Wrong) as caught:
+        called(lambda: random.random(), told="f()")  # noqa: F821
+    assert "`import random`" in caught.value.cause
+
+
+def test_an_error_without_words_is_its_name():
+    assert error_of(AssertionError()) == "AssertionError"
+
+
+def test_a_line_of_the_course_s_own_code_is_never_shown():
+    from rclpy import executors
+
+    inside = f'  File "{executors.__file__}", line 28, in _take\n    result = callback(*args)\n'
+    died = f"Traceback (most recent call last):\n{inside}TypeError: work() missing 1 required positional argument: 'x'\n"
+    assert exception_in(died) == "TypeError: work() missing 1 required positional argument: 'x'"
+
+
 def test_a_function_s_own_line_is_shown():
     scope = {}
     exec(compile("def tip(a):\n    return [a][1]\n", "<cell>", "exec"), scope)

@@ -51,6 +51,13 @@ def test_a_service_has_two_parts_and_an_action_three():
     ("text", "line", "column", "words"),
     [
         ("float64 x\nflot32 y", 2, 1, "did you mean 'float32'?"),
+        ("double x", 1, 1, "did you mean 'float64'?"),
+        ("int x", 1, 1, "did you mean 'int32'?"),
+        ("center geometry_msgs/Point", 1, 1, "the type stands first, then the name: geometry_msgs/Point center"),
+        ("radius float64", 1, 1, "the type stands first, then the name: float64 radius"),
+        ("float64 x[]", 1, 9, "the brackets stand behind the type: float64[] x"),
+        ("float64 x[3]", 1, 9, "the brackets stand behind the type: float64[3] x"),
+        ("uint8 battery=100", 1, 7, "a default value stands behind the name without '='"),
         ("float64", 1, 1, "needs a name"),
         ("geometry_msgs/msg/Point center", 1, 1, "'geometry_msgs/msg/Point' is written geometry_msgs/Point"),
         ("geometry_msgs/msg/Point[] centers", 1, 1, "is written geometry_msgs/Point"),

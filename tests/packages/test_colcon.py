@@ -175,6 +175,16 @@ def build_errors(package):
     return result.returncode, result.stderr
 
 
+def test_a_type_without_its_package_is_looked_for_in_those_that_are_named(interface_package):
+    (interface_package / "msg" / "Sphere.msg").write_text("Point center\nfloat64 radius\n")
+    assert "unknown type 'Point'; did you mean 'geometry_msgs/Point'?\n" in build_errors(interface_package)[1]
+
+
+def test_a_type_of_its_own_that_is_not_listed_is_asked_for_in_cmake(interface_package):
+    (interface_package / "msg" / "Sphere.msg").write_text("Middle center\nfloat64 radius\n")
+    assert "unknown type 'Middle'; is it in CMakeLists.txt?\n" in build_errors(interface_package)[1]
+
+
 def test_a_bad_interface_fails_its_package_with_file_line_and_caret(interface_package):
     (interface_package / "msg" / "Sphere.msg").write_text("geometry_msgs/Point center\nflot64 radius\n")
     code, errors = build_errors(interface_package)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 import re
 from itertools import pairwise
 
+from coursekit.grade.command_advice import has_word_ros2, why_refused
 from coursekit.grade.exercise import exercise
 from coursekit.grade.outputs import exit_code, heard, said, way_of, wrote
 from coursekit.grade.plain import fields, near, shown, texts
@@ -72,11 +74,14 @@ def drive_on(work: Work) -> None:
     _understood(command, said(seen))
     spoken = heard(seen, CMD_VEL)
     if not spoken:
-        raise Wrong(f"velocities on {CMD_VEL}", f"none; it said {shown(said(seen).strip())}", "Which topic?")
+        cause = why_refused(said(seen)) or "Which topic?"
+        raise Wrong(f"velocities on {CMD_VEL}", f"none; it said {shown(said(seen).strip())}", cause)
     speeds = {fields(message, ("linear.x", "angular.z"), CMD_VEL) for _, message in spoken}
     for forward, turn in sorted(speeds):
         if not near(forward, 1.5, 1e-6) or not near(abs(turn), 0.75, 1e-6):
-            raise Wrong("1.5 m/s forward and 0.75 rad/s of turn", f"linear.x = {forward}, angular.z = {turn}", hint=1)
+            got, many = f"linear.x = {forward}, angular.z = {turn}", abs(turn) > math.tau
+            cause = "Turns are in radians a second, not in degrees." if many else "Which fields are forward and turn?"
+            raise Wrong("1.5 m/s forward and 0.75 rad/s of turn", got, cause, hint=NO_HINT)
     gaps = [after - before for (before, _), (after, _) in pairwise(spoken)]
     if len(gaps) < 8 or not all(near(gap, 0.25, 0.01) for gap in gaps):
         raise Wrong(
@@ -129,8 +134,8 @@ def _answers(work: Work, commands: list[str], option: str) -> list[str]:
 
 
 def _command(text: str, variable: str) -> str:
-    words = text.replace("%", " ").split()
-    if words[:1] == ["ros2"] or text.lstrip().startswith("%"):
+    words = text.split()
+    if has_word_ros2(text):
         raise Wrong(f"`{variable}` without the word ros2", gave=shown(text), hint=NO_HINT)
     if not words or words == ["..."]:
         raise Wrong(f"a command line in `{variable}`", gave=shown(text), hint=NO_HINT)
@@ -146,7 +151,8 @@ def _of_this_exercise(command: str, other: str, number: int) -> None:
 
 def _understood(command: str, said: str) -> None:
     if said.startswith("usage:"):
-        raise Wrong("a command that ros2 knows", said.strip().splitlines()[-1][:160], gave=shown(command), hint=NO_HINT)
+        last = said.strip().splitlines()[-1][:160]
+        raise Wrong("a command that ros2 knows", last, why_refused(said), gave=shown(command), hint=NO_HINT)
 
 
 def _close(text: str, x: float) -> bool:

@@ -283,5 +283,6 @@ def _message(kind: type[Any], given: str, function: Callable[..., Any], *argumen
     """Return a function's result, which must be a message of that type."""
     got = called(function, *arguments, told=given)
     if type(got) is not kind:
-        raise Wrong(f"a {kind.__name__} from {given}", gave=shown(got), cause="Is there a return?" if got is None else "")
+        cause = "Is there a return?" if got is None else ""
+        raise Wrong(f"a {kind.__name__} from {given}", gave=shown(got), cause=cause, hint=NO_HINT)
     return got

@@ -141,4 +141,6 @@ def _expect(function: Any, given: tuple[str, ...], right: str) -> None:
     wanted = f"{right} for {given[0]}, with root {given[2]} and near {given[3]}"
     got = text(called(function, *given, told=f"portable({given[0]!r}, ...)"), wanted)
     if got != right:
-        raise Wrong(wanted, gave=shown(got), hint=0)
+        kept = given[0] == right
+        cause = "Names that begin with package:// stay as they are." if kept else ""
+        raise Wrong(wanted, gave=shown(got), cause=cause, hint=NO_HINT if kept else 0)

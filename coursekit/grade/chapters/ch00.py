@@ -68,8 +68,13 @@ def _press(press: Any) -> tuple[tuple[float, float], float]:
     if type(press) not in (tuple, list) or len(press) != 2 or type(press[0]) is not str:
         raise Wrong('a list of (keys, seconds), such as ("up", 1.0)', gave=shown(press), hint=NO_HINT)
     names = press[0].split("+")
-    if any(name not in KEYS for name in names) or not is_number(press[1]) or not 0 < press[1] <= 20:
-        raise Wrong(f"keys out of {', '.join(KEYS)} and 0 to 20 seconds", gave=shown(press), hint=NO_HINT)
+    if any(name not in KEYS for name in names):
+        cause = "They are written in small letters and without spaces; `+` joins two."
+        raise Wrong(f"keys out of {', '.join(KEYS)}", gave=shown(press), cause=cause, hint=NO_HINT)
+    if not is_number(press[1]) or not 0 < press[1] <= 20:
+        cause = "A key is pressed for so many seconds, not for so many degrees."
+        cause = cause if is_number(press[1]) else "A number stands without quotes."
+        raise Wrong("more than 0 and at most 20 seconds", gave=shown(press), cause=cause, hint=NO_HINT)
     forward, turn = (sum(KEYS[name][part] for name in set(names)) for part in (0, 1))
     return (forward, turn), float(press[1])
 
@@ -90,6 +95,8 @@ def wishes(work: Work) -> None:
     if len(good) < 3:
         what = ", ".join(str(key) for key in sorted(good)) or "none"
         cause = "A sentence has four words or more, with spaces between them."
+        if sum(map(_is_sentence, answer.values())) >= 3:
+            cause = f"Before the colons stand numbers of chapters, from {CHAPTERS[0]} to {CHAPTERS[-1]} and without quotes."
         raise Wrong(wanted, gave=f"sentences for: {what}", cause=cause)
     if len({" ".join(sorted(_words(sentence))) for sentence in good.values()}) < 3:
         raise Wrong(wanted, gave=shown(list(good.values())), cause="Each wish is another one.", hint=1)

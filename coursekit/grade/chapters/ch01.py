@@ -6,6 +6,7 @@ import math
 from itertools import pairwise
 from typing import Any
 
+from coursekit.grade.command_advice import has_word_ros2, why_refused
 from coursekit.grade.exercise import exercise
 from coursekit.grade.figures.turtles import PAPER, walked
 from coursekit.grade.outputs import course_said, exit_code, last_words, said, way_of
@@ -35,10 +36,12 @@ PIXEL = 1 / 45
 )
 def ask(work: Work) -> None:
     """Check the two facts against a fresh graph with the same two programs."""
-    kind, count = work.value("rosout_type", str), work.value("rosout_publishers", int)
+    kind, count = work.value("rosout_type", str).strip(), work.value("rosout_publishers", int)
     seen = work.try_out(beside=["run demo_nodes_py talker", "run demo_nodes_py listener"], seconds=1.0)
     if kind not in seen.topics.get("/rosout", []):
         cause = "Is that another topic's type?" if kind.count("/msg/") == 1 else "Is it in full?"
+        if " " in kind:
+            cause = "The type stands alone, with nothing before or after it."
         raise Wrong("the type that `ros2 topic info /rosout` prints", gave=shown(kind), cause=cause, hint=1)
     right = len(seen.publishers.get("/rosout", []))
     if count != right:
@@ -71,8 +74,16 @@ def corner(work: Work) -> None:
     _no_wall(seen, way)
     x, y, _ = way[-1]
     if not (x > 9 and y > 9):
-        cause = "Forward is where it looks; it looks right at the start."
-        raise Wrong("an end beyond x = 9 and y = 9", f"x = {x:.2f}, y = {y:.2f}", cause)
+        raise Wrong("an end beyond x = 9 and y = 9", f"x = {x:.2f}, y = {y:.2f}", _why_elsewhere(x, y))
+
+
+def _why_elsewhere(x: float, y: float) -> str:
+    """Return the likely cause of an end outside of the corner."""
+    if min(x, y) > START + 1:
+        return "The direction is right: drive for longer."
+    if y < START - 1:
+        return "It looks right at the start, and positive turns go to the left."
+    return "Forward is where it looks; it looks right at the start."
 
 
 @exercise(
@@ -88,7 +99,7 @@ def stage(work: Work) -> None:
     """Check that a second turtle is in place, and that turtle1's pen is red and five pixels wide."""
     name, where = work.variant("turtle", "bob"), (work.variant("x", 2.5), work.variant("y", 3.5))
     commands = texts(work.value("commands", list), "a list of texts in `commands`")
-    if any(command.split()[:1] == ["ros2"] for command in commands):
+    if any(map(has_word_ros2, commands)):
         raise Wrong("command lines without the word ros2", gave=shown(commands), hint=NO_HINT)
     looks = [(6.5, "/spawn", "turtlesim/srv/Spawn", {"x": 6.0, "y": _beside(off), "name": _look(off)}) for off in ASIDE]
     colours = {off: f"/{_look(off)}/color_sensor" for off in ASIDE}
@@ -97,17 +108,19 @@ def stage(work: Work) -> None:
         call=looks, record=[f"/{name}/pose", *colours.values()],
     )  # fmt: skip
     complaint = _complaint(seen, commands)
+    cause = why_refused(complaint)
     if not course_said(seen, f"/{name}/pose"):
         there = ", ".join(name for name in seen.topics if "pose" in name and "look" not in name)
-        raise Wrong(f"a turtle named {name}", f"topics: {there}{complaint}", hint=0)
+        raise Wrong(f"a turtle named {name}", f"topics: {there}{complaint}", cause, hint=NO_HINT if cause else 0)
     place = way_of(seen, f"/{name}/pose")[-1][:2]
     if not close(place, where, 0.01):
-        raise Wrong(f"{name} at ({where[0]:g}, {where[1]:g})", f"({place[0]:.2f}, {place[1]:.2f})", share=0.5, hint=0)
+        raise Wrong(f"{name} at ({where[0]:g}, {where[1]:g})", f"({place[0]:.2f}, {place[1]:.2f})", share=0.5, hint=NO_HINT)
     line = {off: _colours(seen, topic) for off, topic in colours.items()}
     if RED not in line[0]:
         drawn = ", ".join(str(key) for key in sorted(line[0])) or "no colour"
         wanted = f"turtle1 draws in red {RED}"
-        raise Wrong(wanted, f"where it went there is {drawn}{complaint}", _pen_cause(commands), share=0.5, hint=1)
+        cause = _pen_cause(commands) or cause
+        raise Wrong(wanted, f"where it went there is {drawn}{complaint}", cause, share=0.5, hint=1)
     wide, right = sum(RED in line[off] for off in ASIDE), sum(map(_is_drawn, ASIDE))
     if wide != right:
         what = "a thinner one" if wide < right else "a thicker one"

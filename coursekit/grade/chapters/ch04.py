@@ -112,7 +112,7 @@ def _expect_line(seen: Seen, line: str, what: str) -> None:
         got = "; ".join(logged[:6]) or f"nothing is logged; the program said: {last_words(said(seen))}"
         printed = line in said(seen).splitlines()
         cause = "These are printed, not logged: self.get_logger().info(...) adds level, time and node." if printed else ""
-        hint = 1 if line.startswith("volume") and logged else 0
+        hint = 0 if not logged else 1 if line.startswith("volume") else NO_HINT
         raise Wrong(f"{what} is logged as: {line}", got, cause, share=0.25, hint=NO_HINT if printed else hint)
 
 
@@ -141,11 +141,22 @@ def _expect_fetched(seen: Seen, boxes: int) -> None:
     output, last = said(seen, 1), f"; the server's last words: {last_words(said(seen))}"
     feedback = _numbers(output, "brought_yet:")
     if feedback != list(range(1, boxes + 1)):
-        raise Wrong(f"for a goal with boxes: {boxes} the feedback {list(range(1, boxes + 1))}", f"{feedback}{last}", hint=0)
+        wanted = f"for a goal with boxes: {boxes} the feedback {list(range(1, boxes + 1))}"
+        raise Wrong(wanted, f"{feedback}{last}", _why_feedback(feedback), hint=0)
     if _numbers(output, "brought:") != [boxes]:
         raise Wrong(f"the result brought: {boxes}", f"{_numbers(output, 'brought:')}{last}", share=0.4, hint=1)
     if "status: SUCCEEDED" not in output:
         raise Wrong("a goal that succeeded", _ending(output), "goal_handle.succeed()", share=0.4, hint=1)
+
+
+def _why_feedback(feedback: list[int]) -> str:
+    """Return the likely cause of feedback other than 1, 2, 3, ..."""
+    if feedback and feedback == list(range(len(feedback))):
+        return "Count the box first, then publish how many there are."
+    if len(set(feedback)) < len(feedback):
+        return "Is the box counted in the loop?"
+    begins = feedback[:1] in ([], [1])
+    return "Does each box take half a second, and is its feedback published in the loop?" if begins else ""
 
 
 def _expect_cancelled(work: Work, goal: str) -> None:

@@ -119,14 +119,16 @@ def _judge_path(work: Work, find: Any, costs: np.ndarray, start: Cell, goal: Cel
         if got is not None:
             with suppress(Wrong):
                 work.illustrate(closed_floor, costs, cells_of(got, told), start, goal, told)
-            cause = "Nothing of 253 and more may be entered."
+            empty = type(got) in (list, tuple) and not got
+            cause = "An empty list is not None." if empty else "Nothing of 253 and more may be entered."
             raise Wrong(f"None on {told}: no path leads there", gave=shown(got, 60), cause=cause)
         return
     work.illustrate(path_over_costs, costs, [], path_back(price, goal), told)
     path = cells_of(got, told)
     work.illustrate(path_over_costs, costs, path, path_back(price, goal), told)
     if not path or path[0] != start or path[-1] != goal:
-        cause = "Both ends belong to it."
+        turned = path[:1] == [goal] and path[-1:] == [start]
+        cause = "It is the wrong way round." if turned else "Both ends belong to it."
         expected = f"a path from {start} to {goal} on {told}"
         raise Wrong(expected, gave=shown(path, 60), cause=cause, share=0.1, at=spots(start, goal))
     for before, after in pairwise(path):

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import inspect
 import threading
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from coursekit.processes.session import current
@@ -34,7 +33,7 @@ class Timer:
 
     def __init__(
         self,
-        callback: Callable[..., Any] | None,
+        callback: Any,
         callback_group: CallbackGroup,
         timer_period_ns: int,
         clock: Any,
@@ -53,7 +52,7 @@ class Timer:
             self.__timer.cancel_timer()
         self.callback = callback
         self.callback_group = callback_group
-        self._wants_info = _takes_argument(callback)
+        self._wants_info = _takes_info(callback)
 
     @property
     def handle(self) -> _Handle:
@@ -138,31 +137,21 @@ class Timer:
         expected = timer.next
         timer_called()
         timer.call()
-        if not self._wants_info or self.callback is None:
-            return self.callback or _nothing
+        if not self._wants_info:
+            return self.callback or (lambda: self.callback())  # to call None ends the spin, as in Humble
         info = TimerInfo(
             expected_call_time=expected, actual_call_time=timer.last, clock_type=self._clock.clock_type
         )
-        return lambda: self.callback(info)  # type: ignore[misc]
+        return lambda: self.callback(info)
 
 
-def _nothing() -> None:
-    pass
-
-
-def _takes_argument(callback: Callable[..., Any] | None) -> bool:
-    """Whether the callback takes a TimerInfo, as in later ROS versions."""
-    if callback is None:
-        return False
+def _takes_info(callback: Any) -> bool:
+    """Whether the callback has a parameter for a TimerInfo, as in later ROS versions; Humble calls all with nothing."""
     try:
         parameters = inspect.signature(callback).parameters.values()
     except (TypeError, ValueError):
         return False
-    return any(
-        parameter.kind in (parameter.POSITIONAL_ONLY, parameter.POSITIONAL_OR_KEYWORD)
-        and parameter.default is parameter.empty
-        for parameter in parameters
-    )
+    return any(parameter.annotation is TimerInfo for parameter in parameters)
 
 
 class Rate:

@@ -27,3 +27,21 @@ def test_of_a_command_that_ends_with_an_error_its_words_are_shown(tmp_path):
 
 def test_of_a_command_that_does_not_end_the_option_is_asked_for(tmp_path):
     assert verdict("appa.q1", "topic echo /turtle1/pose", tmp_path).cause == "Is there an option for just one message?"
+
+
+TWIST = "topic pub -r 4 /turtle1/cmd_vel geometry_msgs/msg/Twist "
+
+
+@pytest.mark.parametrize(
+    ("command", "cause"),
+    [
+        (TWIST + "'{linear: {x:1.5}, angular: {z:-0.75}}'", "a space after each colon"),
+        (TWIST + "'{linear: 1.5, angular: -0.75}'", "braces of its own"),
+        (TWIST + "'{linear: {x: 1.5}, angular: {z: -0.75}'", "closing brace"),
+        (TWIST.replace("geometry_msgs/msg/", "") + "'{linear: {x: 1.5}}'", "in full"),
+        (TWIST.replace("/turtle1", "") + "'{linear: {x: 1.5}, angular: {z: -0.75}}'", "Which topic?"),
+        (TWIST + "'{linear: {x: 1.5}, angular: {z: -43.0}}'", "radians"),
+    ],
+)
+def test_of_velocities_that_do_not_come_the_cause_is_told(tmp_path, command, cause):
+    assert cause in verdict("appa.q2", command, tmp_path).cause

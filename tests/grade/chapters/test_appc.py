@@ -1,6 +1,7 @@
 """What the checks of appendix C say is wrong with a place."""
 
 import posixpath
+from pathlib import Path
 
 import pytest
 from ament_index_python.packages import get_package_prefix, get_package_share_directory
@@ -36,3 +37,17 @@ def test_outside_of_the_folder_the_hint_is_about_its_border(tmp_path):
 
     verdict = judge(find("appc.q3"), {"portable": portable}, tmp_path, tries=2)
     assert "a ValueError" in verdict.expected and verdict.hint == find("appc.q3").hints[1]
+
+
+def test_a_path_object_is_told_how_to_become_a_text(tmp_path):
+    said = told_of("appc.q1", {"where": lambda uri: Path(place_of(uri, get_package_share_directory, str))}, tmp_path)
+    assert "`str(...)`" in said.cause
+
+
+def test_a_package_name_that_was_changed_is_told_to_stay(tmp_path):
+    def portable(name, package, root, near):
+        path = posixpath.normpath(posixpath.join(near, name.removeprefix("file://")))
+        return f"package://{package}/{path[len(posixpath.normpath(root)) + 1 :]}"
+
+    said = judge(find("appc.q3"), {"portable": portable}, tmp_path, tries=2)
+    assert "stay as they are" in said.cause and not said.hint

@@ -23,3 +23,19 @@ def test_what_is_printed_is_told_to_be_so():
     line = re.sub("^a status is logged as: ", "", mechanic().expected)
     said = mechanic(output=f"{line}\n")
     assert said.cause.startswith("These are printed, not logged") and not said.hint
+
+
+def test_a_status_in_other_words_gets_no_hint_about_subscriptions():
+    said = mechanic(output="[INFO] [1.0] [py_subscriber_node]: 86 degrees, motors True\n")
+    assert said.got == "86 degrees, motors True" and not said.hint
+
+
+def fetched(*brought_yet):
+    feedback = "".join(f"Feedback:\n    brought_yet: {number}\n" for number in brought_yet)
+    return verdict("ch04.q3", Seen(outputs=["", feedback])).cause
+
+
+def test_feedback_that_is_wrong_is_explained():
+    assert "Count the box first" in fetched(0)
+    assert "half a second" in fetched()
+    assert "counted in the loop" in fetched(0, 0, 0)

@@ -49,3 +49,38 @@ def test_lines_that_are_not_as_asked_for_are_told_why(output, cause):
 
 def test_a_price_is_no_way(tmp_path):
     assert "One number came" in told_of("ch09.q2", {"find_path": lambda *_: 13.0}, tmp_path).cause
+
+
+def line(costs, start, goal):
+    """A path that goes along one axis, then along the other."""
+    (r, c), cells = start, [start]
+    while r != goal[0]:
+        r += 1 if goal[0] > r else -1
+        cells.append((r, c))
+    while c != goal[1]:
+        c += 1 if goal[1] > c else -1
+        cells.append((r, c))
+    return cells
+
+
+@pytest.mark.parametrize(
+    ("find_path", "cause"),
+    [
+        (lambda *given: line(*given)[::-1], "the wrong way round"),
+        (lambda *given: line(*given)[1:], "Both ends belong to it"),
+        (lambda *given: (line(*given), 13.0), "The path alone"),
+        (lambda costs, start, goal: [] if costs.max() == 253 else line(costs, start, goal), "An empty list is not None"),
+    ],
+)
+def test_a_path_s_fault_is_named(tmp_path, find_path, cause):
+    assert cause in told_of("ch09.q2", {"find_path": find_path}, tmp_path).cause
+
+
+def test_a_number_in_numpy_s_form_is_a_number(tmp_path):
+    import numpy as np
+
+    assert judge(find("ch09.q1"), {"inflation_cost": lambda *given: np.array(cost(*given))}, tmp_path).passed
+
+
+def test_a_text_is_told_to_be_none(tmp_path):
+    assert "leave the quotes" in told_of("ch09.q1", {"inflation_cost": lambda *given: str(cost(*given))}, tmp_path).cause

@@ -58,6 +58,8 @@ def cells_of(got: Any, told: str) -> list[Cell]:
     cells = items(got, wanted)
     if len(cells) > 2 * MOST_TICKS:
         raise Wrong(wanted, gave=f"{len(cells)} cells", hint=NO_HINT)
+    if any(type(cell) is list and len(cell) and type(cell[0]) in (tuple, list) for cell in cells):
+        raise Wrong(wanted, gave=shown(got, 60), cause="The path alone is asked for, and nothing beside it.", hint=NO_HINT)
     pairs = [[whole(part, wanted) for part in items(cell, wanted)] for cell in cells]
     if any(len(pair) != 2 for pair in pairs):
         raise Wrong(wanted, gave=shown(got, 60), hint=NO_HINT)

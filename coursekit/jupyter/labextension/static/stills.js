@@ -5,6 +5,7 @@
   const WIDGET = "application/vnd.jupyter.widget-view+json";
   const FAILED = /^Error displaying widget/;
   const SETTLED_MS = 700;
+  const LOOKS = 20;
   const NOTE = "Not running now: this is how it looked. Run the cell to have it live.";
 
   function outputOf(app, node) {
@@ -73,13 +74,15 @@
   }
 
   // A toolbar can miss a change of its width where two follow each other. What no longer fits then lies on the notebook.
-  function fitToolbars(app) {
+  // On a busy computer the width of a desk with a viewer settles late: toolbars are looked at again for a while.
+  function fitToolbars(app, looks = LOOKS) {
     for (const { toolbar } of app.shell.widgets("main")) {
-      if (toolbar?.isVisible) {
+      if (toolbar?.isVisible && (looks === LOOKS || toolbar.node.scrollHeight > toolbar.node.clientHeight + 2)) {
         toolbar.hide();
         toolbar.show();
       }
     }
+    if (looks) setTimeout(() => fitToolbars(app, looks - 1), SETTLED_MS);
   }
 
   function keepWordsWhole() {

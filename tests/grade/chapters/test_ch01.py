@@ -1,0 +1,64 @@
+"""What the checks of chapter 1 say of a type, of a way that is nearly right, and of commands that are refused."""
+
+import pytest
+
+from coursekit.grade.checking import judge_work
+from coursekit.grade.exercise import find
+from coursekit.grade.plan import Seen
+from tests.grade.tried import Tried, told_of
+
+LOG = "rcl_interfaces/msg/Log"
+
+
+def asked(kind):
+    seen = Seen(outputs=[], topics={"/rosout": [LOG]}, publishers={"/rosout": [{"node": "/a"}, {"node": "/b"}]})
+    work = Tried(seen)
+    work.variables = {"rosout_type": kind, "rosout_publishers": 2}
+    return judge_work(find("ch01.q1"), work, 2)
+
+
+def test_spaces_around_a_type_do_not_count():
+    assert asked(f" {LOG}\n").passed
+
+
+@pytest.mark.parametrize(
+    ("kind", "cause"), [(f"Type: {LOG}", "alone"), ("Log", "in full"), ("std_msgs/msg/String", "another topic's type")]
+)
+def test_what_is_wrong_with_a_type_is_told(kind, cause):
+    assert cause in asked(kind).cause
+
+
+@pytest.mark.parametrize(
+    ("turn", "seconds", "cause"),
+    [(0.785, 3.0, "drive for longer"), (-0.785, 3.8, "positive turns go to the left"), (0.0, 1.0, "looks right at")],
+)
+def test_an_end_elsewhere_is_explained(tmp_path, turn, seconds, cause):
+    moves = [(0.0, turn, 1.0), (1.5, 0.0, seconds)]
+    assert cause in told_of("ch01.q2", {"moves": moves}, tmp_path).cause
+
+
+@pytest.mark.parametrize("command", ["ros2 node list", "%ros2 node list", "! ros2 node list"])
+def test_the_word_ros2_is_named_however_it_is_written(tmp_path, command):
+    assert told_of("ch01.q3", {"commands": [command]}, tmp_path).expected == "command lines without the word ros2"
+
+
+SPAWN = "service call /spawn turtlesim/srv/Spawn "
+
+
+@pytest.mark.parametrize(
+    ("command", "cause"),
+    [
+        (SPAWN + "'{x:2.5, y:3.5, name:bob}'", "a space after each colon"),
+        (SPAWN + "{x: 2.5, y: 3.5, name: bob}", "between quotes"),
+        (SPAWN + "'{x: 2.5, y: 3.5, nam: bob}'", "ros2 interface show"),
+        (SPAWN.replace("/Spawn", "/spawn") + "'{x: 2.5, y: 3.5, name: bob}'", "in full"),
+        (SPAWN + "'{x: 2.5, y: 3.5, name: bob}' &", "without `&`"),
+    ],
+)
+def test_of_a_command_that_is_refused_the_cure_is_told(tmp_path, command, cause):
+    assert cause in told_of("ch01.q3", {"commands": [command]}, tmp_path).cause
+
+
+def test_a_turtle_elsewhere_needs_no_hint_about_services(tmp_path):
+    said = told_of("ch01.q3", {"commands": [SPAWN + "'{x: 3.5, y: 2.5, name: bob}'"]}, tmp_path)
+    assert said.got == "(3.50, 2.50)" and not said.hint

@@ -109,9 +109,13 @@ def desk(*panels: Any) -> Desk:
 
 
 def _put_on_desk(view: View) -> None:
-    """Add a view below those already on the desk."""
-    others = [panel for panel in (_desks[0].panels if _desks else []) if panel is not view and panel.comm is not None]
+    """Add a view below those already on the desk; those that have ended make room."""
+    others = [panel for panel in (_desks[0].panels if _desks else []) if panel is not view and _lives(panel)]
     desk(*others, view)._dock()
+
+
+def _lives(panel: Any) -> bool:
+    return panel.comm is not None and not getattr(panel, "closed", False)
 
 
 View.put_on_desk = staticmethod(_put_on_desk)

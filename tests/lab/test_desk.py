@@ -4,7 +4,8 @@ from importlib import import_module
 
 import pytest
 
-from coursekit.lab.desk import desk
+from coursekit.lab.desk import Desk, desk
+from coursekit.lab.docking import View
 from coursekit.lab.errors import BadArgument
 from coursekit.lab.panel import end_panels
 from coursekit.lab.teleop_pad import pad
@@ -37,6 +38,17 @@ def test_without_names_all_open_panels_are_put_there():
     assert desk().panels == [view]
     end_panels()
     assert "Nothing is on the desk" in repr(desk())
+
+
+def test_a_panel_that_has_ended_makes_room_for_the_next_one(monkeypatch):
+    monkeypatch.setattr(Desk, "_dock", lambda desk: None)
+    drive, view, again = pad(), viewer(), viewer()
+    View.put_on_desk(drive)
+    View.put_on_desk(view)
+    view._hear(view, {"type": "ready"}, [])  # a page shows it, and keeps a still of it
+    view.end("It ended with reset().")
+    View.put_on_desk(again)
+    assert import_module("coursekit.lab.desk")._desks[0].panels == [drive, again]
 
 
 def test_what_is_no_panel_is_refused():

@@ -20,7 +20,7 @@ from coursekit.processes.session import NETWORK_VARIABLE, Session, current
 from coursekit.view.shell import running_shell
 from coursekit.words.gettext import gettext
 
-from . import error_advice, interrupted, missing_names, shell_lines
+from . import error_advice, help_text, interrupted, missing_names, shell_lines
 from .cells import Cells
 from .command_table import CommandMagics
 from .magics import CourseMagics
@@ -58,6 +58,7 @@ def start() -> Session:
         missing_names.install(shell)
         error_advice.install(shell)
         interrupted.install(shell)
+        help_text.install(shell)
         if cells.in_cell:
             _have_a_subshell(session, shell.kernel)
     if not session.clock.virtual:

@@ -7,7 +7,7 @@ from pathlib import Path
 from rclpy import signals
 
 from coursekit.jupyter import kernel
-from coursekit.lab import shell_lines
+from coursekit.lab import help_text, shell_lines
 from coursekit.processes import older_numpy, older_scipy, patches, worker_processes
 from coursekit.processes.patching import Patch
 from coursekit.view import highgui, plots
@@ -39,7 +39,7 @@ whole list. It is made from the tables in the code by `python -m tests.processes
 
 def rows() -> list[Patch]:
     """All patches of all rooms."""
-    rooms = (signals, older_numpy, older_scipy, highgui, plots, worker_processes, kernel, shell_lines)
+    rooms = (signals, older_numpy, older_scipy, highgui, plots, worker_processes, kernel, shell_lines, help_text)
     return [*patches.TABLE, *(patch for room in rooms for patch in room.patches())]
 
 

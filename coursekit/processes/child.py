@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING, Any
 from coursekit.core.clock import start_outside
 from coursekit.systems import children
 from coursekit.systems.child_terminal import open_terminal
-from coursekit.systems.command_lines import join_words
 
 from .base_process import BaseProcess
 from .process import current_process
@@ -115,10 +114,6 @@ class ChildProcess(BaseProcess):
         """Deliver a signal to it."""
         if self._child is not None and self.exit_code is None:
             children.send_signal(self._child, signum)  # also to its children, like Ctrl-C in a terminal
-
-    def command_line(self) -> str:
-        """Return the command line as typed in a shell."""
-        return join_words(self.argv)
 
 
 def _outputs(child: subprocess.Popen[str]) -> tuple[Any, Any]:

@@ -17,7 +17,6 @@ _NOT_WORD = re.compile(r"[^A-Za-z0-9_]")
 _NOT_PATH = re.compile(r"[^A-Za-z0-9_/]")
 _NOT_TOPIC = re.compile(r"[^A-Za-z0-9_/~{}]")
 _NUMBER_TOKEN = re.compile(r"(?:^|(?<=/))[0-9]")
-_BRACES = re.compile(r"[{}]")
 _SUBSTITUTION = re.compile(r"\{([^{}]*)\}")
 
 

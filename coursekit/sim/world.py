@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -107,10 +107,6 @@ class World:
         """The fixed objects."""
         return (thing for thing in self.things if not thing.moves)
 
-    def movable(self) -> Iterator[Thing]:
-        """The movable objects."""
-        return (thing for thing in self.things if thing.moves)
-
     def cut(self, height: float) -> Cut:
         """Return the outline of the fixed objects at a height [m], in the world's frame.
 
@@ -134,16 +130,6 @@ class World:
         points = np.concatenate(corners)
         (x0, y0), (x1, y1) = points.min(axis=0), points.max(axis=0)
         return float(x0), float(y0), float(x1), float(y1)
-
-    def with_things(self, *things: Thing) -> World:
-        """Return the same world with more objects.
-
-        >>> from coursekit.sim import Disc
-        >>> crate = Thing("crate", (Disc(0.0, 0.0, 0.2),), mass=2.0)
-        >>> [thing.name for thing in World("yard").with_things(crate).movable()]
-        ['crate']
-        """
-        return replace(self, things=self.things + things)
 
 
 __all__ = ["TEXTURES", "Hinge", "Thing", "World"]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 
 import numpy as np
 
@@ -57,11 +56,6 @@ class OccupancyGrid:
             self.log_odds.reshape(-1), self._marks.reshape(-1), self.log_odds.shape[1], self._number, hits, misses,
             centre.x, centre.y, self.origin[0], self.origin[1], self.resolution, self._hit, self._miss, self._limit,
         )  # fmt: skip
-
-    def insert_all(self, scans: Iterable[tuple[Scan, Pose2D]]) -> None:
-        """Add many scans."""
-        for scan, pose in scans:
-            self.insert(scan, pose)
 
     def _make_room(self, left: float, bottom: float, right: float, top: float) -> bool:
         """Grow to contain a rectangle; False when that would be too large."""

@@ -9,7 +9,6 @@ import numpy as np
 
 from coursekit.geometry.plane import Array, Pose2D
 from coursekit.slam.frontend import Tracker
-from coursekit.slam.grid import OccupancyGrid
 from coursekit.slam.keyframe import Keyframe
 from coursekit.slam.loop_field import LoopField
 from coursekit.slam.matcher import sample
@@ -49,11 +48,6 @@ class Localizer:
         if not keyframes:
             raise ValueError("no keyframes: nothing to localise against")
         return cls(submap_of(keyframes, range(len(keyframes)), poses, params), Pose2D.of(poses[0]), params)
-
-    @classmethod
-    def from_grid(cls, grid: OccupancyGrid, params: SlamParameters) -> Localizer:
-        """Use a drawn map, whose walls are the cells above 65 %."""
-        return cls.from_cells(grid.cells(), grid.resolution, grid.origin, params)
 
     @classmethod
     def from_cells(

@@ -11,8 +11,6 @@ from coursekit.slam.submap_kernels import insert_points
 
 COARSE = 4
 """Size of a coarse cell, in cells."""
-LARGEST = 8000
-"""Maximum size in each direction [cells]; points that would exceed it are dropped."""
 FARTHEST = 200.0
 """Points farther than this from the frame's origin [m] are dropped: fields must not fill the memory."""
 MARGIN = 64

@@ -5,17 +5,6 @@ from __future__ import annotations
 from . import operating_system
 
 
-def source_workspace() -> str:
-    """Return the command that sources a workspace in its folder, after a build.
-
-    >>> source_workspace()
-    'source install/setup.bash'
-    """
-    if operating_system.WINDOWS:
-        return r". install\setup.ps1"
-    return "source install/setup.zsh" if operating_system.MAC else "source install/setup.bash"
-
-
 def set_variable(name: str, value: str) -> str:
     """Return the command that sets an environment variable for later programs in the same terminal.
 
@@ -53,4 +42,4 @@ def shortcut(key: str) -> str:
     return f"Cmd+{key}" if operating_system.MAC else f"Ctrl+{key}"
 
 
-__all__ = ["install", "line_here", "set_variable", "shortcut", "source_workspace"]
+__all__ = ["install", "line_here", "set_variable", "shortcut"]

@@ -123,17 +123,6 @@ def _seen(link: Link, near: Path | None) -> list[Finding]:
         return [Finding(link.name, f"its mass cannot be compared with its shape: {error.what}", False)]
 
 
-def total_mass(robot: Robot) -> float:
-    """Return the mass of the whole robot [kg].
-
-    >>> from coursekit.urdf import parse
-    >>> inertia = '<inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/>'
-    >>> total_mass(parse(f'<robot name="b"><link name="a"><inertial><mass value="2.5"/>{inertia}</inertial></link></robot>'))
-    2.5
-    """
-    return sum(link.inertial.mass for link in robot.links.values() if link.inertial is not None)
-
-
 def centre_of_mass(link: Link) -> np.ndarray:
     """Return the centre of mass in a link's frame [m]; the origin if the link has no mass."""
     return matrix_of(link.inertial.origin)[:3, 3] if link.inertial is not None else np.zeros(3)
@@ -143,4 +132,4 @@ def _written(values: np.ndarray) -> str:
     return "(" + ", ".join(f"{value:.3g}" for value in values) + ")"
 
 
-__all__ = ["Finding", "centre_of_mass", "check", "check_link", "matrix", "of_shape", "principal", "total_mass"]
+__all__ = ["Finding", "centre_of_mass", "check", "check_link", "matrix", "of_shape", "principal"]

@@ -6,7 +6,6 @@ import pytest
 
 from coursekit.processes.child import ChildProcess
 from coursekit.processes.session import Session
-from coursekit.systems import operating_system
 from tests.needs import posix
 
 shell_program = posix("a program of /bin/sh is none")
@@ -104,11 +103,3 @@ def test_errors_of_a_child_stand_where_it_wrote_them(tmp_path):
         child = session.launch(ChildProcess(session, [sys.executable, "-c", code], name="both", one_stream=True))
         assert child.wait(60) == 0
         assert child.output == "".join(f"{i}\n" for i in range(300))
-
-
-def test_a_childs_command_line_is_shown_as_the_system_writes_it(session, monkeypatch):
-    monkeypatch.setattr(operating_system, "WINDOWS", False)
-    child = ChildProcess(session, ["C:\\tools\\x.exe", "a b"], name="x")
-    assert child.command_line() == "'C:\\tools\\x.exe' 'a b'"
-    monkeypatch.setattr(operating_system, "WINDOWS", True)
-    assert child.command_line() == 'C:\\tools\\x.exe "a b"'

@@ -53,7 +53,8 @@ def test_the_fast_grid_is_the_slow_one() -> None:
     poses = [Pose2D(3.0, 5.0, 0.3), Pose2D(3.21, 5.13, 0.9), Pose2D(8.0, 4.7, -2.0)]
     shots = [(scan_at(pose, k), pose) for k, pose in enumerate(poses * 4)]
     grid = OccupancyGrid(PARAMS)
-    grid.insert_all(shots)
+    for scan, pose in shots:
+        grid.insert(scan, pose)
     expected = np.zeros_like(grid.log_odds)
     row, column = (round(value / PARAMS.resolution) for value in reversed(grid.origin))
     for (i, j), value in slow_grid(shots).items():
@@ -101,7 +102,8 @@ def test_drawing_adds_new_scans_and_redraws_when_poses_moved() -> None:
     assert drawing.draw(frames, poses) is first
     moved = poses + np.array([0.5, 0.0, 0.0])
     again, whole = drawing.draw(frames, moved), OccupancyGrid(PARAMS)
-    whole.insert_all((frame.scan, Pose2D.of(pose)) for frame, pose in zip(frames, moved, strict=True))
+    for frame, pose in zip(frames, moved, strict=True):
+        whole.insert(frame.scan, Pose2D.of(pose))
     assert again is not first and np.array_equal(again.log_odds, whole.log_odds)
 
 

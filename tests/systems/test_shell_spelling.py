@@ -22,11 +22,6 @@ def system(request, monkeypatch):
 
 
 def test_each_system_is_told_its_own_words(system):
-    assert shell_spelling.source_workspace() == {
-        "linux": "source install/setup.bash",
-        "mac": "source install/setup.zsh",
-        "windows": r". install\setup.ps1",
-    }[system]
     assert shell_spelling.shortcut("S") == ("Cmd+S" if system == "mac" else "Ctrl+S")
     assert shell_spelling.set_variable("A", "b") == ('$env:A = "b"' if system == "windows" else "export A=b")
     assert shell_spelling.line_here("printenv A") == ("cmd /c set A" if system == "windows" else "printenv A")

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from coursekit.view.scene_stage import Stage
 
 _UNKNOWN, _BELOW = (112, 137, 134), 0.004
-_FREE, _ILLEGAL = 255, (255, 0, 255)
+_ILLEGAL = (255, 0, 255)
 
 
 def painted(cells: np.ndarray, scheme: str = "map") -> np.ndarray:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from coursekit.view.scene_stage import Stage
 
-ADD, DELETE, DELETE_ALL = 0, 2, 3
+DELETE, DELETE_ALL = 2, 3
 TYPES = ("ARROW", "CUBE", "SPHERE", "CYLINDER", "LINE_STRIP", "LINE_LIST", "CUBE_LIST", "SPHERE_LIST", "POINTS",
          "TEXT_VIEW_FACING", "MESH_RESOURCE", "TRIANGLE_LIST")  # fmt: skip
 MOST = 10_000

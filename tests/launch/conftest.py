@@ -13,6 +13,7 @@ from launch import LaunchContext, LaunchDescription, LaunchService
 from launch.logging import reset
 
 from coursekit.processes.session import Session
+from tests.launch.show import SHOW, Arguments
 
 HEADER_LINES = 2
 
@@ -113,6 +114,19 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Workspace:
     others = os.environ.get("AMENT_PREFIX_PATH")
     monkeypatch.setenv("AMENT_PREFIX_PATH", f"{prefix}{os.pathsep}{others}" if others else str(prefix))
     return Workspace(prefix)
+
+
+@pytest.fixture
+def show(launch: Callable[..., Result], workspace: Workspace) -> Arguments:
+    """Return a function that launches entities and tells the argv of the nodes in them."""
+    workspace.executable("demo", "show", SHOW)
+
+    def run(*entities: Any) -> list[str]:
+        result = launch(entities)
+        assert result.code == 0, result.text
+        return [line.split("ARGV ")[1] for line in result.lines if "ARGV " in line]
+
+    return run
 
 
 TALKER = """

@@ -1,8 +1,6 @@
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any
 
 import pytest
 from launch import LaunchContext, LaunchDescription
@@ -17,36 +15,7 @@ from launch_ros.descriptions import ParameterValue
 from launch_ros.substitutions import ExecutableInPackage, FindPackagePrefix, FindPackageShare
 
 from coursekit.systems import operating_system
-
-SHOW = """
-import os
-import sys
-
-for index, word in enumerate(sys.argv):
-    if index and word.startswith('/') and sys.argv[index - 1] == '--params-file':
-        print('FILE', open(word).read().replace('\\n', '|'))
-print('ARGV', ' '.join(sys.argv[1:]))
-print('LOG', os.environ.get('ROS_LOG_DIR'))
-"""
-
-Arguments = Callable[..., list[str]]
-
-
-@pytest.fixture
-def show(launch: Any, workspace: Any) -> Arguments:
-    """Return a function that launches entities and tells the argv of the nodes in them."""
-    workspace.executable("demo", "show", SHOW)
-
-    def run(*entities: Any) -> list[str]:
-        result = launch(entities)
-        assert result.code == 0, result.text
-        return [line.split("ARGV ")[1] for line in result.lines if "ARGV " in line]
-
-    return run
-
-
-def node(**kwargs: Any) -> Node:
-    return Node(package="demo", executable="show", output="screen", **kwargs)
+from tests.launch.show import SHOW, Arguments, node
 
 
 def test_a_plain_node_gets_no_names(show: Arguments) -> None:

@@ -1,10 +1,12 @@
 """Nodes run as processes of a session on the virtual clock."""
 
 import pytest
+import rclpy
 
 from coursekit.processes.executables import find
 from coursekit.processes.patching import patch_manager
 from coursekit.processes.session import Session
+from tests.nodes.friend import Friend
 
 
 @pytest.hookimpl(wrapper=True, trylast=True)
@@ -18,6 +20,14 @@ def pytest_runtest_call(item):
 def session():
     with Session(virtual=True).use() as virtual_session:
         yield virtual_session
+
+
+@pytest.fixture
+def friend(session):
+    """A node beside the ones under test."""
+    new_friend = Friend(session)
+    yield new_friend
+    rclpy.shutdown(context=new_friend.context)
 
 
 @pytest.fixture

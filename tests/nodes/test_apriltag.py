@@ -14,7 +14,6 @@ from sensor_msgs.msg import CameraInfo, CompressedImage
 from tf2_ros import Buffer, TransformListener
 
 from coursekit.nodes.apriltag.detector import Detector
-from tests.nodes.driving.conftest import friend  # noqa: F401
 
 CAMERA = np.array([[500.0, 0.0, 320.0], [0.0, 500.0, 240.0], [0.0, 0.0, 1.0]])
 FIRST_36H11 = 0xD5D628584
@@ -71,7 +70,7 @@ def test_wrong_bits_are_counted_and_only_so_many_allowed():
 
 
 @pytest.fixture
-def look(run, friend):  # noqa: F811
+def look(run, friend):
     """look(image, parameter=value) gives the detections of an image, and where tf has its frames."""
     buffer = Buffer()
     TransformListener(buffer, friend.node)

@@ -9,7 +9,7 @@ from sensor_msgs_py.point_cloud2 import create_cloud_xyz32
 from std_msgs.msg import Header
 from tf2_ros import StaticTransformBroadcaster
 
-from tests.nodes.driving.conftest import Friend
+from tests.nodes.friend import Friend
 
 FILE = """collision_monitor:
   ros__parameters:

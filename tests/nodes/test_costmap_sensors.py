@@ -10,7 +10,7 @@ from std_msgs.msg import Header
 from tf2_ros import StaticTransformBroadcaster
 
 from coursekit.nodes.nav2.map_message import MAP_QOS
-from tests.nodes.driving.conftest import Friend
+from tests.nodes.friend import Friend
 
 PARAMETERS = """local_costmap:
   local_costmap:

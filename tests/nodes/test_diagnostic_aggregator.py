@@ -4,8 +4,6 @@ import pytest
 import yaml
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 
-from tests.nodes.driving.conftest import Friend
-
 GENERIC = "diagnostic_aggregator/GenericAnalyzer"
 ROBOT = {
     "path": "Robot",
@@ -18,11 +16,6 @@ ROBOT = {
     "noise": {"type": "diagnostic_aggregator/DiscardAnalyzer", "path": "Noise", "name": "chatter"},
     "off": {"type": "diagnostic_aggregator/IgnoreAnalyzer", "path": "Off", "contains": "fan"},
 }  # fmt: skip
-
-
-@pytest.fixture
-def friend(session):
-    return Friend(session)
 
 
 @pytest.fixture

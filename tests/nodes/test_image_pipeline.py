@@ -14,16 +14,9 @@ from rclpy.qos import qos_profile_sensor_data
 from sensor_msgs.msg import CameraInfo, Image, PointCloud2
 from sensor_msgs_py.point_cloud2 import read_points
 
-from tests.nodes.gazebo.conftest import Friend
-
 WIDTH, HEIGHT, FOCUS = 8, 6, 4.0
 CENTER = (3.5, 2.5)
 SMALL = Image(height=2, width=2, step=2, encoding="mono8", data=bytes(4))
-
-
-@pytest.fixture
-def friend(session):
-    return Friend(session)
 
 
 def info(distortion=(), focus=FOCUS):

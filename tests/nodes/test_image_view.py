@@ -9,7 +9,7 @@ from std_srvs.srv import Empty, Trigger
 
 from coursekit.view import highgui
 from coursekit.view.desk import desk
-from tests.nodes.gazebo.conftest import Friend
+from tests.nodes.friend import Friend
 
 RED = np.full((30, 40, 3), (0, 0, 255), np.uint8)
 

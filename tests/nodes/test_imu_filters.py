@@ -7,7 +7,7 @@ from sensor_msgs.msg import Imu, MagneticField
 from tf2_msgs.msg import TFMessage
 
 from coursekit.geometry.rotation import rpy_of
-from tests.nodes.driving.conftest import Friend
+from tests.nodes.friend import Friend
 
 MADGWICK = "imu_filter_madgwick", "imu_filter_madgwick_node"
 COMPLEMENTARY = "imu_complementary_filter", "complementary_filter_node"

@@ -13,37 +13,21 @@ from std_srvs.srv import Trigger
 from coursekit.nav.map_file import GridMap, load_map, save_map
 from coursekit.nodes.nav2.map_message import MAP_QOS, from_message
 from tests.needs import slashed
+from tests.nodes.friend import Friend
 
 CELLS = np.array([[0, 100, -1], [-1, 0, 0]], dtype=np.int8)
 
 
-class Friend:
-    """A node that hears maps and asks services."""
+class Reader(Friend):
+    """Hears maps and asks services."""
 
     def __init__(self, session):
-        self.session = session
-        self.context = rclpy.context.Context()
-        rclpy.init(context=self.context)
-        self.node = rclpy.create_node("friend", context=self.context)
-        self.executor = rclpy.executors.SingleThreadedExecutor(context=self.context)
-        self.executor.add_node(self.node)
+        super().__init__(session)
         self.maps = []
 
     def listen(self, topic="map"):
         self.node.create_subscription(OccupancyGrid, topic, self.maps.append, MAP_QOS)
-        self.spin()
-
-    def spin(self, seconds=0.2):
-        until = self.session.clock.steady() + round(seconds * 1e9)
-        while self.session.clock.steady() < until:
-            self.executor.spin_once(timeout_sec=0.01)
-
-    def ask(self, kind, name, **request):
-        client = self.node.create_client(kind, name)
-        assert client.wait_for_service(5.0)
-        future = client.call_async(kind.Request(**request))
-        self.executor.spin_until_future_complete(future, 10.0)
-        return future.result()
+        self.spin(0.2)
 
     def manage(self, command):
         return self.ask(ManageLifecycleNodes, "lifecycle_manager/manage_nodes", command=command).success
@@ -55,7 +39,7 @@ class Friend:
 
 @pytest.fixture
 def friend(session):
-    new_friend = Friend(session)
+    new_friend = Reader(session)
     yield new_friend
     rclpy.shutdown(context=new_friend.context)
 
@@ -103,7 +87,7 @@ def test_nothing_is_served_before_the_server_is_active(serve, friend, house):
     friend.listen()
     assert friend.maps == [] and not friend.active
     assert friend.manage(0) and friend.active
-    friend.spin()
+    friend.spin(0.2)
     assert len(friend.maps) == 1
 
 
@@ -139,7 +123,7 @@ def test_load_map_answers_with_the_code_of_the_fault_and_keeps_the_map(serve, fr
     assert len(friend.maps) == 1
     save_map(tmp_path / "flat", GridMap(np.zeros((1, 2), dtype=np.int8), 0.1))
     answer = friend.ask(LoadMap, "map_server/load_map", map_url=str(tmp_path / "flat.yaml"))
-    friend.spin()
+    friend.spin(0.2)
     assert answer.result == 0 and list(answer.map.data) == [0, 0]
     assert [list(msg.data) for msg in friend.maps[1:]] == [[0, 0]]
 

@@ -12,39 +12,23 @@ from turtlesim.srv import Kill, SetPen, Spawn, TeleportAbsolute, TeleportRelativ
 
 from coursekit.nodes.turtlesim.simulators import simulators
 from coursekit.sim.turtle import SIDE
+from tests.nodes.friend import Friend
 
 
-class Friend:
-    """A node beside the simulator that hears, drives and asks."""
+class Driver(Friend):
+    """Hears the turtle and drives it."""
 
     def __init__(self, session):
-        self.session = session
-        self.context = rclpy.context.Context()
-        rclpy.init(context=self.context)
-        self.node = rclpy.create_node("friend", context=self.context)
-        self.executor = rclpy.executors.SingleThreadedExecutor(context=self.context)
-        self.executor.add_node(self.node)
+        super().__init__(session)
         self.poses, self.colours = [], []
         self.node.create_subscription(Pose, "turtle1/pose", self.poses.append, 10)
         self.node.create_subscription(Color, "turtle1/color_sensor", self.colours.append, 10)
         self.cmd_vel = self.node.create_publisher(Twist, "turtle1/cmd_vel", 1)
 
-    def spin(self, seconds):
-        until = self.session.clock.steady() + round(seconds * 1e9)
-        while self.session.clock.steady() < until:
-            self.executor.spin_once(timeout_sec=0.01)
-
     def drive(self, linear=0.0, angular=0.0, sideways=0.0):
         twist = Twist()
         twist.linear.x, twist.linear.y, twist.angular.z = linear, sideways, angular
         self.cmd_vel.publish(twist)
-
-    def ask(self, kind, name, /, **fields):
-        client = self.node.create_client(kind, name)
-        assert client.wait_for_service(1.0), name
-        future = client.call_async(kind.Request(**fields))
-        self.executor.spin_until_future_complete(future, 1.0)
-        return future.result()
 
     @property
     def pose(self):
@@ -58,7 +42,7 @@ def sim(run):
 
 @pytest.fixture
 def friend(session, sim):
-    new_friend = Friend(session)
+    new_friend = Driver(session)
     new_friend.spin(0.1)
     yield new_friend
     rclpy.shutdown(context=new_friend.context)

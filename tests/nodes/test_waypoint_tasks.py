@@ -9,7 +9,7 @@ from rclpy.action import ActionClient, ActionServer
 from sensor_msgs.msg import Image
 from std_msgs.msg import Empty
 
-from tests.nodes.gazebo.conftest import Friend
+from tests.nodes.friend import Friend
 
 SUCCEEDED, ABORTED = 4, 6
 PARAMETERS = """waypoint_follower:

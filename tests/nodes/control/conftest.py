@@ -2,8 +2,6 @@
 
 import pytest
 
-from tests.nodes.gazebo.conftest import Friend
-
 JOINTS = [f"joint{number}" for number in range(1, 7)]
 PARTS = "".join(
     f"""<link name='link{n}'><inertial><mass value='0.5'/><inertia ixx='0.01' iyy='0.01' izz='0.01' ixy='0' ixz='0' iyz='0'/>
@@ -49,11 +47,6 @@ gripper:
   ros__parameters:
     joint: finger
 """
-
-
-@pytest.fixture
-def friend(session):
-    return Friend(session)
 
 
 @pytest.fixture

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from gazebo_msgs.msg import EntityState
 from gazebo_msgs.srv import DeleteEntity, GetEntityState, GetModelList, SetEntityState, SpawnEntity
-from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import CameraInfo, Image, Imu, JointState, LaserScan
@@ -116,8 +115,7 @@ def test_two_robots_in_namespaces_have_their_own_topics(run, spawn, friend):
     run("gazebo_ros", "gzserver")
     spawn("-robot_namespace", "one", name="one")
     spawn("-robot_namespace", "two", "-y", "1.0", name="two")
-    friend.drive = friend.node.create_publisher(Twist, "/two/cmd_vel", 10)
-    friend.go(2.0, 0.3)
+    friend.go(2.0, 0.3, topic="/two/cmd_vel")
     places = [friend.ask(GetEntityState, "get_entity_state", name=name).state.pose.position.x for name in ("one", "two")]
     assert places[0] == pytest.approx(0.0, abs=1e-6) and places[1] > 0.4
     assert {"/one/scan", "/two/scan", "/two/odom"} <= {name for name, _ in friend.node.get_topic_names_and_types()}

@@ -2,8 +2,6 @@
 
 import pytest
 
-from tests.nodes.gazebo.conftest import Friend
-
 WHEEL = """<link name='{0}_wheel'><collision><origin rpy='1.5707963 0 0'/><geometry>
 <cylinder radius='0.05' length='0.02'/></geometry></collision></link>
 <joint name='{0}_joint' type='continuous'><parent link='base_link'/><child link='{0}_wheel'/>
@@ -26,11 +24,6 @@ SENSORS = "<plugin filename='gz-sim-sensors-system' name='gz::sim::systems::Sens
 WORLD = """<sdf version='1.9'><world name='yard'>{plugins}<model name='post'><static>true</static><pose>2 0 0.5 0 0 0</pose>
 <link name='l'><collision name='c'><geometry><box><size>1 1 1</size></box></geometry></collision></link></model>
 </world></sdf>"""
-
-
-@pytest.fixture
-def friend(session):
-    return Friend(session)
 
 
 @pytest.fixture

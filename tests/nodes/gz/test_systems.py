@@ -230,6 +230,6 @@ def test_a_planar_robot_goes_aside(put, friend):
     odometry = friend.hear(Odometry, "/odom")
     twist = Twist()
     twist.linear.y = 0.2
-    friend.drive.publish(twist)
+    friend.say("cmd_vel", twist)
     friend.spin(2.0)
     assert odometry[-1].pose.pose.position.y == pytest.approx(0.4, abs=0.05)

@@ -92,7 +92,6 @@ def test_a_robot_that_is_a_model_in_a_folder_of_models(launch, friend):
     assert "Traceback" not in started.output and "process has died" not in started.output, started.output
     kinds = (Clock, "/clock"), (Odometry, "/odom"), (LaserScan, "/scan"), (JointState, "/joint_states")
     clock, odometry, scans, joints = (friend.hear(*type_and_topic) for type_and_topic in kinds)
-    friend.node.destroy_publisher(friend.drive)  # of another type: a node has one for a topic
     drive(friend, TwistStamped, "/cmd_vel")
     assert odometry[-1].pose.pose.position.x == pytest.approx(0.4, abs=0.1) and clock
     ahead = scans[-1].ranges[0]

@@ -12,19 +12,17 @@ from nav_msgs.msg import Odometry
 from sensor_msgs.msg import Imu
 from tf2_ros import Buffer, StaticTransformBroadcaster, TransformListener
 
+from tests.nodes.friend import Friend
+
 TICK = 0.02
 
 
-class Robot:
+class Robot(Friend):
     """Publishes odom, imu, pose and twist, and hears what a filter makes of it."""
 
     def __init__(self, session):
-        self.session, self._rng = session, np.random.default_rng(4)
-        self.context = rclpy.context.Context()
-        rclpy.init(context=self.context)
-        self.node = rclpy.create_node("robot", context=self.context)
-        self.executor = rclpy.executors.SingleThreadedExecutor(context=self.context)
-        self.executor.add_node(self.node)
+        super().__init__(session, "robot")
+        self._rng = np.random.default_rng(4)
         kinds = {"odom": Odometry, "imu": Imu, "pose": PoseWithCovarianceStamped, "twist": TwistWithCovarianceStamped}
         self.out = {name: self.node.create_publisher(kind, name, 10) for name, kind in kinds.items()}
         self.heard: list[Odometry] = []
@@ -44,11 +42,6 @@ class Robot:
     def header(self, msg, frame):
         msg.header.stamp, msg.header.frame_id = self.node.get_clock().now().to_msg(), frame
         return msg
-
-    def spin(self, seconds):
-        until = self.session.clock.steady() + round(seconds * 1e9)
-        while (left := until - self.session.clock.steady()) > 0:
-            self.executor.spin_once(timeout_sec=left * 1e-9)
 
     def tell_odometry(self, forward, turn, pose=None):
         msg = self.header(Odometry(child_frame_id="base_link"), "odom")

@@ -18,18 +18,6 @@ BOTH = {**WHEELS, "imu0": "imu", "imu0_config": mask("vyaw")}
 CALM = "[" + ", ".join(["0.0005"] * 15) + "]"
 
 
-@pytest.fixture
-def ask(robot):
-    def call(kind, name, **request):
-        client = robot.node.create_client(kind, name)
-        assert client.wait_for_service(timeout_sec=2.0)
-        future = client.call_async(kind.Request(**request))
-        robot.executor.spin_until_future_complete(future, timeout_sec=2.0)
-        return future.result()
-
-    return call
-
-
 @pytest.mark.parametrize("node", ["ekf_node", "ukf_node"])
 def test_wheels_and_gyroscope_find_the_way_that_wheels_alone_do_not(robot, start, node):
     start(node, **BOTH, process_noise_covariance=CALM)
@@ -113,25 +101,25 @@ def test_gravity_is_taken_away_where_the_source_says_so(robot, start):
     assert abs(robot.heard[-1].twist.twist.linear.z) < 0.01
 
 
-def test_set_pose_moves_the_estimate_and_what_was_before_is_ignored(robot, start, ask):
+def test_set_pose_moves_the_estimate_and_what_was_before_is_ignored(robot, start):
     start(**BOTH)
     robot.drive(0.5)
     msg = robot.header(PoseWithCovarianceStamped(), "odom")
     msg.pose.pose.position.x, msg.pose.pose.orientation.w = 7.0, 1.0
-    ask(SetPose, "set_pose", pose=msg)
+    robot.ask(SetPose, "set_pose", pose=msg)
     robot.spin(0.1)
     assert robot.where()[0] == pytest.approx(7.0, abs=0.1)
 
 
-def test_it_can_begin_disabled_and_be_toggled(robot, start, ask):
+def test_it_can_begin_disabled_and_be_toggled(robot, start):
     process = start(**BOTH, disabled_at_startup="true")
     robot.drive(0.3)
     assert not robot.heard and "Filter is disabled. To enable it call the /enable service" in process.output
-    ask(Empty, "enable")
+    robot.ask(Empty, "enable")
     robot.drive(0.3)
     assert robot.heard
-    assert ask(ToggleFilterProcessing, "toggle", on=False).status is True
-    assert ask(ToggleFilterProcessing, "toggle", on=False).status is False
+    assert robot.ask(ToggleFilterProcessing, "toggle", on=False).status is True
+    assert robot.ask(ToggleFilterProcessing, "toggle", on=False).status is False
     before = robot.where()
     robot.drive(0.5)
     assert robot.where() == pytest.approx(before, abs=0.02)

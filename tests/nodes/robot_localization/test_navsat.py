@@ -54,26 +54,15 @@ def outdoors(robot):
     return Outdoors(robot)
 
 
-@pytest.fixture
-def ask(robot):
-    def call(kind, name, **request):
-        client = robot.node.create_client(kind, name)
-        assert client.wait_for_service(timeout_sec=2.0)
-        future = client.call_async(kind.Request(**request))
-        robot.executor.spin_until_future_complete(future, timeout_sec=2.0)
-        return future.result()
-
-    return call
-
-
 @pytest.mark.parametrize("local", ["true", "false"])
-def test_places_become_points_of_the_world_and_points_places(outdoors, start, ask, local):
+def test_places_become_points_of_the_world_and_points_places(outdoors, start, robot, local):
     start(NODE, use_local_cartesian=local, zero_altitude="true")
     outdoors.drive(1.0)
     latitude, longitude, altitude = outdoors.globe.fix(30.0, -20.0)
-    point = ask(FromLL, "fromLL", ll_point=GeoPoint(latitude=latitude, longitude=longitude, altitude=altitude)).map_point
+    place = GeoPoint(latitude=latitude, longitude=longitude, altitude=altitude)
+    point = robot.ask(FromLL, "fromLL", ll_point=place).map_point
     assert (point.x, point.y) == pytest.approx((30.0, -20.0), abs=0.03) and point.z == 0.0
-    back = ask(ToLL, "toLL", map_point=Point(x=30.0, y=-20.0, z=0.0)).ll_point
+    back = robot.ask(ToLL, "toLL", map_point=Point(x=30.0, y=-20.0, z=0.0)).ll_point
     assert (back.latitude, back.longitude) == pytest.approx((latitude, longitude), abs=4e-7)
 
 
@@ -92,35 +81,36 @@ def test_a_fix_says_where_the_robot_is_not_where_its_receiver_is(robot, start):
     assert (fix.latitude, fix.longitude) == pytest.approx(outdoors.globe.fix(1.0, 2.0)[:2], abs=5e-7)
 
 
-def test_the_heading_counts_and_what_the_parameters_add_to_it(robot, start, ask):
+def test_the_heading_counts_and_what_the_parameters_add_to_it(robot, start):
     outdoors = Outdoors(robot, heading=90.0)  # the world's x axis points north; the IMU says so, but for 0.3
     start(NODE, yaw_offset=0.2, magnetic_declination_radians=0.1)
     outdoors.drive(1.0, yaw=math.pi / 2 - 0.3)
     latitude, longitude, altitude = outdoors.globe.fix(25.0, 10.0)
-    point = ask(FromLL, "fromLL", ll_point=GeoPoint(latitude=latitude, longitude=longitude, altitude=altitude)).map_point
+    place = GeoPoint(latitude=latitude, longitude=longitude, altitude=altitude)
+    point = robot.ask(FromLL, "fromLL", ll_point=place).map_point
     assert (point.x, point.y) == pytest.approx((25.0, 10.0), abs=0.05)
 
 
-def test_with_a_datum_the_world_begins_there(outdoors, start, ask):
+def test_with_a_datum_the_world_begins_there(outdoors, start, robot):
     """Whatever the first fix was; odometry gives no heading then."""
     start(NODE, wait_for_datum="true", datum=f"[{HOME[0]}, {HOME[1]}, 0.0]", broadcast_cartesian_transform="true")
     outdoors.drive(0.5)
-    origin = ask(FromLL, "fromLL", ll_point=GeoPoint(latitude=HOME[0], longitude=HOME[1])).map_point
+    origin = robot.ask(FromLL, "fromLL", ll_point=GeoPoint(latitude=HOME[0], longitude=HOME[1])).map_point
     assert (origin.x, origin.y) == pytest.approx((0.0, 0.0), abs=1e-6)
     assert outdoors.robot.buffer.can_transform("odom", "utm", Time())
     pose = GeoPose(position=GeoPoint(latitude=HOME[0] + 0.001, longitude=HOME[1]), orientation=Quaternion(w=1.0))
-    ask(SetDatum, "datum", geo_pose=pose)
+    robot.ask(SetDatum, "datum", geo_pose=pose)
     outdoors.drive(0.5)
-    moved = ask(FromLL, "fromLL", ll_point=GeoPoint(latitude=HOME[0], longitude=HOME[1])).map_point
+    moved = robot.ask(FromLL, "fromLL", ll_point=GeoPoint(latitude=HOME[0], longitude=HOME[1])).map_point
     assert moved.y == pytest.approx(-111.2, abs=0.3) and abs(moved.x) < 0.5
 
 
-def test_before_anything_is_known_it_says_so(robot, start, ask):
+def test_before_anything_is_known_it_says_so(robot, start):
     process = start(NODE)
-    assert ask(FromLL, "fromLL", ll_point=GeoPoint(latitude=1.0)).map_point == Point()
-    assert ask(ToLL, "toLL", map_point=Point(x=1.0)).ll_point == GeoPoint()
+    assert robot.ask(FromLL, "fromLL", ll_point=GeoPoint(latitude=1.0)).map_point == Point()
+    assert robot.ask(ToLL, "toLL", map_point=Point(x=1.0)).ll_point == GeoPoint()
     assert process.output.count("No transform available (yet)") == 2
-    assert not ask(SetUTMZone, "setUTMZone", utm_zone="x").status and ask(SetUTMZone, "setUTMZone", utm_zone="32U").status
+    assert [robot.ask(SetUTMZone, "setUTMZone", utm_zone=zone).status for zone in ("x", "32U")] == [False, True]
 
 
 def test_without_a_fix_nothing_is_told(outdoors, start):

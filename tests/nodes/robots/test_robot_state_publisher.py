@@ -14,6 +14,7 @@ from tf2_msgs.msg import TFMessage
 from coursekit.geometry.pose import compose
 from coursekit.urdf import load
 from coursekit.urdf.kinematics import Kinematics
+from tests.nodes.friend import Friend
 from tests.urdf.oracle import ROBOTS
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -24,26 +25,16 @@ FOLLOWING = """<robot name="pair"><link name="a"/><link name="b"/><link name="c"
 <mimic joint="lead" multiplier="2" offset="0.1"/></joint></robot>"""
 
 
-class Friend:
-    """A node that hears frames and says joint states."""
+class Joints(Friend):
+    """Hears frames and says joint states."""
 
     def __init__(self, session):
-        self.session = session
-        self.context = rclpy.context.Context()
-        rclpy.init(context=self.context)
-        self.node = rclpy.create_node("friend", context=self.context)
-        self.executor = rclpy.executors.SingleThreadedExecutor(context=self.context)
-        self.executor.add_node(self.node)
+        super().__init__(session)
         self.tf, self.static, self.described = [], [], []
         self.node.create_subscription(TFMessage, "/tf", self.tf.append, 100)
         self.node.create_subscription(TFMessage, "/tf_static", self.static.append, LATCHED)
         self.node.create_subscription(String, "robot_description", self.described.append, LATCHED)
         self.joints = self.node.create_publisher(JointState, "joint_states", 10)
-
-    def spin(self, seconds=0.1):
-        until = self.session.clock.steady() + round(seconds * 1e9)
-        while self.session.clock.steady() < until:
-            self.executor.spin_once(timeout_sec=0.01)
 
     def say(self, wait=0.02, **positions):
         msg = JointState(name=list(positions), position=[float(value) for value in positions.values()])
@@ -52,17 +43,13 @@ class Friend:
         self.spin(wait)
 
     def set(self, name, value):
-        client = self.node.create_client(SetParameters, "robot_state_publisher/set_parameters")
-        assert client.wait_for_service(1.0)
-        request = SetParameters.Request(parameters=[Parameter(name, value=value).to_parameter_msg()])
-        future = client.call_async(request)
-        self.executor.spin_until_future_complete(future, 1.0)
-        return future.result().results[0]
+        parameters = [Parameter(name, value=value).to_parameter_msg()]
+        return self.ask(SetParameters, "robot_state_publisher/set_parameters", parameters=parameters).results[0]
 
 
 @pytest.fixture
 def friend(session):
-    new_friend = Friend(session)
+    new_friend = Joints(session)
     yield new_friend
     rclpy.shutdown(context=new_friend.context)
 
@@ -99,7 +86,7 @@ def test_it_says_what_the_real_one_says(session, publish):
 def test_fixed_joints_are_static_and_stay_for_late_comers(session, publish, friend):
     publish(ROBOT)
     friend.spin(1.0)
-    late = Friend(session)
+    late = Joints(session)
     late.spin()
     for listener in (friend, late):
         assert sorted(frames(listener.static)) == ["base_link", "head_link"]

@@ -9,7 +9,6 @@ from tf2_ros import Buffer, TransformListener
 
 from coursekit.nodes.gazebo.sdf_description import described
 from coursekit.urdf import UrdfError
-from tests.nodes.gazebo.conftest import Friend
 
 WHEEL = """<link name='{0}_wheel'><pose>0.5 {1} -0.1 -1.5707963267948966 0 0</pose><inertial><mass>2</mass></inertial>
 <visual name='v'><geometry><cylinder><radius>0.3</radius><length>0.1</length></cylinder></geometry></visual></link>
@@ -27,11 +26,6 @@ CART = """<sdf version='1.8'><model name='cart'><link name='chassis'><pose>-0.2 
 <link name='lidar'><pose relative_to='chassis'>0 0 0.5 0 0 0</pose></link>
 <joint name='lidar_joint' type='fixed'><parent>chassis</parent><child>lidar</child></joint>{more}
 </model></sdf>"""  # fmt: skip
-
-
-@pytest.fixture
-def friend(session):
-    return Friend(session)
 
 
 def test_links_and_joints_are_those_of_the_file():

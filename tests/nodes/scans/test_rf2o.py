@@ -4,7 +4,6 @@ import math
 from pathlib import Path
 
 import pytest
-import rclpy
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import Odometry
 from rclpy.time import Time
@@ -15,16 +14,8 @@ from coursekit.cli.parser import run as run_cli
 from coursekit.geometry.plane import Pose2D
 from coursekit.nodes.gazebo.simulators import simulators
 from coursekit.nodes.scanning.planar import of_transform, plane, put
-from tests.nodes.driving.conftest import Friend
 
 URDF = Path(__file__).parents[1] / "robot_localization" / "diff_drive.urdf"
-
-
-@pytest.fixture
-def friend(session):
-    new_friend = Friend(session)
-    yield new_friend
-    rclpy.shutdown(context=new_friend.context)
 
 
 @pytest.fixture

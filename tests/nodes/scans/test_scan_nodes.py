@@ -13,13 +13,6 @@ from sensor_msgs_py.point_cloud2 import create_cloud_xyz32, read_points
 from std_msgs.msg import Header
 from tf2_ros import StaticTransformBroadcaster
 
-from tests.nodes.driving.conftest import Friend
-
-
-@pytest.fixture
-def friend(session):
-    return Friend(session)
-
 
 def scan(ranges, **more):
     msg = LaserScan(angle_min=-1.0, angle_increment=2.0 / (len(ranges) - 1), angle_max=1.0, range_max=10.0, ranges=ranges)

@@ -1,17 +1,20 @@
-"""A node beside the programs that drive."""
+"""A node beside the ones under test."""
 
-import pytest
 import rclpy
+from geometry_msgs.msg import Twist
+
+PATIENCE = 10.0
+"""Timeout for a service and its response, on the virtual clock [s]."""
 
 
 class Friend:
-    """Says and hears topics, and lets time pass."""
+    """Publishes and subscribes, calls services, and lets time pass."""
 
-    def __init__(self, session):
+    def __init__(self, session, name="friend"):
         self.session = session
         self.context = rclpy.context.Context()
         rclpy.init(context=self.context)
-        self.node = rclpy.create_node("friend", context=self.context)
+        self.node = rclpy.create_node(name, context=self.context)
         self.executor = rclpy.executors.SingleThreadedExecutor(context=self.context)
         self.executor.add_node(self.node)
         self._out = {}
@@ -26,21 +29,20 @@ class Friend:
             self._out[topic] = self.node.create_publisher(type(msg), topic, 10)
         self._out[topic].publish(msg)
 
-    def spin(self, seconds):
+    def spin(self, seconds=0.1):
         until = self.session.clock.steady() + round(seconds * 1e9)
         while (left := until - self.session.clock.steady()) > 0:
             self.executor.spin_once(timeout_sec=left * 1e-9)
 
-    def ask(self, kind, name, **request):
-        client = self.node.create_client(kind, name)
-        assert client.wait_for_service(timeout_sec=2.0)
+    def go(self, seconds, forward, turn=0.0, topic="cmd_vel"):
+        twist = Twist()
+        twist.linear.x, twist.angular.z = forward, turn
+        self.say(topic, twist)
+        self.spin(seconds)
+
+    def ask(self, kind, service, /, **request):
+        client = self.node.create_client(kind, service)
+        assert client.wait_for_service(timeout_sec=PATIENCE), service
         future = client.call_async(kind.Request(**request))
-        self.executor.spin_until_future_complete(future, timeout_sec=2.0)
+        self.executor.spin_until_future_complete(future, timeout_sec=PATIENCE)
         return future.result()
-
-
-@pytest.fixture
-def friend(session):
-    new_friend = Friend(session)
-    yield new_friend
-    rclpy.shutdown(context=new_friend.context)

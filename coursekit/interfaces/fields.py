@@ -5,24 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from coursekit.interfaces.cdr_runs import FORMATS
 from coursekit.interfaces.checks import FLOAT32_MAX
 from coursekit.interfaces.literals import integer_range
 from coursekit.interfaces.model import INTEGERS, Field, FieldType
 
 Alias = Callable[[str], str]
-TYPE_CODES = {
-    "char": "B",
-    "int8": "b",
-    "uint8": "B",
-    "int16": "h",
-    "uint16": "H",
-    "int32": "i",
-    "uint32": "I",
-    "int64": "q",
-    "uint64": "Q",
-    "float32": "f",
-    "float64": "d",
-}
+TYPE_CODES = {base: code for base, code in FORMATS.items() if base not in ("bool", "byte")}
+"""The numbers' codes in module array, which are those of module struct."""
 DTYPES = {"char": "uint8", **{name: name for name in (*INTEGERS, "float32", "float64")}}
 _ZEROS = {
     "bool": "False",

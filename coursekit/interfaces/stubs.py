@@ -6,19 +6,11 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from coursekit.files import in_order
-from coursekit.interfaces.fields import DTYPES
+from coursekit.interfaces.fields import DTYPES, python_type
 from coursekit.interfaces.find import KINDS
 from coursekit.interfaces.model import Action, FieldType, Interface, Message, Service
 from coursekit.interfaces.parser import parse_file
 
-_SCALARS = {
-    "bool": "bool",
-    "byte": "bytes",
-    "float32": "float",
-    "float64": "float",
-    "string": "str",
-    "wstring": "str",
-}
 _HEAD = """\
 # ruff: noqa
 # fmt: off
@@ -82,7 +74,7 @@ def _message(message: Message) -> list[str]:
 
 def _scalar(kind: FieldType) -> str:
     if kind.is_primitive:
-        return _SCALARS.get(kind.base, "int")
+        return python_type(kind)
     package, _, name = kind.base.split("/")
     return f"{package}.msg.{name}"
 

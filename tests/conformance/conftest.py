@@ -119,3 +119,19 @@ def make_world():
     yield make
     for world in worlds:
         world.close()
+
+
+@pytest.fixture
+def setup(world):
+    """setup(execute, ...) makes an action server and its client."""
+    from action_setup import Setup
+
+    setups = []
+
+    def make(execute, **options):
+        setups.append(Setup(world, execute, **options))
+        return setups[-1]
+
+    yield make
+    for each in setups:
+        each.close()

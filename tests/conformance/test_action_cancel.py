@@ -1,25 +1,12 @@
 import pytest
 from action_msgs.msg import GoalStatus
 from action_msgs.srv import CancelGoal
-from action_setup import Setup, defer, succeed
+from action_setup import defer, succeed
 from rclpy.action import (
     CancelResponse,
 )
 from test_msgs.action import Fibonacci
 from unique_identifier_msgs.msg import UUID
-
-
-@pytest.fixture
-def setup(world):
-    setups = []
-
-    def make(execute, **options):
-        setups.append(Setup(world, execute, **options))
-        return setups[-1]
-
-    yield make
-    for each in setups:
-        each.close()
 
 
 def cancelled(handle):

@@ -1,6 +1,6 @@
 import pytest
 from action_msgs.msg import GoalStatus, GoalStatusArray
-from action_setup import Setup, defer, succeed
+from action_setup import defer, succeed
 from rclpy.action import (
     ActionServer,
     GoalResponse,
@@ -11,19 +11,6 @@ from rclpy.action import (
 from rclpy.qos import qos_profile_action_status_default
 from test_msgs.action import Fibonacci
 from unique_identifier_msgs.msg import UUID
-
-
-@pytest.fixture
-def setup(world):
-    setups = []
-
-    def make(execute, **options):
-        setups.append(Setup(world, execute, **options))
-        return setups[-1]
-
-    yield make
-    for each in setups:
-        each.close()
 
 
 def test_the_services_and_topics_have_their_names(setup):

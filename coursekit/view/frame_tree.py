@@ -5,13 +5,14 @@ from __future__ import annotations
 from typing import Any
 
 from . import frame_text
-from .drawing import Drawing, svg
-from .drawing_png import pdf, png
+from .drawing import Drawing
+from .drawing_png import pdf
+from .drawn import Drawn
 from .frame_facts import FrameFacts, take
 from .frame_picture import draw
 
 
-class FrameTree:
+class FrameTree(Drawn):
     """The frames of a buffer as they were at one moment.
 
     `details` adds broadcaster and times to each frame, as view_frames does.
@@ -27,6 +28,8 @@ class FrameTree:
     In ROS 2: `ros2 run tf2_tools view_frames`.
     """
 
+    title = "tree of frames"
+
     def __init__(self, buffer: Any, now_ns: int = 0, *, details: bool = False) -> None:
         self.facts: FrameFacts = take(buffer, now_ns)
         self.details = details
@@ -35,14 +38,6 @@ class FrameTree:
         """Return the picture's shapes."""
         return draw(self.facts, self.details)
 
-    def svg(self) -> str:
-        """Return the picture as SVG."""
-        return svg(self.drawing(), title="tree of frames")
-
-    def png(self) -> bytes:
-        """Return the picture as PNG, at twice the size of the SVG."""
-        return png(self.drawing())
-
     def pdf(self) -> bytes:
         """Return the picture as a PDF file."""
         return pdf(self.drawing())
@@ -50,14 +45,6 @@ class FrameTree:
     def text(self) -> str:
         """Return the tree as text."""
         return frame_text.described(self.facts)
-
-    def __repr__(self) -> str:
-        return self.text()
-
-    def _repr_mimebundle_(self, **_options: Any) -> tuple[dict[str, Any], dict[str, Any]]:
-        drawing = self.drawing()
-        size = {"width": round(drawing.width), "height": round(drawing.height)}
-        return {"text/plain": self.text(), "image/png": png(drawing)}, {"image/png": size}
 
 
 __all__ = ["FrameTree"]

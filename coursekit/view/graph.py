@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from . import graph_text
-from .drawing import Drawing, svg
-from .drawing_png import png
+from .drawing import Drawing
+from .drawn import Drawn
 from .graph_facts import Facts, take
 from .graph_faults import Fault, find
 from .graph_picture import draw
@@ -15,7 +15,7 @@ VIEWS = ("nodes", "active", "all")
 """Only nodes; nodes and the topics that connect them; nodes and all topics."""
 
 
-class GraphPicture:
+class GraphPicture(Drawn):
     """The graph as it was at one moment.
 
     A notebook stores it as lines of text, which are compared in tests, and as a PNG, which is not: nbval compares
@@ -31,6 +31,8 @@ class GraphPicture:
 
     In ROS 2: `rqt_graph`.
     """
+
+    title = "graph of nodes and topics"
 
     def __init__(
         self,
@@ -54,14 +56,6 @@ class GraphPicture:
         """Return the picture's shapes."""
         return draw(self.facts, self.faults, self.view, services=self.services, actions=self.actions)
 
-    def svg(self) -> str:
-        """Return the picture as SVG."""
-        return svg(self.drawing(), title="graph of nodes and topics")
-
-    def png(self) -> bytes:
-        """Return the picture as PNG, at twice the size of the SVG."""
-        return png(self.drawing())
-
     def text(self) -> str:
         """Return the graph as sorted text; deterministic."""
         return graph_text.described(
@@ -71,14 +65,6 @@ class GraphPicture:
             actions=self.actions,
             dead_ends=self.view != "active",
         )
-
-    def __repr__(self) -> str:
-        return self.text()
-
-    def _repr_mimebundle_(self, **_options: Any) -> tuple[dict[str, Any], dict[str, Any]]:
-        drawing = self.drawing()
-        size = {"width": round(drawing.width), "height": round(drawing.height)}
-        return {"text/plain": self.text(), "image/png": png(drawing)}, {"image/png": size}
 
 
 __all__ = ["VIEWS", "GraphPicture"]

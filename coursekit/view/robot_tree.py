@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from typing import Any
 
 from coursekit.urdf import Joint, Robot
 from coursekit.words.counting import counted
 
-from .drawing import Curve, Drawing, Rect, Text, svg, text_width
-from .drawing_png import png
+from .drawing import Curve, Drawing, Rect, Text, text_width
+from .drawn import Drawn
 from .layers import Box, arrange
 
 LINK = ("#e8f5ec", "#4d9a6a", "#1d5233")
@@ -49,7 +48,7 @@ def _axis(axis: tuple[float, float, float]) -> str:
     return "(" + " ".join(f"{part:.3g}" for part in axis) + ")"
 
 
-class RobotTree:
+class RobotTree(Drawn):
     """The tree of a robot: links in green, joints coloured by type.
 
     >>> from coursekit.urdf import parse
@@ -62,6 +61,7 @@ class RobotTree:
 
     def __init__(self, robot: Robot) -> None:
         self.robot = robot
+        self.title = f"links and joints of {robot.name}"
 
     def text(self) -> str:
         """Return the tree as text."""
@@ -117,22 +117,6 @@ class RobotTree:
         if about:
             shapes.append(Text(x, y + 13, about, NOTE_SIZE, ink, "middle", kind="ck-type"))
         drawing.add(*shapes, name=name, tip=f"{'link' if link else 'joint'} {name}")
-
-    def svg(self) -> str:
-        """Return the picture as SVG."""
-        return svg(self.drawing(), title=f"links and joints of {self.robot.name}")
-
-    def png(self) -> bytes:
-        """Return the picture as PNG."""
-        return png(self.drawing())
-
-    def __repr__(self) -> str:
-        return self.text()
-
-    def _repr_mimebundle_(self, **_options: Any) -> tuple[dict[str, Any], dict[str, Any]]:
-        drawing = self.drawing()
-        size = {"width": round(drawing.width), "height": round(drawing.height)}
-        return {"text/plain": self.text(), "image/png": png(drawing)}, {"image/png": size}
 
 
 __all__ = ["RobotTree", "motion"]

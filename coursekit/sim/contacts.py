@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import pymunk
@@ -60,6 +60,16 @@ def hits(space: pymunk.Space, shape: Any) -> Iterator[tuple[Any, float]]:
         yield hit.shape, min((point.distance for point in hit.contact_point_set.points), default=0.0)
     for info in space.point_query(middle, 0.0, pymunk.ShapeFilter()):  # concentric shapes have no contact points
         yield info.shape, info.distance
+
+
+def obstacle(space: pymunk.Space, shapes: Iterable[Any]) -> Any | None:
+    """Return the first shape of the space that one of these would cut into; None where there is room."""
+    space.reindex_static()
+    for shape in shapes:
+        for other, depth in hits(space, shape):
+            if depth < -1e-3 and overlap(shape, other):
+                return other
+    return None
 
 
 def drag(body: pymunk.Body, friction: float, seconds: float) -> None:

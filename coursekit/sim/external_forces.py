@@ -31,6 +31,10 @@ class ExternalForce:
         """Whether all values are finite."""
         return all(map(math.isfinite, (self.x, self.y, self.torque)))
 
+    def is_over(self, now_ns: int) -> bool:
+        """Whether its time has passed."""
+        return self.end_ns is not None and self.end_ns <= now_ns
+
     def work(self, body: Any) -> None:
         """Apply it to a body during the next step."""
         force = (self.x, self.y)

@@ -13,7 +13,7 @@ import pymunk
 from coursekit.geometry.plane import Array, Pose2D
 
 from .bodies import FIXED, LOOSE, ROBOT, body_of, follow, moment, put, shapes_of
-from .contacts import drag, hits, overlap, part, pass_by, touch
+from .contacts import drag, obstacle, part, pass_by, touch
 from .errors import WorldError, known
 from .exclusive import alone
 from .external_forces import ExternalForce
@@ -134,16 +134,14 @@ class Simulation:
             raise WorldError(f"there is a '{name}' already", file=self.world.file, cure="Give it another name.")
 
     def _check_room(self, name: str, shapes: list[Any], at: Pose2D) -> None:
-        self.space.reindex_static()
-        for shape in shapes:
-            for other, depth in hits(self.space, shape):
-                if depth < -1e-3 and overlap(shape, other):
-                    where, start = f"x {at.x:.2f}, y {at.y:.2f}", self.world.start
-                    free = "beside it" if at[:2] == start[:2] else f"for example at {start.x:g}, {start.y:g}"
-                    raise WorldError(
-                        f"'{other.name}' is in the way at {where}", file=self.world.file, element=f"robot '{name}'",
-                        cure=f"Spawn it somewhere free, {free}.",
-                    )  # fmt: skip
+        other = obstacle(self.space, shapes)
+        if other is not None:
+            where, start = f"x {at.x:.2f}, y {at.y:.2f}", self.world.start
+            free = "beside it" if at[:2] == start[:2] else f"for example at {start.x:g}, {start.y:g}"
+            raise WorldError(
+                f"'{other.name}' is in the way at {where}", file=self.world.file, element=f"robot '{name}'",
+                cure=f"Spawn it somewhere free, {free}.",
+            )  # fmt: skip
 
     @alone
     def remove(self, name: str) -> None:
@@ -271,7 +269,7 @@ class Simulation:
 
     def _push(self) -> None:
         there = {*self.robots, *self.things}
-        self.pushes[:] = [push for push in self.pushes if push.name in there and not _over(push, self.now_ns)]
+        self.pushes[:] = [push for push in self.pushes if push.name in there and not push.is_over(self.now_ns)]
         for push in self.pushes:
             if push.begin_ns <= self.now_ns:
                 push.work(self._body(push.name))
@@ -298,10 +296,6 @@ class Simulation:
             loose += [(robot.body, OutlineScene.cut_of(robot.model.parts, height)) for robot in self.robots.values()]
             self._scenes[height] = OutlineScene(fixed, loose)
         return self._scenes[height]
-
-
-def _over(push: ExternalForce, now_ns: int) -> bool:
-    return push.end_ns is not None and push.end_ns <= now_ns
 
 
 __all__ = ["STEP_NS", "Simulation"]

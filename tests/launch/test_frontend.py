@@ -5,16 +5,15 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from launch import Action, LaunchDescription
+from launch import LaunchDescription
 from launch.actions import IncludeLaunchDescription
-from launch.frontend import Entity, Parser, expose_action, expose_substitution
+from launch.frontend import Parser
 from launch.launch_description_sources import (
     AnyLaunchDescriptionSource,
     FrontendLaunchDescriptionSource,
     XMLLaunchDescriptionSource,
     YAMLLaunchDescriptionSource,
 )
-from launch.substitution import Substitution
 
 from tests.needs import slashed
 
@@ -281,38 +280,3 @@ def test_sources_tell_their_location_and_method(tmp_path: Path) -> None:
     ):
         assert (source.method, source.describe_location()) == (method, "'a'")
         assert "launch.substitutions.text_substitution.TextSubstitution" in source.location
-
-
-def test_programs_can_expose_actions_and_substitutions_of_their_own(launch) -> None:
-    @expose_action("test_shout")
-    class Shout(Action):
-        def __init__(self, what: Any) -> None:
-            super().__init__()
-            self.what = what
-
-        @classmethod
-        def parse(cls, entity: Entity, parser: Parser) -> Any:
-            return cls, {"what": parser.parse_substitution(entity.get_attr("what"))}
-
-        def execute(self, context: Any) -> Any:
-            from launch.actions import LogInfo
-
-            return [LogInfo(msg=[*self.what, "!"])]
-
-    @expose_substitution("test-upper")
-    class Upper(Substitution):
-        def __init__(self, text: Any) -> None:
-            self.text_parts = text
-
-        @classmethod
-        def parse(cls, data: Any) -> Any:
-            return cls, {"text": data[0]}
-
-        def perform(self, context: Any) -> str:
-            return "".join(part.perform(context) for part in self.text_parts).upper()
-
-    assert launch([read('<launch><test_shout what="$(test-upper hey)"/></launch>')]).lines == [USER + "HEY!"]
-    with pytest.raises(RuntimeError, match="is not a callable or a class containing a parse method"):
-        expose_action("x")(3)
-    with pytest.raises(RuntimeError, match="Not recognized frontend implementation"):
-        Parser.get_parser_from_extension("toml")

@@ -13,16 +13,16 @@ from unique_identifier_msgs.msg import UUID
 from coursekit.processes import session
 from rclpy._lent import lender
 from rclpy._one_type import check_action_type
+from rclpy._parts_wait import PartsWait
 from rclpy.action.client_goal_handle import ClientGoalHandle
 from rclpy.action.goal_state import TERMINAL
 from rclpy.action.names import action_names
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from rclpy.task import Future
 from rclpy.type_support import check_for_type_support
-from rclpy.waitable import NumberOfEntities, Waitable
+from rclpy.waitable import NumberOfEntities
 
 if TYPE_CHECKING:
-    from rclpy._wait_set import WaitSet
     from rclpy.callback_groups import CallbackGroup
     from rclpy.node import Node
 
@@ -33,7 +33,7 @@ _LATE_FEEDBACK = 50
 """The number of finished goals whose feedback is still passed on."""
 
 
-class ActionClient(Waitable):
+class ActionClient(PartsWait):
     """Sends goals to an action server, over the services and topics below `<action_name>/_action/`.
 
     >>> from example_interfaces.action import Fibonacci
@@ -201,25 +201,9 @@ class ActionClient(Waitable):
                 clock.sleep(_POLL_SEC if left is None else min(left, _POLL_SEC))
         return True
 
-    # -- Waitable's methods: the clients and subscriptions wait instead
-
-    def is_ready(self, wait_set: WaitSet) -> bool:
-        """Always False: its clients and subscriptions become ready themselves."""
-        return False
-
-    def take_data(self) -> dict[str, Any]:
-        """An empty dict: its clients and subscriptions take their own data."""
-        return {}
-
-    async def execute(self, taken_data: Any) -> None:
-        """Do nothing."""
-
     def get_num_entities(self) -> NumberOfEntities:
         """Three clients, two subscriptions."""
         return NumberOfEntities(num_clients=3, num_subs=2)
-
-    def add_to_wait_set(self, wait_set: WaitSet) -> None:
-        """Do nothing: its clients and subscriptions are in the executor's queue."""
 
     def destroy(self) -> None:
         """Destroy the clients and subscriptions; responses that have not arrived yet are lost."""

@@ -12,6 +12,7 @@ from action_msgs.srv import CancelGoal
 
 from coursekit.processes import session
 from rclpy._one_type import check_action_type
+from rclpy._parts_wait import PartsWait
 from rclpy._rclpy_pybind11 import RCLError
 from rclpy.action.defaults import (
     CancelResponse,
@@ -28,15 +29,14 @@ from rclpy.executors import await_or_execute
 from rclpy.qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from rclpy.task import Future
 from rclpy.type_support import check_for_type_support
-from rclpy.waitable import NumberOfEntities, Waitable
+from rclpy.waitable import NumberOfEntities
 
 if TYPE_CHECKING:
-    from rclpy._wait_set import WaitSet
     from rclpy.callback_groups import CallbackGroup
     from rclpy.node import Node
 
 
-class ActionServer(Waitable):
+class ActionServer(PartsWait):
     """Serves an action: three services and two topics below `<action_name>/_action/`.
 
     `execute_callback(goal_handle)` does the work and returns the action's Result. `goal_callback(goal)` accepts or
@@ -269,25 +269,9 @@ class ActionServer(Waitable):
             raise TypeError("Failed to register goal execution callback: not callable")
         self._execute_callback = execute_callback
 
-    # -- Waitable's methods: the services wait instead
-
-    def is_ready(self, wait_set: WaitSet) -> bool:
-        """Always False: its services become ready themselves."""
-        return False
-
-    def take_data(self) -> dict[str, Any]:
-        """An empty dict: its services take their own data."""
-        return {}
-
-    async def execute(self, taken_data: Any) -> None:
-        """Do nothing."""
-
     def get_num_entities(self) -> NumberOfEntities:
         """One timer, for expiring results, and three services."""
         return NumberOfEntities(num_timers=1, num_services=3)
-
-    def add_to_wait_set(self, wait_set: WaitSet) -> None:
-        """Do nothing: its services are in the executor's queue."""
 
     def destroy(self) -> None:
         """Stop serving. Executing goals continue, but their status, feedback and results are not sent."""

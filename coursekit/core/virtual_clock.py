@@ -67,7 +67,6 @@ class VirtualClock:
         self._numbers = itertools.count()
         self._posted: deque[Callable[[], Any]] = deque()
         self._outside = WallWaiter()
-        self._closed = False
 
     def now(self) -> int:
         """Virtual system time, nanoseconds since the epoch."""
@@ -148,7 +147,6 @@ class VirtualClock:
     def close(self) -> None:
         """Cancel scheduled calls."""
         self._heap.clear()
-        self._closed = True
 
     def do_inside(self, function: Callable[[], Any]) -> None:
         """Have the clock's own thread call `function` next: no other thread may touch its execution contexts."""

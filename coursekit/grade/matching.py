@@ -41,7 +41,7 @@ class Puzzle:
         chance = np.random.default_rng(800 + number)
         lidar = Lidar(range_max=6.0, noise=0.01)
         place = start
-        while not self._good(place, lidar.look(cut, place)) or place == start:
+        while not self._good(lidar.look(cut, place)) or place == start:
             x, y = chance.uniform(outline.min(axis=0), outline.max(axis=0))
             place = Pose2D(round(float(x), 2), round(float(y), 2), round(float(chance.uniform(-3, 3)), 2))
         ranges = lidar.measure(lidar.look(cut, place), chance)
@@ -54,7 +54,7 @@ class Puzzle:
         guess = (place.x + far * math.cos(way), place.y + far * math.sin(way), place.theta + spin)
         self.guess: Pose = (round(float(guess[0]), 2), round(float(guess[1]), 2), round(float(guess[2]), 2))
 
-    def _good(self, place: Pose2D, ranges: np.ndarray) -> bool:
+    def _good(self, ranges: np.ndarray) -> bool:
         """Whether a place is inside a room with enough clearance, where most beams hit different walls."""
         seen = np.isfinite(ranges)
         return bool(seen.mean() > 0.9 and ranges.min() > CLEAR)

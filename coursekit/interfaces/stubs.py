@@ -24,11 +24,11 @@ import numpy.typing
 """
 
 
-def stub(package: str, interfaces: Iterable[Interface]) -> str:
+def stub(interfaces: Iterable[Interface]) -> str:
     """Return the text of a stub that declares the classes of interfaces of one kind.
 
     >>> from coursekit.interfaces.parser import parse
-    >>> 'def data(self) -> str: ...' in stub('p', [parse('p', 'msg', 'Text', 'string data')])
+    >>> 'def data(self) -> str: ...' in stub([parse('p', 'msg', 'Text', 'string data')])
     True
     """
     known = list(interfaces)
@@ -101,5 +101,5 @@ def package_stubs(package: str, files: Iterable[Path]) -> dict[str, str]:
     for kind in KINDS:
         interfaces = [parse_file(package, path) for path in paths if path.suffix == f".{kind}"]
         if interfaces:
-            stub_by_path[f"{package}/{kind}/__init__.pyi"] = stub(package, interfaces)
+            stub_by_path[f"{package}/{kind}/__init__.pyi"] = stub(interfaces)
     return stub_by_path

@@ -21,7 +21,6 @@ class Timeline(Panel):
     def __init__(self) -> None:
         super().__init__()
         self._playing = False
-        self._told: Any = None
         self._clock = self.session.clock
 
     def begin(self) -> int:

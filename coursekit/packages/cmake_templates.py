@@ -44,7 +44,7 @@ def _find(recipe: PackageSettings) -> str:
     return "\n".join([*lines, ""])
 
 
-def _uses(target: str, recipe: PackageSettings, indent: str = "") -> str:
+def _uses(target: str, recipe: PackageSettings) -> str:
     if not recipe.dependencies:
         return ""
     if recipe.build_type == "cmake":

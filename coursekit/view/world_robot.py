@@ -31,7 +31,6 @@ class RobotShape:
         self._lift = 0.0
         self._kinematics: Kinematics | None = None
         self._joints: list[str] = []
-        self._names: list[str] = []
         links = _link_shapes(assembly)
         if links:
             self._lift, self._kinematics = assembly.lift, Kinematics(assembly.description)

@@ -65,7 +65,7 @@ def _check_joints(plugin: Element, model: ModelFile, joints: tuple[str, ...]) ->
 
 
 def _odometry(
-    plugin: Element, model: ModelFile, namespace: str, rate: float, shown: bool, exact: bool
+    plugin: Element, namespace: str, rate: float, shown: bool, exact: bool
 ) -> OdometryDevice:
     names = names_of(plugin, namespace)
     x, y, turn = (number(plugin, f"covariance_{axis}", size) for axis, size in (("x", 1e-5), ("y", 1e-5), ("yaw", 1e-3)))
@@ -122,7 +122,7 @@ def _wheels(
     )  # fmt: skip
     rate = _rate(plugin, "update_rate", 100.0)
     return drive, [
-        _odometry(plugin, model, namespace, rate, shown=False, exact=not encoder),
+        _odometry(plugin, namespace, rate, shown=False, exact=not encoder),
         *_frames(plugin, model, namespace, rate, left + right),
     ]
 
@@ -141,7 +141,7 @@ def _frames(plugin: Element, model: ModelFile, namespace: str, rate: float, join
 def _planar(plugin: Element, model: ModelFile, namespace: str) -> Found:
     rate = _rate(plugin, "publish_rate", 20.0)
     drive = Drive("planar", acceleration=math.inf, turn_acceleration=math.inf)
-    return drive, [_odometry(plugin, model, namespace, rate, shown=True, exact=True)]
+    return drive, [_odometry(plugin, namespace, rate, shown=True, exact=True)]
 
 
 def _ackermann(plugin: Element, model: ModelFile, namespace: str) -> Found:
@@ -159,7 +159,7 @@ def _ackermann(plugin: Element, model: ModelFile, namespace: str) -> Found:
         wheelbase=wheelbase, steering=steering,
     )  # fmt: skip
     rate = _rate(plugin, "update_rate", 100.0)
-    device = _odometry(plugin, model, namespace, rate, shown=False, exact=True)
+    device = _odometry(plugin, namespace, rate, shown=False, exact=True)
     device = replace(device, base_frame=plugin.tell("robot_base_frame") or "base_link")
     return drive, [device, *_frames(plugin, model, namespace, rate, wheels + steering)]
 

@@ -68,7 +68,6 @@ class BehaviorServer(Server):
         self._obedience = Obedience(self, self._read)
         self._costs: Costmap | None = None
         self._robot: Footprint | None = None
-        self._raw: PolygonStamped | None = None
         self.where = TransformLookup(self, given["robot_base_frame"])
         self._cmd_out = self.create_lifecycle_publisher(Twist, "cmd_vel", 1)
         self._heard = [
@@ -132,7 +131,6 @@ class BehaviorServer(Server):
         self._costs = Costmap(cells, float(f"{meta.resolution:.6g}"), meta.origin.position.x, meta.origin.position.y)
 
     def _take_outline(self, msg: PolygonStamped) -> None:
-        self._raw = msg
         try:
             here = self.where.robot(msg.header.frame_id)
         except TransformException:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterator
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -52,10 +53,10 @@ def _also_numpy(real: Callable[[str], Any]) -> Callable[[str], Any]:
     """Return SciPy's `__getattr__`, which knows what NumPy has, too: `scipy.pi`, `from scipy import array`."""
 
     def find(name: str) -> Any:
-        found = getattr(np, name, None) if not name.startswith("_") else None
-        if found is None or isinstance(found, type(np)):
-            return getattr(np.random, name) if name in ("rand", "randn") else real(name)
-        return found
+        if name in ("rand", "randn"):
+            return getattr(np.random, name)
+        found = None if name.startswith("_") else getattr(np, name, None)
+        return real(name) if found is None or isinstance(found, ModuleType) else found
 
     return find
 

@@ -51,7 +51,7 @@ class Values(DollarFormatter):
         path = self._paths[int(place[1])]
         return path.replace("'", "''") if place.string[: place.start()].endswith("'") else path
 
-    def expanded(self, shell: InteractiveShell, line: str) -> str:
+    def expanded(self, shell: InteractiveShell | None, line: str) -> str:
         """Return the line of a magic with values of the calling cell or function inserted."""
         depth = _frames_to_caller()
         if shell is None or (depth is None and "{" in line):  # called by a program: its braces are YAML

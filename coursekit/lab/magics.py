@@ -184,7 +184,6 @@ class CourseMagics(Magics):
 
     def _words(self, line: str) -> tuple[dict[str, str], list[str], bool]:
         """Return the result of `_read` for a line, with the values of names in braces and after `$` inserted."""
-        assert self.shell is not None  # a magic is called by its shell
         values = Values()
         options, argv, background = _read(values.expanded(self.shell, line))
         told = {name: values.restored(value) for name, value in options.items()}

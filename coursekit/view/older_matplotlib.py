@@ -11,7 +11,6 @@ from functools import wraps
 from typing import Any
 
 import matplotlib
-import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib import cm, style
 from matplotlib.axes import Axes
@@ -94,6 +93,8 @@ def _gca(real: Callable[..., Any]) -> Callable[..., Any]:
 
 
 def _pyplot_gca(real: Callable[..., Any]) -> Callable[..., Any]:
+    from matplotlib import pyplot as plt  # not above: pyplot's import brings this module
+
     return wraps(real)(lambda **wanted: plt.gcf().gca(**wanted))
 
 

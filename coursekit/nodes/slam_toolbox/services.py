@@ -35,6 +35,8 @@ class Services:
 
     def __init__(self, node: SlamToolbox, *, localize: bool = False, queue: bool = False) -> None:
         self._node, self._localize = node, localize
+        self._mapping: Mapping | None = None
+        """What mapped before localisation began."""
         offered: list[tuple[Any, str, Any]] = [
             (GetMap, "dynamic_map", self._get_map),
             (Pause, "pause_new_measurements", self._pause),
@@ -142,7 +144,7 @@ class Services:
             localizer.look_near(engine.pose)
             self._node.use(localizer)
         elif not on and not isinstance(engine, Mapping):
-            slam = getattr(self, "_mapping", Mapping(Slam(self._node.slam_params))).slam
+            slam = Slam(self._node.slam_params) if self._mapping is None else self._mapping.slam
             if slam.keyframes:
                 storage.resume(slam, engine.pose)
             self._node.use(Mapping(slam))

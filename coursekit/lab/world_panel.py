@@ -5,6 +5,7 @@ window.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 from coursekit.geometry.plane import Pose2D
@@ -15,7 +16,7 @@ from coursekit.view.world_scene import WorldScene
 from coursekit.words.counting import counted
 from coursekit.words.gettext import gettext
 
-from .errors import BadArgument
+from .errors import BadArgument, NotNow
 from .panel import static
 from .panel_node import appears
 from .scene_panel import ScenePanel
@@ -91,7 +92,7 @@ class WorldView(ScenePanel):
     def add_box(self, x: float, y: float, size: float = BOX_M) -> str:
         """Add a movable box to the world [m], and wait until it is there. Returns its name."""
         name = self._begin_box(x, y, size)
-        appears(lambda: name in self._simulator().simulation.names())
+        self._wait(lambda: name in self._simulator().simulation.names(), f"{name} is not in the world yet")
         return name
 
     def _begin_box(self, x: float, y: float, size: float = BOX_M) -> str:
@@ -114,12 +115,16 @@ class WorldView(ScenePanel):
     def remove(self, name: str) -> None:
         """Remove a robot or object from the world, and wait until it is gone; LookupError suggests similar names."""
         self._begin_removal(name)
-        appears(lambda: name not in self._simulator().simulation.names())
+        self._wait(lambda: name not in self._simulator().simulation.names(), f"{name} is still in the world")
 
     def _begin_removal(self, name: str) -> None:
         simulator = self._simulator()
         simulator.simulation.pose_of(name)
         simulator.soon(simulator.delete, name)
+
+    def _wait(self, condition: Callable[[], bool], otherwise: str) -> None:
+        if not appears(condition):
+            raise NotNow(f"The simulator is busy: {otherwise}. Wait a moment, then look again.")
 
     def _soon(self, what: str, value: Any) -> None:
         simulator = self._simulator()

@@ -19,6 +19,9 @@ from colcon_core.subprocess import check_output
 from coursekit.systems import operating_system
 from coursekit.systems.children import with_utf8
 
+_MARK = "coursekit_variables_follow"
+"""Printed after what the setup scripts print, which is in the console's code page."""
+
 
 class InUtf8(ArgumentParserDecoratorExtensionPoint):  # type: ignore[misc]
     """On Windows, restarts colcon in Python's UTF-8 mode: otherwise setup.py could not find a folder `José`."""
@@ -44,5 +47,7 @@ async def output_in_utf8(args: list[str], **options: Any) -> bytes:
     """Call colcon's `check_output`; what cmd's `set` prints at the end of the command is in UTF-8."""
     if args[-1] != "set":
         return bytes(await check_output(args, **options))
-    output = await check_output([*args[:-1], "cmd", "/d", "/u", "/c", "set"], **options)
-    return bytes(output.decode("utf-16-le").encode())
+    output = await check_output([*args[:-1], "echo", _MARK, "&&", "cmd", "/d", "/u", "/c", "set"], **options)
+    _said, _, marked = output.partition(_MARK.encode())
+    variables = marked.partition(b"\n")[2]
+    return bytes(variables.decode("utf-16-le").encode())

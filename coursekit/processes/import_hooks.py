@@ -20,6 +20,7 @@ _loading: set[str] = set()
 
 
 _WITH_OLDER_NAMES = ("numpy", "cv2", "scipy", "matplotlib.pyplot")
+"""Modules whose helpers add names that a script may say above its first node."""
 
 
 class _Loader(importlib.abc.Loader):

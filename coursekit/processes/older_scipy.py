@@ -21,6 +21,8 @@ _WINDOWS = (
     "barthann", "bartlett", "blackman", "blackmanharris", "bohman", "boxcar", "chebwin", "cosine", "exponential", "flattop",
     "gaussian", "general_gaussian", "hamming", "hann", "kaiser", "nuttall", "parzen", "triang", "tukey",
 )  # fmt: skip
+_OF_COMPLEX_NUMBERS = ("sqrt", "log", "log2", "log10", "logn", "power", "arccos", "arcsin", "arctanh")
+"""Functions whose results are complex outside of their real range: `scipy.sqrt(-1)` is 1j."""
 _OF_NUMPY = ("kron", "tri", "triu", "tril")
 
 
@@ -53,6 +55,8 @@ def _also_numpy(real: Callable[[str], Any]) -> Callable[[str], Any]:
     """Return SciPy's `__getattr__`, which knows what NumPy has, too: `scipy.pi`, `from scipy import array`."""
 
     def find(name: str) -> Any:
+        if name in _OF_COMPLEX_NUMBERS:
+            return getattr(np.lib.scimath, name)
         if name in ("rand", "randn"):
             return getattr(np.random, name)
         found = None if name.startswith("_") else getattr(np, name, None)

@@ -62,6 +62,7 @@ def _names() -> Iterator[Name]:
     yield FigureCanvasAgg, "tostring_rgb", _tostring_rgb
     yield FigureCanvasAgg, "set_window_title", _set_window_title
     yield Legend, "legendHandles", property(lambda legend: legend.legend_handles)
+    # One item for all levels, where 3.5 has one for each: enough to remove, hide or recolour a drawing.
     yield ContourSet, "collections", property(lambda contours: [contours])
     for name, function in (("pop", _remove_at), ("remove", _remove), ("clear", _clear)):
         yield Axes.ArtistList, name, function
@@ -85,7 +86,8 @@ def _gca(real: Callable[..., Any]) -> Callable[..., Any]:
 
     @wraps(real)
     def gca(self: Figure, **wanted: Any) -> Any:
-        if not wanted or (self.axes and real(self).name == wanted.get("projection")):
+        kind = wanted.get("projection") or ("polar" if wanted.get("polar") else "rectilinear")
+        if not wanted or (self.axes and real(self).name == kind):
             return real(self)
         return self.add_subplot(1, 1, 1, **wanted)
 

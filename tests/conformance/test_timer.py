@@ -146,6 +146,20 @@ def test_a_coroutine_may_be_a_timer_callback(world):
     world.spin_until(lambda: len(calls) >= 2)
 
 
+def test_a_parameter_for_the_times_of_a_call_is_filled_in_wherever_it_stands(world):
+    """Later releases than Humble do so; a program for these runs here, too."""
+    from rclpy.timer import TimerInfo
+
+    heard = []
+
+    def callback(*, info: TimerInfo):
+        heard.append(info)
+
+    world.node().create_timer(0.01, callback)
+    world.spin_until(lambda: heard)
+    assert heard[0].actual_call_time >= heard[0].expected_call_time
+
+
 def test_a_spin_does_not_run_what_is_due_after_its_timeout(world):
     calls = []
     world.node().create_timer(0.2, lambda: calls.append(True))

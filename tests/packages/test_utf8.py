@@ -48,7 +48,8 @@ def test_on_windows_the_shells_variables_are_read_whatever_the_code_page(monkeyp
 
     async def answer(args, **options):
         asked.append((args, options))
-        return "COURSE=C:\\Users\\día\r\nOTHER=1\r\n".encode("utf-16-le")
+        said = "a hook says día\r\n".encode("cp850") + args[-7].encode() + b" \r\n"
+        return said + "COURSE=C:\\Users\\día\r\nOTHER=1\r\n".encode("utf-16-le")
 
     monkeypatch.setattr(operating_system, "WINDOWS", True)
     monkeypatch.setattr(colcon_utf8, "sys", SimpleNamespace(flags=SimpleNamespace(utf8_mode=1)))
@@ -58,7 +59,9 @@ def test_on_windows_the_shells_variables_are_read_whatever_the_code_page(monkeyp
     colcon_utf8.InUtf8().decorate_argument_parser(parser="parser")
     variables = asyncio.run(shell.get_environment_variables([r"C:\Users\día\set.bat", "&&", "set"], cwd="C:/"))
     assert variables == {"COURSE": r"C:\Users\día", "OTHER": "1"}
-    assert asked == [([r"C:\Users\día\set.bat", "&&", "cmd", "/d", "/u", "/c", "set"], {"cwd": "C:/", "shell": True})]
+    [(words, options)] = asked
+    assert words[:3] == [r"C:\Users\día\set.bat", "&&", "echo"] and words[4:] == ["&&", "cmd", "/d", "/u", "/c", "set"]
+    assert options == {"cwd": "C:/", "shell": True}
 
 
 @pytest.mark.skipif(not operating_system.WINDOWS, reason="cmd is Windows'")

@@ -34,6 +34,7 @@ def test_gca_makes_the_axes_that_it_is_told(figure):
     axes = figure.gca(projection="3d")
     assert axes.name == "3d" and figure.gca(projection="3d") is axes and figure.gca() is axes
     assert figure.gca(projection="polar").name == "polar" and len(figure.axes) == 2
+    assert figure.gca(polar=True).name == "polar" and len(figure.axes) == 2
     plt.figure()
     assert plt.gca(projection="3d").name == "3d" and plt.gca().name == "3d"
 

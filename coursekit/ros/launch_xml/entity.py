@@ -60,7 +60,8 @@ class Entity(frontend.Entity):
             return None
         value = self.__attribute(name)
         texts = [value] if isinstance(value, str) else value
-        # without a type, text that is no YAML, such as @home, is text; with one it is only read later if it changes
+        # Without a type, text that is no YAML, such as @home, stays text. With a type it is refused, unless it has a
+        # substitution: then its value is read when it is known.
         may_stay_text = can_be_str and (data_type is None or any("$(" in text for text in texts))
         try:
             return get_typed_value(value, data_type, can_be_str=may_stay_text)

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from coursekit.core.graph_node import GraphNode
 from rclpy._rclpy_names import RCLError
-
-if TYPE_CHECKING:
-    pass
 
 TOPIC_ENDS = ("publisher", "subscription")
 

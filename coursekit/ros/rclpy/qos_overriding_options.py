@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 
@@ -11,6 +11,9 @@ from rclpy import qos as _qos
 from rclpy.duration import Duration
 from rclpy.exceptions import ParameterAlreadyDeclaredException
 from rclpy.qos import QoSPolicyKind, QoSProfile
+
+if TYPE_CHECKING:
+    from rclpy.node import Node
 
 _CHOICES = {
     QoSPolicyKind.LIVELINESS: _qos.LivelinessPolicy,
@@ -108,7 +111,7 @@ def _entity_name(entity_type: type) -> str:
     raise TypeError("Argument `entity_type` should be a subclass of Publisher or Subscription")
 
 
-def _declared(node: Any, name: str, value: Any, descriptor: ParameterDescriptor) -> Any:
+def _declared(node: Node, name: str, value: Any, descriptor: ParameterDescriptor) -> Any:
     try:
         return node.declare_parameter(name, value, descriptor).value
     except ParameterAlreadyDeclaredException:

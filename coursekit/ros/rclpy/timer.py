@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import threading
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from coursekit.processes.session import current
@@ -52,7 +53,7 @@ class Timer:
             self.__timer.cancel_timer()
         self.callback = callback
         self.callback_group = callback_group
-        self._wants_info = _takes_info(callback)
+        self._info_parameter = _parameter_for_info(callback)
 
     @property
     def handle(self) -> _Handle:
@@ -137,21 +138,24 @@ class Timer:
         expected = timer.next
         timer_called()
         timer.call()
-        if not self._wants_info:
+        if not self._info_parameter:
             return self.callback or (lambda: self.callback())  # to call None ends the spin, as in Humble
         info = TimerInfo(
             expected_call_time=expected, actual_call_time=timer.last, clock_type=self._clock.clock_type
         )
-        return lambda: self.callback(info)
+        return partial(self.callback, **{self._info_parameter: info})
 
 
-def _takes_info(callback: Any) -> bool:
-    """Whether the callback has a parameter for a TimerInfo, as in later ROS versions; Humble calls all with nothing."""
+def _parameter_for_info(callback: Any) -> str:
+    """Return the name of the callback's parameter for a TimerInfo, '' if none is annotated so.
+
+    Later ROS versions fill it in; Humble calls every timer's callback with nothing.
+    """
     try:
         parameters = inspect.signature(callback).parameters.values()
     except (TypeError, ValueError):
-        return False
-    return any(parameter.annotation is TimerInfo for parameter in parameters)
+        return ""
+    return next((parameter.name for parameter in parameters if parameter.annotation in (TimerInfo, "TimerInfo")), "")
 
 
 class Rate:

@@ -75,14 +75,16 @@
 
   // A toolbar can miss a change of its width where two follow each other. What no longer fits then lies on the notebook.
   // On a busy computer the width of a desk with a viewer settles late: toolbars are looked at again for a while.
+  let nextLook = 0;
   function fitToolbars(app, looks = LOOKS) {
+    clearTimeout(nextLook);
     for (const { toolbar } of app.shell.widgets("main")) {
       if (toolbar?.isVisible && (looks === LOOKS || toolbar.node.scrollHeight > toolbar.node.clientHeight + 2)) {
         toolbar.hide();
         toolbar.show();
       }
     }
-    if (looks) setTimeout(() => fitToolbars(app, looks - 1), SETTLED_MS);
+    if (looks) nextLook = setTimeout(() => fitToolbars(app, looks - 1), SETTLED_MS);
   }
 
   function keepWordsWhole() {
@@ -95,7 +97,8 @@
     keepWordsWhole();
     document.addEventListener("coursekit-desk", ({ detail }) => {
       keepDesks(app, detail);
-      setTimeout(() => fitToolbars(app), SETTLED_MS);
+      clearTimeout(nextLook);
+      nextLook = setTimeout(() => fitToolbars(app), SETTLED_MS);
     });
     const look = (root) => root.querySelectorAll?.(".jp-OutputArea-output").forEach((node) => mend(app, node));
     new MutationObserver((changes) => {

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import ast
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -12,7 +13,6 @@ from coursekit.suggestions import similar
 from .verdict import CheckFailed, Verdict
 
 _DEFINED = re.compile(r"^(?:async )?def (\w+)", re.MULTILINE)
-_SET = re.compile(r"^(\w+)(?:: *\w+)? *=(?!=)", re.MULTILINE)
 _ALIKE = 0.8
 """The minimum similarity of a misspelt name: `full_nam` has 0.94 of `full_name`, another name of three words has less."""
 
@@ -23,7 +23,7 @@ def explained(verdict: Verdict, asked: Collection[str], shell: Any) -> Verdict:
         return verdict
     before = shell.last_execution_result
     cause = _failed(before, asked) if before else ""
-    cause = cause or (_set_under_another_name(before, asked) if before else "")
+    cause = cause or (_set_under_another_name(before, asked, shell.user_ns) if before else "")
     cause = cause or _misspelt(shell.user_ns.get("In", ()), asked)
     return replace(verdict, cause=cause, hint="") if cause else verdict
 
@@ -55,17 +55,53 @@ def _is_about(before: Any, asked: Collection[str]) -> bool:
     return not words.isdisjoint(asked)
 
 
-def _set_under_another_name(before: Any, asked: Collection[str]) -> str:
-    """Return what to say if the cell before the check set a variable with a name like the one that is judged."""
-    if before.error_before_exec or before.error_in_exec:
+def _set_under_another_name(before: Any, asked: Collection[str], variables: Collection[str]) -> str:
+    """Return what to say if the cell before the check set a variable with a name like the one that is judged.
+
+    A cell that uses the judged name at all, as in `moves[0] = move`, has no slip in it; of a name that does not exist
+    the verdict itself says which one is like it.
+    """
+    if before.error_before_exec or before.error_in_exec or not (tree := _tree(before.info.raw_cell or "")):
         return ""
-    there = _SET.findall(before.info.raw_cell or "")
-    names = {name.lower(): name for name in there}
+    used = set(_used(tree))
+    set_there = {name.lower(): name for name in _set(tree) if name not in asked}
     for name in asked:
-        if name not in there and (alike := similar(name.lower(), names, cutoff=_ALIKE)):
-            slip = f"The cell before this check sets `{names[alike[0]]}`, and `{name}` is judged, which is older."
+        if name in variables and name not in used and (alike := similar(name.lower(), set_there, cutoff=_ALIKE)):
+            slip = f"The cell before this check sets `{set_there[alike[0]]}`, and `{name}` is judged, which is older."
             return f"{slip} Is the name a slip?"
     return ""
+
+
+def _tree(cell: str) -> ast.Module | None:
+    """Return a cell as Python code, with its magics as calls; None if it is no code, or a piece of an indented block."""
+    from IPython.core.inputtransformer2 import TransformerManager
+
+    if cell.lstrip("\n")[:1].isspace():
+        return None  # IPython would take the indentation away
+    try:
+        return ast.parse(TransformerManager().transform_cell(cell))
+    except (SyntaxError, ValueError):
+        return None
+
+
+def _set(tree: ast.Module) -> Iterator[str]:
+    """Yield the variables that a cell sets, also several in one line: `a, b = 1, 2`."""
+    for line in tree.body:
+        if isinstance(line, ast.Assign) or (isinstance(line, ast.AnnAssign) and line.value):
+            targets = line.targets if isinstance(line, ast.Assign) else [line.target]
+            parts = (part for target in targets for part in ast.walk(target))
+            yield from (part.id for part in parts if isinstance(part, ast.Name) and isinstance(part.ctx, ast.Store))
+
+
+def _used(tree: ast.Module) -> Iterator[str]:
+    """Yield every name that a cell reads, sets, defines or imports."""
+    for part in ast.walk(tree):
+        if isinstance(part, ast.Name):
+            yield part.id
+        elif isinstance(part, ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef):
+            yield part.name
+        elif isinstance(part, ast.alias):
+            yield part.asname or part.name
 
 
 def _misspelt(cells: Sequence[str], asked: Collection[str]) -> str:

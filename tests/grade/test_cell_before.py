@@ -17,15 +17,15 @@ OTHER = "def shown(x):\n    pass"
 FIRST, SECOND = "def full_name(name):\n    return name", "def full_nam(name):\n    return '/' + name"
 
 
-def shell(cell="", error=None, cells=()):
-    """A notebook in which this cell ended with this error."""
+def shell(cell="", error=None, cells=(), variables=()):
+    """A notebook in which this cell ended with this error, and these variables exist."""
     info = SimpleNamespace(raw_cell=cell)
     before = SimpleNamespace(error_before_exec=None, error_in_exec=error, info=info)
-    return SimpleNamespace(last_execution_result=before, user_ns={"In": ["", *cells]})
+    return SimpleNamespace(last_execution_result=before, user_ns={**dict.fromkeys(variables), "In": ["", *cells]})
 
 
 def cause(asked, **of):
-    return explained(WRONG, dict.fromkeys(asked), shell(**of)).cause
+    return explained(WRONG, dict.fromkeys(asked), shell(**{"variables": asked, **of})).cause
 
 
 @pytest.mark.parametrize(
@@ -59,7 +59,9 @@ def test_an_older_function_under_the_right_name_is_told():
     assert said.startswith("A newer cell defines `full_nam`. What was judged is `full_name`, which is older.")
 
 
-@pytest.mark.parametrize("cell", ["Me = 'Vera Course'", "mee = 3", "ME: str = ''"])
+@pytest.mark.parametrize(
+    "cell", ["Me = 'Vera Course'", "mee = 3", "ME: str = ''", "Me , x = 'Vera', 3", "Me = 3\n%ros2 node list\n"]
+)
 def test_a_variable_that_was_set_under_another_name_is_told(cell):
     name = cell.split()[0].rstrip(":")
     assert cause(["me"], cell=cell).startswith(f"The cell before this check sets `{name}`, and `me` is judged, which")
@@ -68,6 +70,36 @@ def test_a_variable_that_was_set_under_another_name_is_told(cell):
 @pytest.mark.parametrize("cell", ["x = 3", "me == 3", "    Me = 3", "Me.x = 3", "me = 4\nMe = 3", "check('ch00.q1')", ""])
 def test_another_variable_is_not(cell):
     assert cause(["me"], cell=cell) == WRONG.cause
+
+
+@pytest.mark.parametrize(
+    ("asked", "cell"),
+    [
+        ("full_name", f"{FIRST}\nfull_names = [full_name(name) for name in 'ab']"),
+        ("full_name", f"{FIRST}\nfull_names = []"),
+        ("commands", "command = 'node list'\ncommands.append(command)"),
+        ("commands", "command = 'node list'\ncommands += [command]"),
+        ("moves", "move = (1.0, 0.0, 1.0)\nmoves[0] = move"),
+        ("moves", "move = (1.0, 0.0, 1.0)\nstart, moves = 0, [move]"),
+        ("moves", "move = (1.0, 0.0, 1.0)\nmoves: list[int] = [move]"),
+        ("moves", "move = 1\nfor moves in ([move], [move, move]):\n    pass"),
+        ("moves", "move = 1\nfrom plans import best as moves"),
+        ("moves", "move = 1\ndel moves[0]"),
+        ("moves", "%%writefile plan.py\nmove = 1"),
+        ("moves", "move += 1"),
+        ("moves", "move: int"),
+    ],
+)
+def test_a_cell_that_uses_the_judged_name_or_sets_no_other_has_no_slip(asked, cell):
+    assert cause([asked], cell=cell) == WRONG.cause
+
+
+def test_two_judged_names_that_are_alike_are_no_slips():
+    assert cause(["move", "moves"], cell="move = 3") == WRONG.cause
+
+
+def test_of_a_name_that_does_not_exist_nothing_older_is_told():
+    assert cause(["me"], cell="Me = 'Vera Course'", variables=[]) == WRONG.cause
 
 
 @pytest.mark.parametrize(

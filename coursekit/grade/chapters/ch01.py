@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from itertools import pairwise
 from typing import Any
 
@@ -23,6 +24,9 @@ START = 5.544445
 """The start coordinate of turtle1 [m]."""
 PIXEL = 1 / 45
 """A pixel of turtlesim's paper [m]."""
+LEAST_SHARE = (9 - START) / (PAPER - START)
+"""The least part of the way to one wall that has to be driven towards the other: with less, the wall comes first."""
+_SPAWN, _SET_PEN = (re.compile(name, re.IGNORECASE) for name in ("spawn", "set_?pen"))
 
 
 @exercise(
@@ -79,9 +83,12 @@ def corner(work: Work) -> None:
 
 def _why_elsewhere(x: float, y: float) -> str:
     """Return the likely cause of an end outside of the corner."""
-    if min(x, y) > START + 1:
-        return "The direction is right: drive for longer."
-    if y < START - 1:
+    right, up = x - START, y - START
+    if min(right, up) > 1:
+        if min(right, up) > LEAST_SHARE * max(right, up):
+            return "The direction is right: drive for longer."
+        return "From the start the corner lies at 45 degrees, halfway between right and up."
+    if up < -1:
         return "It looks right at the start, and positive turns go to the left."
     return "Forward is where it looks; it looks right at the start."
 
@@ -107,9 +114,9 @@ def stage(work: Work) -> None:
         *commands, beside=[TURTLESIM], seconds=7.0, publish=[(5.0, CMD_VEL, TWIST, _twist(1.0, 0.0))],
         call=looks, record=[f"/{name}/pose", *colours.values()],
     )  # fmt: skip
-    complaint = _complaint(seen, commands)
-    cause = why_refused(complaint)
     if not course_said(seen, f"/{name}/pose"):
+        complaint = _complaint(seen, commands, besides=_SET_PEN)
+        cause = why_refused(complaint)
         there = ", ".join(name for name in seen.topics if "pose" in name and "look" not in name)
         raise Wrong(f"a turtle named {name}", f"topics: {there}{complaint}", cause, hint=NO_HINT if cause else 0)
     place = way_of(seen, f"/{name}/pose")[-1][:2]
@@ -119,7 +126,8 @@ def stage(work: Work) -> None:
     if RED not in line[0]:
         drawn = ", ".join(str(key) for key in sorted(line[0])) or "no colour"
         wanted = f"turtle1 draws in red {RED}"
-        cause = _pen_cause(commands) or cause
+        complaint = _complaint(seen, commands, besides=_SPAWN)
+        cause = _pen_cause(commands) or why_refused(complaint)
         raise Wrong(wanted, f"where it went there is {drawn}{complaint}", cause, share=0.5, hint=1)
     wide, right = sum(RED in line[off] for off in ASIDE), sum(map(_is_drawn, ASIDE))
     if wide != right:
@@ -150,10 +158,10 @@ def _colours(seen: Any, topic: str) -> set[tuple[Any, ...]]:
     return {tuple(message.get(channel) for channel in "rgb") for message in messages}
 
 
-def _complaint(seen: Any, commands: list[str]) -> str:
-    """Return the output of the first command that failed."""
+def _complaint(seen: Any, commands: list[str], besides: re.Pattern[str]) -> str:
+    """Return the output of the first command that failed, besides those for something else."""
     for index, command in enumerate(commands):
-        if exit_code(seen, index):
+        if exit_code(seen, index) and not besides.search(command):
             return f"; `{command[:60]}` said: {last_words(said(seen, index))}"
     return ""
 

@@ -3,6 +3,7 @@
 import pytest
 
 from coursekit.grade.checking import judge_work
+from coursekit.grade.command_advice import why_refused
 from coursekit.grade.exercise import find
 from coursekit.grade.plan import Seen
 from tests.grade.tried import Tried, told_of
@@ -30,7 +31,13 @@ def test_what_is_wrong_with_a_type_is_told(kind, cause):
 
 @pytest.mark.parametrize(
     ("turn", "seconds", "cause"),
-    [(0.785, 3.0, "drive for longer"), (-0.785, 3.8, "positive turns go to the left"), (0.0, 1.0, "looks right at")],
+    [
+        (0.785, 3.0, "drive for longer"),
+        (1.358, 3.6, "45 degrees"),
+        (0.2128, 3.6, "45 degrees"),
+        (-0.785, 3.8, "positive turns go to the left"),
+        (0.0, 1.0, "looks right at"),
+    ],
 )
 def test_an_end_elsewhere_is_explained(tmp_path, turn, seconds, cause):
     moves = [(0.0, turn, 1.0), (1.5, 0.0, seconds)]
@@ -57,6 +64,36 @@ SPAWN = "service call /spawn turtlesim/srv/Spawn "
 )
 def test_of_a_command_that_is_refused_the_cure_is_told(tmp_path, command, cause):
     assert cause in told_of("ch01.q3", {"commands": [command]}, tmp_path).cause
+
+
+PEN = "service call /turtle1/set_pen turtlesim/srv/SetPen "
+BOB = SPAWN + "'{x: 2.5, y: 3.5, name: bob}'"
+
+
+@pytest.mark.parametrize("spawn", [[], [BOB.replace("bob", "rob")]])
+def test_a_refused_pen_does_not_explain_a_missing_turtle(tmp_path, spawn):
+    said = told_of("ch01.q3", {"commands": [PEN + "'{red: 255}'", *spawn]}, tmp_path)
+    assert said.expected == "a turtle named bob" and not said.cause and "set_pen" not in said.got
+
+
+def test_a_refused_second_turtle_does_not_explain_a_pen(tmp_path):
+    said = told_of("ch01.q3", {"commands": [SPAWN + "'{x:1.0}'", BOB]}, tmp_path)
+    assert said.expected.startswith("turtle1 draws in red") and not said.cause and "said" not in said.got
+    said = told_of("ch01.q3", {"commands": [SPAWN + "'{x:1.0}'", BOB, PEN + "'{red: 255}'"]}, tmp_path)
+    assert "ros2 interface show" in said.cause and "has no attribute 'red'" in said.got
+
+
+@pytest.mark.parametrize(
+    ("said", "told"),
+    [
+        ("Failed to populate field: 'Twist' object has no attribute 'linaer'", True),
+        ("Failed to populate message fields: AttributeError(\"'Fetch_Goal' object has no attribute 'box'\")", True),
+        ("AttributeError: 'MyNode' object has no attribute 'pub'", False),
+        ("AttributeError: 'MyNode' object has no attribute 'pub:x'", False),
+    ],
+)
+def test_only_what_ros2_says_of_a_field_is_explained_by_interface_show(said, told):
+    assert ("ros2 interface show" in why_refused(said)) == told and bool(why_refused(said)) == told
 
 
 def test_a_turtle_elsewhere_needs_no_hint_about_services(tmp_path):

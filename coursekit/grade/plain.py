@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import linecache
 import math
+import os
 import re
 import sys
 import traceback
@@ -21,7 +22,7 @@ from .sandbox_json import Described
 from .verdict import NO_HINT, Wrong
 
 T = TypeVar("T")
-_OURS = str(Path(__file__).resolve().parents[1])
+_OURS = str(Path(__file__).resolve().parents[1]) + os.sep
 _MADE = "<coursekit "
 """The prefix of the file names of generated message classes."""
 _UNFINISHED = ("coroutine", "generator", "async_generator")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import random
 import re
@@ -211,9 +212,21 @@ def _why_kind(kind: type, value: Any) -> str:
         return "A list stands in square brackets."
     if kind is str and type(value) in (int, float):
         return "A text stands between quotes."
-    if kind in (int, float) and type(value) is str:
+    if kind in (int, float) and is_text_of_number(value):
         return "A number stands without quotes."
     return "What gave this value returns nothing: to print is not to return." if value is None else ""
+
+
+def is_text_of_number(value: Any) -> bool:
+    """Whether a value is a text that reads as a finite number, as when quotes stand around it.
+
+    >>> is_text_of_number("1.57"), is_text_of_number("hello"), is_text_of_number("nan"), is_text_of_number(1.57)
+    (True, False, False, False)
+    """
+    try:
+        return type(value) is str and math.isfinite(float(value))
+    except ValueError:
+        return False
 
 
 def _a(noun: str) -> str:

@@ -105,6 +105,11 @@ def test_a_value_of_another_type_is_told_how_to_be_written(kind, value, cause):
     assert cause in judge_work(exercise(lambda work: work.value("x", kind)), Work({"x": value}, None)).cause
 
 
+@pytest.mark.parametrize(("kind", "value"), [(int, "hello"), (float, "nan"), (int, ""), (float, "1.5 m")])
+def test_a_text_that_is_no_number_is_not_told_to_lose_its_quotes(kind, value):
+    assert judge_work(exercise(lambda work: work.value("x", kind)), Work({"x": value}, None)).cause == ""
+
+
 def test_a_module_that_is_not_imported_is_told_how_to_import():
     with pytest.raises(Wrong) as caught:
         called(lambda: math_.pi, told="f()")  # noqa: F821
@@ -124,6 +129,18 @@ def test_a_line_of_the_course_s_own_code_is_never_shown():
     inside = f'  File "{executors.__file__}", line 28, in _take\n    result = callback(*args)\n'
     died = f"Traceback (most recent call last):\n{inside}TypeError: work() missing 1 required positional argument: 'x'\n"
     assert exception_in(died) == "TypeError: work() missing 1 required positional argument: 'x'"
+
+
+def test_a_student_s_folder_beside_the_course_s_code_is_the_student_s():
+    beside = f"{Path(chapters.__file__).parents[2]}_ws{os.sep}ear.py"
+    frame = f'  File "{beside}", line 3, in heard\n    self.count += one\n'
+    died = f"Traceback (most recent call last):\n{frame}NameError: one\n"
+    assert exception_in(died) == "NameError: one (line 3 of ear.py: self.count += one)"
+    scope = {}
+    exec(compile("def tip(a):\n    return [a][1]\n", beside, "exec"), scope)
+    with pytest.raises(Wrong) as caught:
+        called(scope["tip"], 1.0, told="tip(1.0)")
+    assert caught.value.got == "IndexError: list index out of range (line 2)"
 
 
 def test_a_function_s_own_line_is_shown():

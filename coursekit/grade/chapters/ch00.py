@@ -11,7 +11,7 @@ from coursekit.grade.figures.turtles import PAPER, walked
 from coursekit.grade.outputs import way_of
 from coursekit.grade.plain import is_number, shown
 from coursekit.grade.verdict import NO_HINT, Wrong
-from coursekit.grade.work import Work
+from coursekit.grade.work import Work, is_text_of_number
 
 TURTLESIM = "run turtlesim turtlesim_node"
 CMD_VEL, POSE, TWIST = "/turtle1/cmd_vel", "/turtle1/pose", "geometry_msgs/msg/Twist"
@@ -72,11 +72,16 @@ def _press(press: Any) -> tuple[tuple[float, float], float]:
         cause = "They are written in small letters and without spaces; `+` joins two."
         raise Wrong(f"keys out of {', '.join(KEYS)}", gave=shown(press), cause=cause, hint=NO_HINT)
     if not is_number(press[1]) or not 0 < press[1] <= 20:
-        cause = "A key is pressed for so many seconds, not for so many degrees."
-        cause = cause if is_number(press[1]) else "A number stands without quotes."
-        raise Wrong("more than 0 and at most 20 seconds", gave=shown(press), cause=cause, hint=NO_HINT)
+        raise Wrong("more than 0 and at most 20 seconds", gave=shown(press), cause=_why_no_seconds(press[1]), hint=NO_HINT)
     forward, turn = (sum(KEYS[name][part] for name in set(names)) for part in (0, 1))
     return (forward, turn), float(press[1])
+
+
+def _why_no_seconds(seconds: Any) -> str:
+    """Return the likely cause of a duration that is none; empty where there is no usual one."""
+    if is_number(seconds) and seconds > 20:
+        return "A key is pressed for so many seconds, not for so many degrees."
+    return "A number stands without quotes." if is_text_of_number(seconds) else ""
 
 
 @exercise(

@@ -20,6 +20,12 @@ def test_of_a_press_the_part_that_is_wrong_is_named(tmp_path, press, cause):
     assert cause in told_of("ch00.q2", {"presses": [press]}, tmp_path).cause
 
 
+@pytest.mark.parametrize("seconds", [0, -1, None, True, float("nan"), "long", "nan"])
+def test_of_seconds_that_are_neither_degrees_nor_between_quotes_nothing_is_guessed(tmp_path, seconds):
+    said = told_of("ch00.q2", {"presses": [("left", seconds)]}, tmp_path)
+    assert said.expected == "more than 0 and at most 20 seconds" and not said.cause
+
+
 @pytest.mark.parametrize("chapters", [["1", "2", "3"], [0, 2, 3], ["two", "three", "four"]])
 def test_sentences_beside_other_numbers_are_not_told_to_be_too_short(tmp_path, chapters):
     said = told_of("ch00.q3", {"wishes": dict(zip(chapters, SENTENCES, strict=True))}, tmp_path)

@@ -112,8 +112,16 @@ def _expect_line(seen: Seen, line: str, what: str) -> None:
         got = "; ".join(logged[:6]) or f"nothing is logged; the program said: {last_words(said(seen))}"
         printed = line in said(seen).splitlines()
         cause = "These are printed, not logged: self.get_logger().info(...) adds level, time and node." if printed else ""
-        hint = 0 if not logged else 1 if line.startswith("volume") else NO_HINT
-        raise Wrong(f"{what} is logged as: {line}", got, cause, share=0.25, hint=NO_HINT if printed else hint)
+        raise Wrong(f"{what} is logged as: {line}", got, cause, share=0.25, hint=_line_hint(line, bool(logged), printed))
+
+
+def _line_hint(line: str, logged: bool, printed: bool) -> int:
+    """Return the hint for a line that is not logged: on subscriptions if none is, on the volume if only that is wrong."""
+    if printed:
+        return NO_HINT
+    if not logged:
+        return 0
+    return 1 if line.startswith("volume") else NO_HINT
 
 
 @exercise(

@@ -2,6 +2,7 @@
 
 import re
 
+from coursekit.grade.exercise import find
 from coursekit.grade.plan import Seen
 from tests.grade.tried import verdict
 
@@ -28,6 +29,17 @@ def test_what_is_printed_is_told_to_be_so():
 def test_a_status_in_other_words_gets_no_hint_about_subscriptions():
     said = mechanic(output="[INFO] [1.0] [py_subscriber_node]: 86 degrees, motors True\n")
     assert said.got == "86 degrees, motors True" and not said.hint
+
+
+def test_where_nothing_is_logged_the_hint_is_about_subscriptions():
+    assert mechanic(output="hello\n").hint == find("ch04.q2").hints[0]
+
+
+def test_where_only_the_volume_is_wrong_the_hint_is_about_it():
+    begin, lines = "[INFO] [1.0] [py_subscriber_node]: ", [""]
+    while (said := mechanic(output="".join(lines))).expected.startswith("a status is logged as: "):
+        lines.append(f"{begin}{said.expected.removeprefix('a status is logged as: ')}\n")
+    assert said.hint == find("ch04.q2").hints[1]
 
 
 def fetched(*brought_yet):

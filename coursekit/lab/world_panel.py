@@ -92,7 +92,7 @@ class WorldView(ScenePanel):
     def add_box(self, x: float, y: float, size: float = BOX_M) -> str:
         """Add a movable box to the world [m], and wait until it is there. Returns its name."""
         name = self._begin_box(x, y, size)
-        self._wait(lambda: name in self._simulator().simulation.names(), f"{name} is not in the world yet")
+        self._wait(lambda: name in self._simulator().simulation.names(), name)
         return name
 
     def _begin_box(self, x: float, y: float, size: float = BOX_M) -> str:
@@ -115,16 +115,16 @@ class WorldView(ScenePanel):
     def remove(self, name: str) -> None:
         """Remove a robot or object from the world, and wait until it is gone; LookupError suggests similar names."""
         self._begin_removal(name)
-        self._wait(lambda: name not in self._simulator().simulation.names(), f"{name} is still in the world")
+        self._wait(lambda: name not in self._simulator().simulation.names(), name)
 
     def _begin_removal(self, name: str) -> None:
         simulator = self._simulator()
         simulator.simulation.pose_of(name)
         simulator.soon(simulator.delete, name)
 
-    def _wait(self, condition: Callable[[], bool], otherwise: str) -> None:
+    def _wait(self, condition: Callable[[], bool], name: str) -> None:
         if not appears(condition):
-            raise NotNow(f"The simulator is busy: {otherwise}. Wait a moment, then look again.")
+            raise NotNow(f"The simulator is busy, and {name} is not as asked yet. Wait a moment, then look again.")
 
     def _soon(self, what: str, value: Any) -> None:
         simulator = self._simulator()

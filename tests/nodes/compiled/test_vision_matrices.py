@@ -42,6 +42,22 @@ def test_small_matrices_compute_and_are_written_by_functions(said):
     ]
 
 
+def test_small_numbers_views_and_limits_count(said):
+    assert said("small_numbers") == [
+        "1 5e+07 1e+08 2e-16 1e+08 1e-36",
+        "000 400 0 16",
+        "120 160",
+        "[  1,   2,   0,   0;",
+        "   0,   1,   2,   0;",
+        "   3,   0,   1,   2]110[  2,   2,   2]6",
+        "[  1,   0,   0,   0;",
+        "   0,   5,   0,   0;",
+        "   3,   0,   5,   0][  1,   5,   5]",
+        "2213",
+        "1[-1, -1]1 0[2, 1] refused [1, 0]",
+    ]
+
+
 def test_a_board_of_markers_has_one_pose(said):
     assert said("boards") == [
         "[3 x 2]0.04 0.01 510[0, 0.089999996, 0;",

@@ -89,7 +89,7 @@ inline void getBoardObjectAndImagePoints(
   points.assign(Mat(there));
   pixels.assign(Mat(seen));
 }
-/// The board's turn and place before the camera; of how many markers, 0 where none of its is seen.
+/// The board's turn and place before the camera. Returns the number of its markers that are seen.
 inline int estimatePoseBoard(
   InputArrayOfArrays corners, InputArray ids, const Ptr<Board> & board, InputArray camera, InputArray distortion,
   InputOutputArray rvec, InputOutputArray tvec, bool use_guess = false)

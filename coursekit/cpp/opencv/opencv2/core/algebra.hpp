@@ -45,10 +45,12 @@ inline Mat Mat::cross(const Mat & o) const
 inline Mat Mat::diag(int d) const
 {
   const int y = std::max(-d, 0), x = std::max(d, 0), count = std::min(rows - y, cols - x);
-  Mat made(count, 1, type());
-  for (int i = 0; i < count; ++i) {
-    (*this)(Rect(x + i, y + i, 1, 1)).copyTo(made.row(i));
-  }
+  CV_Assert(count > 0);
+  Mat made = *this;
+  made.data += static_cast<size_t>(y) * step.p[0] + static_cast<size_t>(x) * elemSize();
+  made.shape(count, 1, step.p[0] + elemSize());  // from one row to the next is also one pixel further
+  made.datastart = datastart;
+  made.dataend = dataend;
   return made;
 }
 inline Mat Mat::diag(const Mat & numbers)

@@ -91,7 +91,7 @@ public:
   Mat mul(const Mat & o, double scale = 1) const;
   double dot(const Mat & o) const;
   Mat cross(const Mat & o) const;
-  /// Its diagonal as a column; d above it, or below.
+  /// Its diagonal as a column, a view of the same memory; d above it, or below.
   Mat diag(int d = 0) const;
   /// A square matrix with these numbers on its diagonal.
   static Mat diag(const Mat & numbers);

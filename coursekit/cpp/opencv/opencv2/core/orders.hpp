@@ -13,10 +13,19 @@ inline void insertChannel(InputArray src, InputOutputArray dst, int channel)
   dst.assign(call("insertChannel", src, dst, channel));
 }
 inline void patchNaNs(InputOutputArray src, double value = 0) {src.assign(call("patchNaNs", src, value));}
-/// Whether all numbers are ones, between the limits.
-inline bool checkRange(InputArray src, bool = true, Point * = nullptr, double least = -DBL_MAX, double most = DBL_MAX)
+/// Whether all numbers are finite and within the limits; `pos` is the first that is not, and where not quiet, it throws.
+inline bool checkRange(
+  InputArray src, bool quiet = true, Point * pos = nullptr, double least = -DBL_MAX, double most = DBL_MAX)
 {
-  return call("checkRange", src, kw("minVal", least), kw("maxVal", most))[0].integer != 0;
+  const auto answer = call("checkRange", src, kw("minVal", least), kw("maxVal", most));
+  const bool within = answer[0].integer != 0;
+  if (!within && pos) {
+    *pos = detail::point_of(answer[1]);
+  }
+  if (!within && !quiet) {
+    call("checkRange", src, kw("quiet", false), kw("minVal", least), kw("maxVal", most));
+  }
+  return within;
 }
 /// Pairs of channels, counted over all matrices: from one of src to one of dst.
 inline void mixChannels(const Mat * src, size_t sources, Mat * dst, size_t targets, const int * pairs, size_t count)
@@ -76,14 +85,15 @@ public:
   Mat eigenvectors, eigenvalues, mean;
   PCA() = default;
   PCA(InputArray data, InputArray mean_, int flags, int components = 0) {(*this)(data, mean_, flags, components);}
+  /// As many directions as are needed for that part of the variance, above 0 and up to 1.
+  PCA(InputArray data, InputArray mean_, int flags, double variance) {(*this)(data, mean_, flags, variance);}
   PCA & operator()(InputArray data, InputArray mean_, int flags, int components = 0)
   {
-    in_columns_ = flags & DATA_AS_COL;
-    auto answer = call("PCACompute2", rows_of(data), rows_of(mean_), kw("maxComponents", components));
-    mean = rows_of(answer[0].mat);
-    eigenvectors = answer[1].mat;
-    eigenvalues = answer[2].mat;
-    return *this;
+    return compute(data, mean_, flags, "maxComponents", components);
+  }
+  PCA & operator()(InputArray data, InputArray mean_, int flags, double variance)
+  {
+    return compute(data, mean_, flags, "retainedVariance", variance);
   }
   Mat project(InputArray data) const
   {
@@ -95,6 +105,16 @@ public:
   }
 
 private:
+  template<class T>
+  PCA & compute(InputArray data, InputArray mean_, int flags, const char * limit, T value)
+  {
+    in_columns_ = flags & DATA_AS_COL;
+    auto answer = call("PCACompute2", rows_of(data), rows_of(mean_), kw(limit, value));
+    mean = rows_of(answer[0].mat);
+    eigenvectors = answer[1].mat;
+    eigenvalues = answer[2].mat;
+    return *this;
+  }
   Mat rows_of(InputArray data) const
   {
     const Mat mat = data.getMat();

@@ -1,4 +1,4 @@
-// How much OpenCV itself says: a part of it that is not here says nothing, so that the level is only kept.
+// The level of OpenCV's own log. Nothing logs here: the level is only kept, for programs that set and read it.
 #pragma once
 
 namespace cv::utils::logging
@@ -16,7 +16,7 @@ inline LogLevel & level()
 }
 }  // namespace detail
 inline LogLevel getLogLevel() {return detail::level();}
-/// Set it; what it was before.
+/// Set the level. Returns the level before.
 inline LogLevel setLogLevel(LogLevel level)
 {
   const LogLevel before = detail::level();

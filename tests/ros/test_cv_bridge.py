@@ -153,22 +153,70 @@ def test_types_have_opencvs_numbers():
 
 
 @pytest.mark.parametrize(("encoding", "dtype"), [("32SC1", np.int32), ("16UC1", np.uint16), ("32FC1", np.float32)])
-def test_labels_and_depths_are_shown_between_their_own_limits(encoding, dtype):
+def test_numbers_are_shown_between_their_own_limits_where_that_is_asked(encoding, dtype):
     image = np.arange(3, 15, dtype=dtype).reshape(3, 4)
-    shown = cv_bridge.cvtColorForDisplay(image, encoding, "bgr8")
+    shown = cv_bridge.cvtColorForDisplay(image, encoding, "rgb8", do_dynamic_scaling=True)
     assert (shown.dtype, shown.shape, shown.min(), shown.max()) == (np.uint8, (3, 4, 3), 0, 255)
 
 
+def test_labels_have_a_colour_each_on_a_black_background():
+    labels = np.arange(-1, 11, dtype=np.int32).reshape(3, 4)
+    shown = cv_bridge.cvtColorForDisplay(labels, "32SC1", "bgr8")
+    assert (shown.dtype, shown.shape, shown.min(), shown.max()) == (np.uint8, (3, 4, 3), 0, 255)
+    assert shown[0].tolist() == [[0, 0, 0], [0, 0, 255], [72, 255, 0], [255, 0, 144]]
+    assert len({tuple(colour) for colour in shown.reshape(-1, 3).tolist()}) == labels.size
+    assert np.array_equal(cv_bridge.cvtColorForDisplay(labels, "32SC1", do_dynamic_scaling=True), shown)
+    assert cv_bridge.cvtColorForDisplay(np.full((1, 1), -2, np.int32), "32SC1").max() == 255
+
+
+def test_without_limits_only_depths_in_millimetres_have_shades():
+    image = np.array([[0, 257, 65535]], np.uint16)
+    assert cv_bridge.cvtColorForDisplay(image, "16UC1", "mono8").tolist() == [[0, 1, 255]]
+    for encoding, dtype in (("32SC1", np.int32), ("32FC1", np.float32), ("8UC1", np.uint8)):
+        with pytest.raises(CvBridgeError, match="does not make sense|not a colo"):
+            cv_bridge.cvtColorForDisplay(image.astype(dtype), encoding, "mono8")
+
+
+def test_an_even_image_between_its_own_limits_is_grey():
+    image = np.full((2, 3), 4.0, np.float32)
+    for wanted, shape in (("mono8", (2, 3)), ("", (2, 3, 3))):
+        assert np.array_equal(cv_bridge.cvtColorForDisplay(image, "32FC1", wanted, True), np.full(shape, 128, np.uint8))
+
+
+def test_shades_of_grey_are_spread_between_limits_too():
+    image = np.array([[10, 20, 30]], np.uint8)
+    assert cv_bridge.cvtColorForDisplay(image, "mono8", "mono8").tolist() == [[10, 20, 30]]
+    assert cv_bridge.cvtColorForDisplay(image, "mono8", "mono8", True).tolist() == [[0, 128, 255]]
+
+
 def test_limits_and_colours_of_a_depth_image_can_be_given():
-    image = np.array([[0.0, 1.0, 5.0, np.nan]], np.float32)
+    image = np.array([[0.0, 1.0, 5.0, np.nan, np.inf]], np.float32)
     shades = cv_bridge.cvtColorForDisplay(image, "32FC1", "mono8", False, 0.0, 2.0)
-    assert shades.tolist() == [[0, 128, 255, 0]]
+    assert shades.tolist() == [[0, 128, 255, 0, 0]]
     colours = cv_bridge.cvtColorForDisplay(image, "32FC1", "rgb8", min_image_value=0.0, max_image_value=2.0, colormap=2)
-    assert np.array_equal(colours[..., ::-1], cv2.applyColorMap(shades, 2))
+    wanted = cv2.applyColorMap(shades, 2)
+    wanted[0, 3] = 0  # no depth is black, also where the map's first colour is not
+    assert np.array_equal(colours[..., ::-1], wanted)
+
+
+@pytest.mark.parametrize(
+    ("encoding", "wanted", "scaled", "reason"),
+    [
+        ("bgr8", "mono16", False, "has no images of"),
+        ("bgr8", "8UC3", False, "has no images of"),
+        ("64FC1", "", False, "chooses no encoding"),
+        ("32FC3", "", False, "chooses no encoding"),
+        ("8UC3", "", False, "8UC3"),
+        ("bgr8", "bgr8", True, "one channel only"),
+    ],
+)
+def test_what_cannot_be_shown_is_refused(encoding, wanted, scaled, reason):
+    with pytest.raises(CvBridgeError, match=reason):
+        cv_bridge.cvtColorForDisplay(image_of(encoding), encoding, wanted, scaled)
 
 
 def test_what_has_colours_keeps_them_for_display():
     image = image_of("bgr8")
     assert np.array_equal(cv_bridge.cvtColorForDisplay(image, "bgr8", "rgb8"), image[..., ::-1])
-    assert np.array_equal(cv_bridge.cvtColorForDisplay(image, "8UC3"), image)
+    assert np.array_equal(cv_bridge.cvtColorForDisplay(image, "bgr8"), image)
     assert np.array_equal(cv_bridge_boost.cvtColor2(image, "bgr8", "rgb8"), image[..., ::-1])

@@ -93,6 +93,31 @@ def test_a_window_s_sliders_and_mouse_are_told_while_the_program_waits_for_a_key
     ]
 
 
+def test_numbers_become_images_to_look_at(said):
+    assert said("displays") == [
+        "bgr8[  0,   0,   0,   0,   0, 255,  72, 255,   0, 255,   0, 144]",
+        "bgr8[255,  72,   0,   0,   0, 255,   0,   0,   0, 255,   0, 144]",
+        "[32SC1] is not a color format. but [mono8] is. The conversion does not make sense",
+        "mono8[  0,  85, 170, 255]",
+        "mono8[  0,   1, 255]",
+        "bgr8[  0,   0,   0,   1,   1,   1, 255, 255, 255]",
+        "mono8[  0,   1, 255]",
+        "[32FC1] is not a color format. but [bgr8] is. The conversion does not make sense",
+        "mono8[  0, 128, 255,   0,   0]",
+        "rgb8[  0,   0, 128, 130, 255, 126, 128,   0,   0,   0,   0,   0,   0,   0, 128]",
+        "mono8[128, 128]",
+        "bgr8[128, 128, 128, 128, 128, 128]",
+        "mono8[  0, 255]",
+        "cvtColorForDisplay chooses no encoding for [64FC1]: name one, for example bgr8",
+        "cvtColorForDisplay has no images of [mono16]: ask for bgr8, rgb8 or mono8",
+        "[8UC1] is not a color format. but [mono8] is. The conversion does not make sense",
+        "rgb8[  3,   2,   1]",
+        "cvtColorForDisplay scales images of one channel only, not of [bgr8]",
+        "cvtColorForDisplay needs an image, and got a null pointer",
+        "1",
+    ]
+
+
 def test_images_go_over_the_bridge_and_over_topics(said):
     assert said("bridge") == [
         "329bgr8018eye",

@@ -97,3 +97,4 @@ CvImageConstPtr cvtColorForDisplay(
 
 #include "cv_bridge/detail/conversions.hpp"
 #include "cv_bridge/detail/messages.hpp"
+#include "cv_bridge/detail/display.hpp"

@@ -130,25 +130,4 @@ inline CvImagePtr cvtColor(const CvImageConstPtr & source, const std::string & e
 {
   return detail::copied(source->image, source->header, source->encoding, encoding);
 }
-inline CvImageConstPtr cvtColorForDisplay(
-  const CvImageConstPtr & source, const std::string & encoding, const CvtColorForDisplayOptions options)
-{
-  namespace enc = sensor_msgs::image_encodings;
-  std::string wanted = encoding.empty() ? std::string(enc::BGR8) : encoding;
-  bool numbers = detail::colours_of(source->encoding).empty() || enc::bitDepth(source->encoding) == 16;
-  if (!numbers || source->image.channels() != 1) {
-    return cvtColor(source, wanted);
-  }
-  double low = options.min_image_value, high = options.max_image_value;
-  if (options.do_dynamic_scaling || low == high) {
-    cv::minMaxLoc(source->image, &low, &high);
-  }
-  cv::Mat grey;
-  source->image.convertTo(grey, CV_8U, high > low ? 255 / (high - low) : 1, high > low ? -low * 255 / (high - low) : 0);
-  if (options.colormap >= 0) {
-    cv::applyColorMap(grey, grey, options.colormap);
-    return detail::copied(grey, source->header, enc::BGR8, wanted);
-  }
-  return detail::copied(grey, source->header, enc::MONO8, wanted);
-}
 }  // namespace cv_bridge

@@ -1,5 +1,6 @@
 """Signals reach a program as the system would deliver them, and break nothing that other threads need."""
 
+import contextlib
 import contextvars
 import signal
 import subprocess
@@ -185,10 +186,19 @@ def test_a_ctrl_c_that_comes_after_the_end_hits_no_thread_that_took_its_number()
 
 
 def test_what_cannot_be_stopped_is_cut_off_and_said_to_be():
-    release = threading.Lock()
+    release, began = threading.Lock(), threading.Event()
     release.acquire()
+
+    def wait_for_ever():
+        while True:
+            with contextlib.suppress(BaseException):  # the kill may come before the lock is asked for
+                began.set()
+                release.acquire()
+                return
+
     with Session().use() as session:
-        process = session.start(release.acquire, name="stuck")
+        process = session.start(wait_for_ever, name="stuck")
+        assert began.wait(10)
         process.kill()
         assert process.wait(10) == -9 and process.abandoned
         assert "process stuck" in process.output and "does not answer" in process.output

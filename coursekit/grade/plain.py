@@ -106,9 +106,7 @@ def number(value: Any, expected: str, cause: str = "", *, share: float = 0.0) ->
     ...     print(wrong.expected, wrong.cause, sep=": ")
     a distance: That is a text: leave the quotes, `str` or the f-string out.
     """
-    array = _array(value)
-    if array is not None and array.ndim == 0:
-        value = array.item()  # numpy's functions return numbers in this form
+    value = _single(value)
     if not is_number(value):
         raise Wrong(expected, gave=shown(value), cause=cause or _why_no_number(value), share=share, hint=NO_HINT)
     return float(value)
@@ -137,9 +135,7 @@ def whole(value: Any, expected: str, cause: str = "", *, share: float = 0.0) -> 
     ...     print(wrong.cause)
     That is a float: `int(...)` makes an integer of it.
     """
-    array = _array(value)
-    if array is not None and array.ndim == 0:
-        value = array.item()  # numpy's functions return numbers in this form
+    value = _single(value)
     if not is_number(value) or type(value) is float or float(value) != int(value):
         if type(value) is str:
             cause = _why_no_number(value)
@@ -179,6 +175,12 @@ def items(value: Any, expected: str, cause: str = "") -> list[Any]:
     several = several if is_number(value) else "They belong in a tuple or a list: `a, b`."
     why = several if type(value) in (dict, set) else _why_no_number(value) or several
     raise Wrong(expected, gave=shown(value), cause=cause or why, hint=NO_HINT)
+
+
+def _single(value: Any) -> Any:
+    """Return the number of an array that is one number, as numpy's functions return them; else the value itself."""
+    array = _array(value)
+    return value if array is None or array.ndim else array.item()
 
 
 def _array(value: Any) -> Any:

@@ -13,6 +13,8 @@ import pytest
 import coursekit.cpp
 from coursekit.cpp.runtime import runtime_folder
 from coursekit.cpp.toolchain import NoToolchain, find_toolchain
+from coursekit.processes.executables import make_process
+from coursekit.processes.session import Session
 from tests.conftest import make_cpp_runtime
 
 ROOM = Path(coursekit.cpp.__file__).parent
@@ -54,6 +56,18 @@ def build(cpp_library: Path, tmp_path_factory: pytest.TempPathFactory) -> Callab
         return path_by_program[name, text]
 
     return compiled
+
+
+@pytest.fixture
+def said(session: Session, build: Callable[..., Path], tmp_path: Path) -> Callable[[str], list[str]]:
+    """Run one of the programs beside the tests in a folder of its own, to its good end; the lines that it printed."""
+
+    def lines(name: str) -> list[str]:
+        process = session.launch(make_process(session, build(name, program(f"{name}.cpp")), name=name, cwd=tmp_path))
+        assert process.wait(20.0) == 0, process.output
+        return process.output.splitlines()
+
+    return lines
 
 
 def _compile(library: Path, *words: str) -> None:

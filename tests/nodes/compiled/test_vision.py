@@ -15,16 +15,6 @@ from coursekit.view.desk import desk
 from tests.nodes.compiled.conftest import ROOM, program
 
 
-@pytest.fixture
-def said(session, build, tmp_path):
-    def lines(name):
-        process = session.launch(make_process(session, build(name, program(f"{name}.cpp")), name=name, cwd=tmp_path))
-        assert process.wait(20.0) == 0, process.output
-        return process.output.splitlines()
-
-    return lines
-
-
 def test_constants_are_those_of_cv2():
     text = (ROOM / "opencv/opencv2/core/constants.hpp").read_text()
     pairs = re.findall(r"(\w+) = (-?\d+)", text)

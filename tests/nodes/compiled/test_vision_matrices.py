@@ -2,21 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
-
-from coursekit.processes.executables import make_process
-from tests.nodes.compiled.conftest import program
-
-
-@pytest.fixture
-def said(session, build, tmp_path):
-    def lines(name):
-        process = session.launch(make_process(session, build(name, program(f"{name}.cpp")), name=name, cwd=tmp_path))
-        assert process.wait(20.0) == 0, process.output
-        return process.output.splitlines()
-
-    return lines
-
 
 def test_small_matrices_compute_and_are_written_by_functions(said):
     assert said("small_matrices") == [

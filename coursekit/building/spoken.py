@@ -17,7 +17,7 @@ from coursekit.words.gettext import FIELD, catalogue_of
 PACKAGE = Path(__file__).parents[1]
 _JUDGES = (
     "cell_before", "checking", "command_advice", "exception_advice",
-    "outputs", "plain", "reader", "reading", "trial", "verdict", "work",
+    "outputs", "plain", "reader", "reading", "stopped_function", "trial", "verdict", "work",
 )  # fmt: skip
 _MARKING = (
     "examiner", "handing_in", "repair", "chapter_files", "collector", "mark", "recognising", "archives", "submission_parts",

@@ -21,8 +21,8 @@ from .illustration import Illustration
 from .interruptions import Gone, NeedsWorkspace
 from .observed_work import ObservedWork
 from .own_checks import OWN, fault_of, read_checks
-from .plain import error_of, of_student
 from .progress import Progress
+from .stopped_function import error_of, of_student
 from .verdict import NO_HINT, CheckFailed, Skipped, Verdict, Wrong
 from .work import Work
 

@@ -18,8 +18,8 @@ from typing import Any
 
 from coursekit.jupyter.kernel import load_lab
 
-from .plain import error_of
 from .sandbox_json import pack, refresh, unpack_of_judge
+from .stopped_function import error_of
 
 WAIT_SECONDS = 600.0
 """The maximum virtual duration of a cell [s]."""

@@ -7,7 +7,8 @@ import pytest
 
 from coursekit.grade import chapters
 from coursekit.grade.outputs import exception_in
-from coursekit.grade.plain import called, error_of
+from coursekit.grade.plain import called
+from coursekit.grade.stopped_function import error_of
 from coursekit.grade.verdict import Wrong
 
 

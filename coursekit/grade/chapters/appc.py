@@ -9,7 +9,8 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.grade.exercise import exercise
-from coursekit.grade.plain import called, error_of, shown, text
+from coursekit.grade.plain import called, shown, text
+from coursekit.grade.stopped_function import error_of
 from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 

@@ -25,6 +25,8 @@ _STANDARD = {
 _Q = "['‘’`\"]"
 _BEFORE, _BEHIND = r"(?:[^'’(\n]* )?", r"(?=[<('’\s]|$)"
 """A linker prints a function with its return type before the name, and its parameters after it."""
+_BRACES = "count the braces above this place: one is missing, or one too many."
+"""For a compiler's first error alone: behind another one, a compiler often misses braces that are there."""
 Mending = Callable[[re.Match[str]], str]
 
 
@@ -112,8 +114,7 @@ _RULES: tuple[tuple[str, str | Mending], ...] = (
     (rf"undefined reference to [`‘']{_BEFORE}(?P<name>[\w:~]+){_BEHIND}"
      rf"|undefined symbol: {_BEFORE}(?P<other>[\w:~]+){_BEHIND}",
      lambda match: f"{_name(match)} is declared and not defined: is its .cpp in add_executable(), its library linked?"),
-    (rf"error: expected {_Q}[{{}}()]|expected unqualified-id|expected declaration",
-     "count the braces above this place: one is missing, or one too many."),
+    (rf"error: expected {_Q}[{{}}()]|expected unqualified-id|expected declaration", _BRACES),
     (r"passing .const \S+ as .this. argument discards qualifiers", "the function called is not const, but its object is."),
 )  # fmt: skip
 
@@ -142,9 +143,13 @@ def _found(text: str) -> Iterator[tuple[int, str]]:
     for pattern, mending in _RULES:
         for match in re.finditer(pattern, text):
             line = text.count("\n", 0, match.start())
-            if line not in taken:  # the first matching rule wins
+            if line not in taken and (mending is not _BRACES or _in_first_error(text, match.start())):  # the first rule wins
                 taken.add(line)
                 yield match.start(), mending if isinstance(mending, str) else mending(match)
+
+
+def _in_first_error(text: str, at: int) -> bool:
+    return text.rfind("error:", 0, at + len("error:")) == text.find("error:")
 
 
 def _place(text: str, at: int) -> str:

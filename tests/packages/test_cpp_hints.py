@@ -65,5 +65,12 @@ def test_no_more_than_three_and_nothing_twice():
     assert len(hints(text)) == 3 and hints(text + text) == hints(text)
 
 
+def test_braces_are_missed_behind_another_error():
+    other = "a.cpp:9:5: error: ‘Nodes’ in namespace ‘rclcpp’ does not name a type\n"
+    braces = "a.cpp:7:3: error: expected ‘{’ before ‘const’\n"
+    assert len(hints(braces + braces.replace("7", "8"))) == 1
+    assert hints(other + braces) == []
+
+
 def test_warnings_and_other_words_are_left_alone():
     assert hints("a.cpp:3:5: warning: unused variable ‘x’ [-Wunused-variable]\n-- Configuring done\n") == []

@@ -9,18 +9,35 @@ using coursekit::Unpacker;
 
 namespace
 {
+/// The reason why a time is outside of a buffer tells which kind it is.
+[[noreturn]] void throw_extrapolation(const std::string & reason)
+{
+  auto says = [&](const char * words) {return reason.find(words) != std::string::npos;};
+  if (says("extrapolation into the past")) {
+    throw tf2::BackwardExtrapolationException(reason);
+  }
+  if (says("extrapolation into the future")) {
+    throw tf2::ForwardExtrapolationException(reason);
+  }
+  if (says("extrapolation at time")) {
+    throw tf2::NoDataForExtrapolationException(reason);
+  }
+  throw tf2::ExtrapolationException(reason);
+}
 Unpacker asked(const char * what, const Packer & with)
 {
   try {
     return coursekit::request(what, with);
   } catch (const coursekit::Refused & refusal) {
+    if (refusal.kind == "ExtrapolationException") {
+      throw_extrapolation(refusal.what());
+    }
 #define COURSEKIT_THROW(Name) \
   if (refusal.kind == #Name) { \
     throw tf2::Name(refusal.what()); \
   }
     COURSEKIT_THROW(ConnectivityException)
     COURSEKIT_THROW(LookupException)
-    COURSEKIT_THROW(ExtrapolationException)
     COURSEKIT_THROW(InvalidArgumentException)
     COURSEKIT_THROW(TimeoutException)
     throw tf2::TransformException(refusal.what());
@@ -85,8 +102,52 @@ bool BufferCore::_frameExists(const std::string & name) const
 bool BufferCore::setTransform(const geometry_msgs::msg::TransformStamped & transform, const std::string & authority, bool is_static)
 {
   const bool taken = asked("tf_set", Packer{}.i(id).s(authority).i(is_static).m(transform)).i() != 0;
+  answer_requests();
   transform_was_set();
   return taken;
+}
+TransformableRequestHandle BufferCore::addTransformableRequest(
+  const TransformableCallback & callback, const std::string & target, const std::string & source, TimePoint time)
+{
+  if (target == source || canTransform(target, source, time)) {
+    return 0;
+  }
+  if (is_too_old(target, source, time)) {
+    return std::numeric_limits<TransformableRequestHandle>::max();
+  }
+  std::lock_guard<std::mutex> hold(requests_lock_);
+  requests_.push_back({++last_request_, callback, target, source, time});
+  return last_request_;
+}
+void BufferCore::cancelTransformableRequest(TransformableRequestHandle handle)
+{
+  std::lock_guard<std::mutex> hold(requests_lock_);
+  requests_.remove_if([handle](auto & request) {return request.handle == handle;});
+}
+bool BufferCore::is_too_old(const std::string & target, const std::string & source, const TimePoint & time) const
+{
+  if (!canTransform(target, source, TimePointZero)) {
+    return false;
+  }
+  const auto & stamp = lookupTransform(target, source, TimePointZero).header.stamp;
+  const TimePoint latest{std::chrono::seconds(stamp.sec) + std::chrono::nanoseconds(stamp.nanosec)};
+  return latest != TimePointZero && time + cache_time_ < latest;
+}
+void BufferCore::answer_requests()
+{
+  std::list<TransformableRequest> waiting;
+  {
+    std::lock_guard<std::mutex> hold(requests_lock_);
+    waiting = requests_;
+  }
+  for (auto & request : waiting) {
+    const bool can = canTransform(request.target, request.source, request.time);
+    if (can || is_too_old(request.target, request.source, request.time)) {
+      cancelTransformableRequest(request.handle);
+      request.callback(
+        request.handle, request.target, request.source, request.time, can ? TransformAvailable : TransformFailure);
+    }
+  }
 }
 void BufferCore::clear() {asked("tf_clear", Packer{}.i(id));}
 std::string BufferCore::allFramesAsString() const {return asked("tf_text", Packer{}.i(id)).s();}

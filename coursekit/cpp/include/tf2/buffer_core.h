@@ -1,5 +1,8 @@
 // Transforms of the last seconds, without waiting for them: a buffer of the session's, asked over the link.
 #pragma once
+#include <functional>
+#include <list>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -14,6 +17,9 @@
 
 namespace tf2
 {
+using TransformableRequestHandle = uint64_t;
+enum TransformableResult {TransformAvailable, TransformFailure};
+
 class BufferCore : public coursekit::Entity, public BufferCoreInterface
 {
 public:
@@ -62,6 +68,14 @@ public:
   void _chainAsVector(
     const std::string & target, TimePoint target_time, const std::string & source, TimePoint source_time,
     const std::string & fixed, std::vector<std::string> & chain) const;
+  using TransformableCallback = std::function<void (
+        TransformableRequestHandle handle, const std::string & target, const std::string & source, TimePoint time,
+        TransformableResult result)>;
+  /// Call a function once, when a transform that this program sets makes another one known, or too old to come.
+  /// 0 where it is known already; the greatest number where it is too old.
+  TransformableRequestHandle addTransformableRequest(
+    const TransformableCallback & callback, const std::string & target, const std::string & source, TimePoint time);
+  void cancelTransformableRequest(TransformableRequestHandle handle);
   Duration getCacheLength() const {return cache_time_;}
   void setUsingDedicatedThread(bool uses) {dedicated_thread_ = uses;}
   bool isUsingDedicatedThread() const {return dedicated_thread_;}
@@ -73,6 +87,20 @@ protected:
   virtual void transform_was_set() {}
 
 private:
+  struct TransformableRequest
+  {
+    TransformableRequestHandle handle;
+    TransformableCallback callback;
+    std::string target, source;
+    TimePoint time;
+  };
+  /// Whether the buffer holds only newer transforms between two frames than it would need.
+  bool is_too_old(const std::string & target, const std::string & source, const TimePoint & time) const;
+  void answer_requests();
+
+  std::mutex requests_lock_;
+  std::list<TransformableRequest> requests_;
+  TransformableRequestHandle last_request_ = 0;
   Duration cache_time_;
   bool dedicated_thread_ = false;
 };

@@ -19,16 +19,19 @@ public:
   explicit TransformException(const std::string & text)
   : std::runtime_error(text) {}
 };
-#define COURSEKIT_TF2_EXCEPTION(Name) \
-  class Name : public TransformException \
+#define COURSEKIT_TF2_EXCEPTION(Name, Base) \
+  class Name : public Base \
   { \
   public: \
     explicit Name(const std::string & text) \
-    : TransformException(text) {} \
+    : Base(text) {} \
   };
-COURSEKIT_TF2_EXCEPTION(ConnectivityException)
-COURSEKIT_TF2_EXCEPTION(LookupException)
-COURSEKIT_TF2_EXCEPTION(ExtrapolationException)
-COURSEKIT_TF2_EXCEPTION(InvalidArgumentException)
-COURSEKIT_TF2_EXCEPTION(TimeoutException)
+COURSEKIT_TF2_EXCEPTION(ConnectivityException, TransformException)
+COURSEKIT_TF2_EXCEPTION(LookupException, TransformException)
+COURSEKIT_TF2_EXCEPTION(ExtrapolationException, TransformException)
+COURSEKIT_TF2_EXCEPTION(InvalidArgumentException, TransformException)
+COURSEKIT_TF2_EXCEPTION(TimeoutException, TransformException)
+COURSEKIT_TF2_EXCEPTION(BackwardExtrapolationException, ExtrapolationException)
+COURSEKIT_TF2_EXCEPTION(ForwardExtrapolationException, ExtrapolationException)
+COURSEKIT_TF2_EXCEPTION(NoDataForExtrapolationException, ExtrapolationException)
 }  // namespace tf2

@@ -1,38 +1,20 @@
 // Transforms of the last seconds, waited for.
 #pragma once
-#include <future>
 #include <list>
 
 #include "tf2/buffer_core.h"
+#include "tf2_ros/async_buffer_interface.h"
 #include "tf2_ros/buffer_interface.h"
 #include "tf2_ros/create_timer_interface.h"
 
 namespace tf2_ros
 {
-using TransformRequestHandle = uint64_t;
-/// What will be found, and the number of the request by which it is cancelled.
-class TransformStampedFuture : public std::shared_future<geometry_msgs::msg::TransformStamped>
-{
-  using Base = std::shared_future<geometry_msgs::msg::TransformStamped>;
-
-public:
-  TransformStampedFuture() = default;
-  explicit TransformStampedFuture(Base future)
-  : Base(std::move(future)) {}
-  void setHandle(TransformRequestHandle handle) {handle_ = handle;}
-  TransformRequestHandle getHandle() const {return handle_;}
-
-private:
-  TransformRequestHandle handle_ = 0;
-};
-using TransformReadyCallback = std::function<void (const TransformStampedFuture &)>;
-
 static const char threading_error[] =
   "Do not call canTransform or lookupTransform with a timeout unless you are using another thread for populating data. "
   "Without a dedicated thread it will always timeout.  If you have a separate thread servicing tf messages, call "
   "setUsingDedicatedThread(true) on your Buffer instance.";
 
-class Buffer : public BufferInterface, public tf2::BufferCore
+class Buffer : public BufferInterface, public AsyncBufferInterface, public tf2::BufferCore
 {
 public:
   RCLCPP_SMART_PTR_DEFINITIONS(Buffer)
@@ -92,7 +74,7 @@ public:
   /// Have a function called when there is a transform; its future throws tf2::TimeoutException where none came in time.
   TransformStampedFuture waitForTransform(
     const std::string & target, const std::string & source, const tf2::TimePoint & time, const tf2::Duration & timeout,
-    TransformReadyCallback callback);
+    TransformReadyCallback callback) override;
   TransformStampedFuture waitForTransform(
     const std::string & target, const std::string & source, const rclcpp::Time & time, const rclcpp::Duration & timeout,
     TransformReadyCallback callback)
@@ -101,7 +83,7 @@ public:
   }
 
   /// Wait for it no more.
-  void cancel(const TransformStampedFuture & future);
+  void cancel(const TransformStampedFuture & future) override;
 
 protected:
   void transform_was_set() override;

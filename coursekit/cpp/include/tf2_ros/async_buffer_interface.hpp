@@ -1,0 +1,2 @@
+#pragma once
+#include "tf2_ros/async_buffer_interface.h"

@@ -1,0 +1,2 @@
+#pragma once
+#include "resource_retriever/retriever.hpp"

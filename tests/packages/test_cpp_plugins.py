@@ -73,6 +73,15 @@ int main()
   } catch (const pluginlib::LibraryLoadException & error) {
     std::cout << error.what() << std::endl;
   }
+  for (auto & path : loader.getPluginXmlPaths()) {
+    std::cout << pluginlib::ClassLoader<shop::Tool>("k_tool", "shop::Tool", "", {path}).getDeclaredClasses().size();
+  }
+  std::cout << pluginlib::ClassLoader<shop::Tool>("k_tool", "shop::Tool", "other").getDeclaredClasses().size() << std::endl;
+  try {
+    pluginlib::ClassLoader<shop::Tool>("k_tool", "shop::Tool", "broken");
+  } catch (const pluginlib::InvalidXMLException & error) {
+    std::cout << "broken" << std::endl;
+  }
   try {
     pluginlib::ClassLoader<shop::Tool>("k_nowhere", "shop::Tool");
   } catch (const pluginlib::ClassLoaderException &) {
@@ -123,6 +132,8 @@ find_package(rclcpp REQUIRED)
 find_package(rclcpp_components REQUIRED)
 pluginlib_export_plugin_description_file(k_tool plugins.xml)
 pluginlib_export_plugin_description_file(k_tool more/lost.xml)
+ament_index_register_resource(k_tool__pluginlib__broken CONTENT "share/k_tools/package.xml\nshare/k_tools/broken.xml\n")
+install(FILES broken.xml DESTINATION share/${PROJECT_NAME})
 add_library(k_tools src/tools.cpp)
 target_include_directories(k_tools PUBLIC
   $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>)
@@ -208,6 +219,7 @@ FILES = {
     "k_tools/CMakeLists.txt": TOOLS_CMAKE,
     "k_tools/plugins.xml": PLUGINS,
     "k_tools/more/lost.xml": LOST,
+    "k_tools/broken.xml": "<library path='tools_of_k'>",
     "k_tools/src/tools.cpp": TOOLS,
     "k_tools/src/lathe.cpp": LATHE,
     "k_tool/package.xml": MANIFEST.format(
@@ -247,6 +259,8 @@ def test_plugins_are_found_by_their_descriptions_and_made(workspace):
         "According to the loaded plugin descriptions the class k_tools::Saw with base class type shop::Tool does not exist. "
         "Declared types are  a_press k_tools::Hammer lost",
         "Could not find library corresponding to plugin lost. Make sure that the library 'k_lost' actually exists.",
+        "120",
+        "broken",
         "no such package",
     ]
 

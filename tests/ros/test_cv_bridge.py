@@ -159,6 +159,12 @@ def test_numbers_are_shown_between_their_own_limits_where_that_is_asked(encoding
     assert (shown.dtype, shown.shape, shown.min(), shown.max()) == (np.uint8, (3, 4, 3), 0, 255)
 
 
+def test_what_is_not_finite_is_black_and_sets_no_limits():
+    depths = np.array([[50, 100, 150, -np.inf, np.inf, np.nan]], np.float32)
+    shown = cv_bridge.cvtColorForDisplay(depths, "32FC1", "mono8", do_dynamic_scaling=True)
+    assert shown.tolist() == [[0, 128, 255, 0, 0, 0]]
+
+
 def test_labels_have_a_colour_each_on_a_black_background():
     labels = np.arange(-1, 11, dtype=np.int32).reshape(3, 4)
     shown = cv_bridge.cvtColorForDisplay(labels, "32SC1", "bgr8")

@@ -36,24 +36,39 @@ class Plugin(NamedTuple):
 
 def do_plugins(_host: Host, _channel: Channel, frame: Unpacker) -> bytes:
     """Return the plugins for a base class of a package."""
-    package, base = frame.text(), frame.text()
+    package, base, attribute = frame.text(), frame.text(), frame.text()
     get_package_prefix(package)  # raises PackageNotFoundError for an unknown package
-    plugins = list(declared(package, base))
+    paths = [Path(frame.text()) for _ in range(frame.integer())]
+    descriptions = map(_with_owner, paths) if paths else _exported(f"{package}__pluginlib__{attribute}")
+    plugins = [plugin for description in descriptions for plugin in _read(*description, base)]
     words = [word for plugin in plugins for word in (*plugin, int(os.path.isabs(plugin.library) or not plugin.library))]
     return packed(len(plugins), *words)
 
 
 def declared(package: str, base: str) -> Iterator[Plugin]:
     """Yield the plugins of all packages for a base class defined by `package`."""
-    kind = f"{package}__pluginlib__plugin"
+    for description in _exported(f"{package}__pluginlib__plugin"):
+        yield from _read(*description, base)
+
+
+def _exported(kind: str) -> Iterator[tuple[str, Path, Path]]:
+    """Yield the descriptions exported under a type of resource: their packages, prefixes and paths."""
     for owner in sorted(get_resources(kind)):
         content, prefix = get_resource(kind, owner)
         for line in content.split():
-            yield from _read(owner, Path(prefix), line, base)
+            yield owner, Path(prefix), Path(prefix, line)
 
 
-def _read(owner: str, prefix: Path, line: str, base: str) -> Iterator[Plugin]:
-    path = prefix / line
+def _with_owner(path: Path) -> tuple[str, Path, Path]:
+    """Return the package of a description, whose manifest lies above it, the package's prefix, and the path."""
+    for folder in path.parents:
+        if (manifest := folder / "package.xml").is_file():
+            owner = fromstring(read_text(manifest)).findtext("name", "").strip()
+            return owner, Path(get_package_prefix(owner)), path
+    raise InvalidManifest(f"Could not find the package of the plugin description {path}: no package.xml lies above it.")
+
+
+def _read(owner: str, prefix: Path, path: Path, base: str) -> Iterator[Plugin]:
     try:
         root = fromstring(read_text(path))
     except (OSError, ParseError, ValueError) as error:

@@ -41,7 +41,8 @@ def cvtColorForDisplay(
     if do_dynamic_scaling or limits[0] != limits[1]:
         _check_can_be_scaled(encoding_in)
     if do_dynamic_scaling:
-        limits = cv2.minMaxLoc(np.asarray(image, parsed_encoding(encoding_in).dtype))[:2]
+        finite = np.isfinite(image).astype(np.uint8)
+        limits = cv2.minMaxLoc(np.asarray(image, parsed_encoding(encoding_in).dtype), finite)[:2]
         if limits[0] == limits[1]:
             return converted(np.full(image.shape, _MIDDLE_GREY, np.uint8), "mono8", wanted)
     if limits[0] != limits[1]:
@@ -85,9 +86,13 @@ def _scaled(image: Any, encoding: str, wanted: str, limits: tuple[float, float],
 
 
 def _shades(image: Any, dtype: str, low: float, high: float) -> Any:
-    """0 to 255 for `low` to `high`; what is not finite is black, as OpenCV's rounding makes it on a PC."""
-    above = image.astype(np.float64) - low
-    if np.dtype(dtype).kind in "iu":  # OpenCV takes the low limit off in the image's own type
-        above = np.clip(np.rint(above), np.iinfo(dtype).min, np.iinfo(dtype).max)
-    finite = np.where(np.isfinite(above), above, 0.0)
-    return np.clip(np.rint(finite * (255.0 / (high - low))), 0, 255).astype(np.uint8)
+    """0 to 255 for `low` to `high`; what is not finite is black, as OpenCV's rounding makes it on a PC.
+
+    OpenCV takes the low limit off in the image's own type, and scales in single precision.
+    """
+    if np.dtype(dtype).kind in "iu":
+        above = np.clip(np.rint(image.astype(np.float64) - low), np.iinfo(dtype).min, np.iinfo(dtype).max)
+    else:
+        above = image.astype(dtype) - np.dtype(dtype).type(low)
+    finite = np.where(np.isfinite(above), above, 0.0).astype(np.float32)
+    return np.clip(np.rint(finite * np.float32(255.0 / (high - low))), 0, 255).astype(np.uint8)

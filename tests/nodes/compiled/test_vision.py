@@ -94,6 +94,7 @@ def test_numbers_become_images_to_look_at(said):
         "mono8[  0,   1, 255]",
         "[32FC1] is not a color format. but [bgr8] is. The conversion does not make sense",
         "mono8[  0, 128, 255,   0,   0]",
+        "mono8[  0, 128, 255,   0,   0,   0]",
         "rgb8[  0,   0, 128, 130, 255, 126, 128,   0,   0,   0,   0,   0,   0,   0, 128]",
         "mono8[128, 128]",
         "bgr8[128, 128, 128, 128, 128, 128]",

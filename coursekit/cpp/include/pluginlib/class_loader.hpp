@@ -16,10 +16,13 @@ template<class T>
 class ClassLoader
 {
 public:
-  ClassLoader(std::string package, std::string base_class, std::string attribute = "plugin", std::vector<std::string> = {})
-  : package_(std::move(package)), base_class_(std::move(base_class))
+  /// Plugins whose descriptions packages export under an attribute, or those of the given descriptions alone.
+  ClassLoader(
+    std::string package, std::string base_class, std::string attrib_name = "plugin",
+    std::vector<std::string> plugin_xml_paths = {})
+  : package_(std::move(package)), base_class_(std::move(base_class)), attribute_(std::move(attrib_name)),
+    paths_(std::move(plugin_xml_paths))
   {
-    (void)attribute;
     refreshDeclaredClasses();
   }
   virtual ~ClassLoader() = default;
@@ -54,7 +57,7 @@ public:
   }
   void refreshDeclaredClasses()
   {
-    for (auto & one : read_descriptions(package_, base_class_)) {
+    for (auto & one : read_descriptions(package_, base_class_, attribute_, paths_)) {
       known_.emplace(one.name, one);
     }
   }
@@ -141,7 +144,8 @@ private:
     return "According to the loaded plugin descriptions the class " + lookup_name + " with base class type " + base_class_ +
            " does not exist. Declared types are " + declared;
   }
-  std::string package_, base_class_;
+  std::string package_, base_class_, attribute_;
+  std::vector<std::string> paths_;
   std::map<std::string, Description> known_;
   std::map<std::string, std::shared_ptr<class_loader::ClassLoader>> loaders_;
 };

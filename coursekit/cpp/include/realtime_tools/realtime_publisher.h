@@ -15,6 +15,8 @@ class RealtimePublisher
 {
 public:
   using PublisherSharedPtr = typename rclcpp::Publisher<MessageT>::SharedPtr;
+  /// One that never publishes: a member until it is known what it publishes.
+  RealtimePublisher() = default;
   explicit RealtimePublisher(PublisherSharedPtr publisher)
   : publisher_(std::move(publisher)), thread_([this] {send_all();}) {}
   ~RealtimePublisher()

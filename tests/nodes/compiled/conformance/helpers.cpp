@@ -85,6 +85,7 @@ static void publishing(const rclcpp::Node::SharedPtr & node)
 {
   int heard = 0, sent = 0;
   auto subscription = node->create_subscription<Int32>("rt", 10, [&](Int32::ConstSharedPtr message) {heard += message->data;});
+  realtime_tools::RealtimePublisher<Int32> of_nothing;
   realtime_tools::RealtimePublisher<Int32> publisher(node->create_publisher<Int32>("rt", 10));
   for (int i = 1; i <= 3; ++i) {
     if (publisher.trylock()) {

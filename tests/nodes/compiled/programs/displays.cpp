@@ -39,6 +39,7 @@ int main()
   show(range, "mono8", own);
   show(depths);
   show(depths, "mono8", limits);
+  show(image<float>("32FC1", {50, 100, 150, -far, far, std::nanf("")}), "mono8", own);
   limits.colormap = cv::COLORMAP_JET;
   show(depths, "rgb8", limits);
   show(image<float>("32FC1", {4, 4}), "mono8", own);

@@ -55,6 +55,15 @@ void set_where(const cv::Mat & image, cv::Mat & made, const P & value, F chosen)
     }
   }
 }
+/// The least and the greatest number of an image; what is not finite does not count.
+inline void finite_limits(const cv::Mat & image, double & low, double & high)
+{
+  cv::Mat counts(image.rows, image.cols, CV_8U, cv::Scalar(255));
+  if (image.depth() == CV_32F || image.depth() == CV_64F) {
+    set_where(image, counts, static_cast<unsigned char>(0), [](double number) {return !std::isfinite(number);});
+  }
+  cv::minMaxLoc(image, &low, &high, nullptr, nullptr, counts);
+}
 /// 0 to 255 for low to high; what is not finite is black, as OpenCV's rounding makes it on a PC.
 inline cv::Mat shades(const cv::Mat & image, double low, double high)
 {
@@ -98,7 +107,7 @@ inline CvImageConstPtr cvtColorForDisplay(
     throw Exception("cvtColorForDisplay scales images of one channel only, not of [" + source->encoding + "]");
   }
   if (options.do_dynamic_scaling) {
-    cv::minMaxLoc(source->image, &low, &high);
+    detail::finite_limits(source->image, low, high);
     if (low == high) {  // all the same: the grey in the middle
       cv::Mat even(source->image.rows, source->image.cols, getCvType(wanted), cv::Scalar::all(127.5));
       return std::make_shared<CvImage>(source->header, wanted, even);

@@ -93,10 +93,28 @@ inline void Mat::copyTo(Mat & to, const Mat & mask) const
     }
   }
 }
+namespace detail
+{
+/// OpenCV scales in single precision what goes to 8 or 16 bits, comes from them, or is a float before and after.
+inline bool scales_in_float(int from, int to)
+{
+  return to < CV_32S || (to != CV_64F && (from < CV_32S || (from == CV_32F && to == CV_32F)));
+}
+template<class T>
+double scaled(T number, double alpha, double beta, bool in_float)
+{
+  if (!in_float) {
+    return static_cast<double>(number) * alpha + beta;
+  }
+  const double by = static_cast<float>(alpha), more = static_cast<float>(beta);
+  return static_cast<float>(static_cast<double>(static_cast<float>(number)) * by + more);
+}
+}  // namespace detail
 inline void Mat::convertTo(Mat & to, int rtype, double alpha, double beta) const
 {
   Mat from = *this, made(rows, cols, CV_MAKETYPE(rtype < 0 ? depth() : CV_MAT_DEPTH(rtype), channels()));
-  int width = cols * channels();
+  const int width = cols * channels();
+  const bool in_float = (alpha != 1 || beta != 0) && detail::scales_in_float(from.depth(), made.depth());
   detail::with_depth(
     from.depth(), [&](auto source) {
       detail::with_depth(
@@ -105,7 +123,7 @@ inline void Mat::convertTo(Mat & to, int rtype, double alpha, double beta) const
             auto * in = from.ptr<decltype(source)>(y);
             auto * out = made.ptr<decltype(target)>(y);
             for (int i = 0; i < width; ++i) {
-              out[i] = saturate_cast<decltype(target)>(static_cast<double>(in[i]) * alpha + beta);
+              out[i] = saturate_cast<decltype(target)>(detail::scaled(in[i], alpha, beta, in_float));
             }
           }
         });

@@ -75,7 +75,6 @@ FORWARDED = {
     "tf2/buffer_core_interface.h": "buffer_core_interface.hpp",
     "tf2/time_cache.h": "time_cache.hpp",
     "tf2_kdl/tf2_kdl.hpp": "tf2_kdl.h",
-    "tf2_ros/buffer.h": "async_buffer_interface.h",
     "ament_index_cpp/get_package_prefix.hpp": "get_search_paths",
     "libstatistics_collector/moving_average_statistics/moving_average.hpp": "moving_average_statistics/types",
     "libstatistics_collector/collector/collector.hpp": "collector/metric_details_interface",

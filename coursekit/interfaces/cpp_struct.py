@@ -9,6 +9,8 @@ from coursekit.interfaces.model import Constant, Field, FieldType, Message
 
 _FILLER = Field(FieldType("uint8"), "structure_needs_at_least_one_member")
 _INIT = "rosidl_runtime_cpp::MessageInitialization"
+_IF_USED = "template<class = void>"
+"""Of a template a compiler makes only what a program uses: each include of a message with lists takes it less time."""
 
 
 def struct_lines(message: Message) -> list[str]:
@@ -34,8 +36,8 @@ def struct_lines(message: Message) -> list[str]:
         *_octets(fields),
         *_text_bounds(fields),
         f"  template<class V, class M> static void each_field(V & visit, M & message) {{{visits}}}",
-        f"  bool operator==(const {name} & o) const {{return {same};}}",
-        f"  bool operator!=(const {name} & o) const {{return !(*this == o);}}",
+        f"  {_IF_USED} bool operator==(const {name} & o) const {{return {same};}}",
+        f"  {_IF_USED} bool operator!=(const {name} & o) const {{return !(*this == o);}}",
         "};",
         f"template<class ContainerAllocator = std::allocator<void>> using {name}_ = {name};",
     ]
@@ -50,7 +52,8 @@ def _field(field: Field, owner: str) -> Iterable[str]:
     yield f"  using _{field.name}_type = {kind};"
     yield f"  {kind} {field.name};"
     if field is not _FILLER:
-        yield f"  {owner} & set__{field.name}(const {kind} & value) {{this->{field.name} = value; return *this;}}"
+        setter = f"set__{field.name}(const {kind} & value) {{this->{field.name} = value; return *this;}}"
+        yield f"  {_IF_USED} {owner} & {setter}"
 
 
 def _constructor(name: str, fields: Iterable[Field]) -> Iterator[str]:

@@ -67,6 +67,7 @@ def serving(folder: Path, command: list[str], env: dict[str, str]) -> Iterator[L
     port, token = _free_port(), secrets.token_hex(16)
     command = [*command, f"--ServerApp.port={port}", "--ServerApp.port_retries=0"]
     command += [f"--IdentityProvider.token={token}", "--expose-app-in-browser"]
+    command += ["--ServerApp.answer_yes=True"]  # Ctrl-C while the tests run reaches it as well, and it asks nobody
     with open(folder / "server.log", "w", encoding="utf-8") as log:
         server = subprocess.Popen(command, cwd=folder, env=env | own, stdout=log, stderr=log)
         try:

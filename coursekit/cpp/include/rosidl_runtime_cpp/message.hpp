@@ -29,6 +29,7 @@
 public: \
     explicit Init_ ## Name ## _ ## field(Name && message) \
     : message_(std::move(message)) {} \
+    template<class = void> \
     Next field(Name::_ ## field ## _type value) \
     { \
       message_.field = std::move(value); \

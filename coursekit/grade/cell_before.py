@@ -18,24 +18,14 @@ _ALIKE = 0.8
 
 
 def explained(verdict: Verdict, asked: Collection[str], shell: Any) -> Verdict:
-    """Return the verdict with such an explanation; `asked` are the names that the judge looked for.
-
-    It is the likely cause of a failure. Of a success it is a note: an older answer passed, not the one in that cell.
-    """
-    if verdict.skipped or verdict.fault or shell is None:
+    """Return the verdict with such an explanation as its likely cause; `asked` are the names that the judge looked for."""
+    if verdict.passed or verdict.fault or shell is None:
         return verdict
     before = shell.last_execution_result
-    cause = _older_answer(before, asked, shell.user_ns) if before else ""
-    if verdict.passed:
-        return replace(verdict, note=cause) if cause else verdict
-    cause = cause or (_failed(before, asked) if before else "") or _misspelt(shell.user_ns.get("In", ()), asked)
+    cause = _failed(before, asked) if before else ""
+    cause = cause or (_set_under_another_name(before, asked, shell.user_ns) if before else "")
+    cause = cause or _misspelt(shell.user_ns.get("In", ()), asked)
     return replace(verdict, cause=cause, hint="") if cause else verdict
-
-
-def _older_answer(before: Any, asked: Collection[str], variables: Collection[str]) -> str:
-    """Return what to say if the cell before the check was to give a new answer, and has not."""
-    failed = _failed(before, asked) if _mentions(before, asked) else ""
-    return failed or _set_under_another_name(before, asked, variables)
 
 
 def _failed(before: Any, asked: Collection[str]) -> str:
@@ -59,10 +49,8 @@ def _fault(error: BaseException | None) -> str:
 
 def _is_about(before: Any, asked: Collection[str]) -> bool:
     """Whether a failed cell mentions what the judge looked for; a stub is always part of an exercise."""
-    return not asked or isinstance(before.error_in_exec, NotImplementedError) or _mentions(before, asked)
-
-
-def _mentions(before: Any, asked: Collection[str]) -> bool:
+    if not asked or isinstance(before.error_in_exec, NotImplementedError):
+        return True
     words = set(re.findall(r"\w+", before.info.raw_cell or ""))
     return not words.isdisjoint(asked)
 

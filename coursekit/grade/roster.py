@@ -16,9 +16,6 @@ from .roster_formats import HEADINGS, Layout, is_nobody, is_test, layout_of, par
 from .sanitizing import shown
 from .tables import COMMA, Form, Table, decoded, read_table
 
-_WITHOUT_SPACES = re.compile("[\u0e00-\u0e7f\u3040-\u30ff\u3400-\u9fff\uac00-\ud7af]{2,}")
-"""Names in Thai, Japanese, Chinese and Korean letters."""
-
 
 def student_word(student: str) -> str:
     """Convert a name for use in file names.
@@ -27,17 +24,6 @@ def student_word(student: str) -> str:
     'VeraDeLaCourse'
     """
     return "".join(word[:1].upper() + word[1:] for word in re.findall(r"\w+", student))
-
-
-def is_full_name(name: str) -> bool:
-    """Whether a text is a first and a last name: two words, or one in a script that puts no space between them.
-
-    >>> [is_full_name(name) for name in ("Vera Course", "Gerard 't Hooft", "王小明", "Vera", "Vera 2", "王")]
-    [True, True, True, False, False, False]
-    """
-    words = name.split()
-    has_letters = all(any(letter.isalpha() for letter in word) for word in words)
-    return has_letters and (len(words) > 1 or bool(_WITHOUT_SPACES.fullmatch(name.strip())))
 
 
 def plain(name: str) -> str:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from coursekit.words.gettext import gettext
 
-_OURS = ("expected", "likely cause", "hint", "why", "note")
+_OURS = ("expected", "likely cause", "hint", "why")
 """The rows with the check's own text; the others are the student's, and shown unchanged."""
 
 _CELL = "padding:1px 0;text-align:left;vertical-align:top"
@@ -81,8 +81,6 @@ class Verdict:
     """The error of the check itself: then the work is not judged, and the student is not to blame."""
     skipped: str = ""
     """Why a voluntary exercise is not judged here."""
-    note: str = ""
-    """What a student should know although the exercise is solved."""
 
     @property
     def passed(self) -> bool:
@@ -120,14 +118,12 @@ class Verdict:
         """Return the lines below the head, in the course's language; the student's answer stays unchanged."""
         if self.skipped:
             return [(gettext("why"), gettext(self.skipped))]
-        if self.passed:
-            return [(gettext("note"), gettext(self.note))] if self.note else []
         rows = [(gettext("expected"), gettext(self.expected)), (gettext("you gave"), self.gave)]
         rows += [(gettext("seen"), gettext(self.got)), (gettext("likely cause"), gettext(self.cause))]
         rows += [(gettext("hint"), gettext(self.hint)), (gettext("fault of the check"), self.fault)]
         to_do = gettext("Show this to your teacher: your work is not to blame.")
         rows += [(gettext("what to do"), to_do)] if self.fault else []
-        return [(label, value) for label, value in rows if value]
+        return [(label, value) for label, value in rows if value and not self.passed]
 
     def html(self, picture: str = "") -> str:
         """Return the HTML for the notebook; `picture` is HTML below the text."""

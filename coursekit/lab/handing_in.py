@@ -17,7 +17,7 @@ from coursekit.grade.bundle import EVENTS, digest_of
 from coursekit.grade.copy import HANDED_OUT
 from coursekit.grade.handing_in import make_bundle, who_and_where
 from coursekit.grade.mark import Marked
-from coursekit.grade.roster import is_full_name, student_word
+from coursekit.grade.roster import student_word
 from coursekit.grade.submissions import read_notebook
 from coursekit.processes.session import current
 from coursekit.systems import shell_spelling
@@ -44,7 +44,7 @@ def student(name: str = "") -> str:
     if not name and file.exists():
         return str(json.loads(file.read_text(encoding="utf-8")))
     student = name or (me if isinstance(me, str) else "")
-    if not is_full_name(student):
+    if len(student.split()) < 2:
         raise BadArgument('Whose is it? Write the name once, in the brackets: by="Firstname Lastname"')
     file.parent.mkdir(parents=True, exist_ok=True)
     write_whole(file, json.dumps(student))

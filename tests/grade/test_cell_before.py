@@ -12,7 +12,6 @@ from coursekit.grade.verdict import Verdict
 from coursekit.grade.work import Work
 from coursekit.lab.errors import NotThere
 
-RIGHT = Verdict("ch02.q1", "Names", 1, 1)
 WRONG = Verdict("ch02.q1", "Names", 0, 1, "a name", "another", "the judge's own cause", "a hint")
 OTHER = "def shown(x):\n    pass"
 FIRST, SECOND = "def full_name(name):\n    return name", "def full_nam(name):\n    return '/' + name"
@@ -44,21 +43,6 @@ def test_a_failed_cell_about_the_exercise_is_blamed(cell, asked):
 @pytest.mark.parametrize("cell", ["%show nowhere.py", "1 / 0", "full_names = 1 / 0"])
 def test_another_cell_is_not(cell):
     assert cause(["full_name"], cell=cell, error=KeyError("x")) == WRONG.cause
-
-
-def test_a_success_by_an_older_answer_is_told_with_it():
-    before = shell("commands = ['spawn'", error=SyntaxError("'[' was never closed"), variables=["commands"])
-    verdict = explained(RIGHT, {"commands": None}, before)
-    assert verdict.passed and verdict.note.startswith("The cell before this check stopped with SyntaxError")
-    assert "\n  note: The cell before" in verdict.text() and "SyntaxError" in verdict.html()
-
-
-def test_a_success_has_no_note_for_another_cell():
-    for cell in ("1 / 0", "%show nowhere.py"):
-        assert explained(RIGHT, {"commands": None}, shell(cell, error=KeyError("x"))) == RIGHT
-    assert explained(RIGHT, {}, shell("anything", error=KeyError("x"))) == RIGHT
-    stub = shell("raise NotImplementedError", error=NotImplementedError())
-    assert explained(RIGHT, {"commands": None}, stub) == RIGHT
 
 
 def test_words_for_students_are_shown_without_the_name_of_a_class():

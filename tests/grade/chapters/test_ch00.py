@@ -1,9 +1,7 @@
-"""What the checks of chapter 0 take for a name, and say of keys, seconds and wishes that are not as asked for."""
+"""What the checks of chapter 0 say of keys, seconds and wishes that are not as asked for."""
 
 import pytest
 
-from coursekit.grade.checking import judge
-from coursekit.grade.exercise import find
 from tests.grade.tried import told_of
 
 SENTENCES = ["I want to learn about nodes.", "My robot shall tell me things.", "I want to ask it questions."]
@@ -36,13 +34,3 @@ def test_sentences_beside_other_numbers_are_not_told_to_be_too_short(tmp_path, c
 
 def test_too_few_words_are_told(tmp_path):
     assert "four words" in told_of("ch00.q3", {"wishes": {1: "nodes", 2: "topics", 3: "maps"}}, tmp_path).cause
-
-
-@pytest.mark.parametrize("name", ["Vera Course", "Gerard 't Hooft", "J. R. Course", "王小明", "สมชาย", "Núria O'Neill"])
-def test_a_full_name_is_taken_in_every_script(tmp_path, name):
-    assert judge(find("ch00.q1"), {"me": name}, tmp_path).passed
-
-
-@pytest.mark.parametrize("name", ["Vera", "Vera 2", "", " ", "12 34", "王", "Núria"])
-def test_a_part_of_a_name_is_not(tmp_path, name):
-    assert told_of("ch00.q1", {"me": name}, tmp_path).expected == "a first and a last name"

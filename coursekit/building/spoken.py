@@ -16,7 +16,7 @@ from coursekit.words.gettext import FIELD, catalogue_of
 
 PACKAGE = Path(__file__).parents[1]
 _JUDGES = (
-    "cell_before", "checking", "command_advice", "exception_advice",
+    "answer_age", "cell_before", "checking", "command_advice", "exception_advice",
     "outputs", "plain", "reader", "reading", "stopped_function", "trial", "verdict", "work",
 )  # fmt: skip
 _MARKING = (

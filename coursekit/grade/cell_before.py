@@ -10,7 +10,8 @@ from typing import Any
 
 from coursekit.suggestions import similar
 
-from .verdict import CheckFailed, Verdict
+from .answer_age import fault_of, older
+from .verdict import Verdict
 
 _DEFINED = re.compile(r"^(?:async )?def (\w+)", re.MULTILINE)
 _ALIKE = 0.8
@@ -18,33 +19,29 @@ _ALIKE = 0.8
 
 
 def explained(verdict: Verdict, asked: Collection[str], shell: Any) -> Verdict:
-    """Return the verdict with such an explanation as its likely cause; `asked` are the names that the judge looked for."""
-    if verdict.passed or verdict.fault or shell is None:
+    """Return the verdict with such an explanation as its likely cause; `asked` are the names that the judge looked for.
+
+    What an older run has left behind does not pass.
+    """
+    if verdict.fault or shell is None or (verdict.passed and not older(asked)):
         return verdict
     before = shell.last_execution_result
     cause = _failed(before, asked) if before else ""
     cause = cause or (_set_under_another_name(before, asked, shell.user_ns) if before else "")
-    cause = cause or _misspelt(shell.user_ns.get("In", ()), asked)
+    cause = cause or _misspelt(shell.user_ns.get("In", ()), asked) or older(asked)
+    if verdict.passed:
+        return replace(verdict, points=0, expected="the answer as it is in the notebook now", cause=cause)
     return replace(verdict, cause=cause, hint="") if cause else verdict
 
 
 def _failed(before: Any, asked: Collection[str]) -> str:
     """Return what to say if the cell before the check failed and has to do with the exercise."""
-    fault = _fault(before.error_before_exec or before.error_in_exec)
+    if not isinstance(before.error_before_exec or before.error_in_exec, Exception):  # an interrupt is no fault
+        return ""
+    fault = fault_of(before)
     if not fault or not _is_about(before, asked):
         return ""
     return f"The cell before this check stopped with {fault}. What was judged is older: mend that cell and run it."
-
-
-def _fault(error: BaseException | None) -> str:
-    """Return the text of an error; empty if there is none, or the cell was a check."""
-    if not isinstance(error, Exception) or isinstance(error, CheckFailed):
-        return ""
-    if hasattr(error, "_render_traceback_"):  # the cell showed its words, without the name of its class
-        return f'"{str(error)[:200]}"'
-    line = f" in its line {error.lineno}" if isinstance(error, SyntaxError) and error.lineno else ""
-    said = f"{type(error).__name__}: {error.msg if isinstance(error, SyntaxError) else error}"
-    return said[:200].removesuffix(": ") + line  # a stub's error has no text
 
 
 def _is_about(before: Any, asked: Collection[str]) -> bool:

@@ -13,7 +13,7 @@ from coursekit.view.progress_bar import ProgressBar
 from coursekit.view.shell import running_shell
 from coursekit.words.gettext import gettext
 
-from . import events
+from . import events, student_name
 from .cell_before import explained
 from .exception_advice import cause_of, no_executable
 from .exercise import Exercise, find
@@ -144,6 +144,9 @@ def check(name: str, **variants: Any) -> None:
         raise CheckFailed(gettext(f"{name} was stopped, so it is not judged. Is there a loop that never ends?")) from None
     verdict = explained(verdict, work.asked, running_shell())
     progress.note(verdict)
+    if verdict.passed and name == student_name.EXERCISE:
+        own_name = student_name.whole_name(work.variables[student_name.VARIABLE])
+        student_name.keep_own_name(progress.file.parent, own_name)
     events.note(progress.file.with_name("events.jsonl"), "check", name=name, points=verdict.points)
     _show(verdict, illustration)
     if verdict.fault:

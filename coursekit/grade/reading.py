@@ -37,6 +37,22 @@ def exists(workspace: Path, path: str) -> bool:
     return (workspace / path).exists()
 
 
+def installed(workspace: Path, package: str, path: str) -> bool:
+    """Whether the last build of a package installed this file of its share folder.
+
+    A file that is no longer in `data_files` stays in install/, as with every colcon; setuptools' list is of the last build.
+    """
+    shares = (workspace / "install" / folder / "share" / package for folder in (package, ""))
+    file = next((share / path for share in shares if (share / "package.xml").exists()), None)
+    if file is None or not file.exists():
+        return False
+    log = workspace / "build" / package / "install.log"
+    if file.is_symlink() or not log.is_file():  # colcon takes away its old links, and cmake writes no such list
+        return True
+    lines = _bytes(log).decode(errors="replace").replace(os.sep, "/").splitlines()
+    return any(line.endswith(f"/share/{package}/{path}") for line in lines)
+
+
 def build(workspace: Path, package: str, of: Sequence[str] = ()) -> BuildFacts:
     """Return whether a package was built, and why the build differs from its source."""
     from coursekit.packages.build_state import build_fault
@@ -109,6 +125,7 @@ def parameters(workspace: Path, path: str, nodes: Sequence[str]) -> dict[str, di
 READINGS: dict[str, Callable[..., Any]] = {
     "text": text,
     "exists": exists,
+    "installed": installed,
     "build": build,
     "robot": robot,
     "message": message,
@@ -117,6 +134,7 @@ READINGS: dict[str, Callable[..., Any]] = {
 KINDS: dict[str, Any] = {
     "text": str,
     "exists": bool,
+    "installed": bool,
     "build": BuildFacts,
     "robot": RobotFacts,
     "message": Message,

@@ -119,6 +119,11 @@ class Work:
         there: bool = self._read("exists", path=path)
         return there
 
+    def installed(self, package: str, path: str) -> bool:
+        """Whether the last build of a package installed this file of its share folder; one of an older build is not."""
+        there: bool = self._read("installed", package=package, path=path)
+        return there
+
     def built(self, package: str, *of: str) -> None:
         """Raise Wrong when a package of the workspace was not built, or has changed since.
 

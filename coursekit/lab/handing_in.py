@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import getpass
 import html
-import json
 import os
 import re
 import time
@@ -12,7 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from coursekit.files import write_whole
-from coursekit.grade import events, exchange
+from coursekit.grade import events, exchange, student_name
 from coursekit.grade.bundle import EVENTS, digest_of
 from coursekit.grade.copy import HANDED_OUT
 from coursekit.grade.handing_in import make_bundle, who_and_where
@@ -28,6 +27,9 @@ from .cells import last_runs
 from .errors import BadArgument, NotNow
 from .evidence_picture import page
 
+WHOSE = (
+    'Whose is it? Write the name once, in the brackets: by="Firstname Lastname", or by="Vera -" if you have one name only.'
+)
 _NAME = re.compile(r"s\d+(_\d+)?(\.(png|pdf))?")
 
 
@@ -38,16 +40,14 @@ def course_folder() -> Path:
 
 def student(name: str = "") -> str:
     """Return the student's name: `name`, which is stored, or the stored name, or the variable `me` of chapter 0."""
-    file = course_folder() / ".coursekit" / "student.json"
-    shell = running_shell()
-    me = shell.user_ns.get("me", "") if shell is not None else ""
-    if not name and file.exists():
-        return str(json.loads(file.read_text(encoding="utf-8")))
-    student = name or (me if isinstance(me, str) else "")
-    if len(student.split()) < 2:
-        raise BadArgument('Whose is it? Write the name once, in the brackets: by="Firstname Lastname"')
-    file.parent.mkdir(parents=True, exist_ok=True)
-    write_whole(file, json.dumps(student))
+    folder, shell = course_folder() / ".coursekit", running_shell()
+    me = shell.user_ns.get(student_name.VARIABLE, "") if shell is not None else ""
+    if not name and (kept := student_name.kept_name(folder)):
+        return kept
+    student = student_name.whole_name(name or (me if isinstance(me, str) else ""))
+    if not student:
+        raise BadArgument(WHOSE)
+    (student_name.keep_name if name else student_name.keep_own_name)(folder, student)
     return student
 
 

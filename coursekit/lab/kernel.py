@@ -14,6 +14,7 @@ import ipywidgets
 
 from coursekit.cli.session_client import domain_id
 from coursekit.cli.session_server import serve
+from coursekit.grade import answer_age
 from coursekit.jupyter.kernel import hear_all, keep_output_in_cells
 from coursekit.packages.environment import source_underlay
 from coursekit.processes.session import NETWORK_VARIABLE, Session, current
@@ -58,6 +59,7 @@ def start() -> Session:
         missing_names.install(shell)
         error_advice.install(shell)
         interrupted.install(shell)
+        answer_age.install(shell)
         help_text.install(shell)
         if cells.in_cell:
             _have_a_subshell(session, shell.kernel)

@@ -75,6 +75,9 @@ class Fed(Work):
     def exists(self, path):
         return True
 
+    def installed(self, package, path):
+        return True
+
     def try_out(self, *commands, **plan):
         for _, _, _, fields in plan.get("publish", ()):
             assert not any(isinstance(leaf, float) and not math.isfinite(leaf) for leaf in leaves(fields)), fields

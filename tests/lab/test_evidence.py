@@ -6,6 +6,7 @@ import nbformat
 import pytest
 
 from coursekit.grade.bundle import bundle_faults, read_bundle
+from coursekit.grade.student_name import kept_name
 from coursekit.lab.handing_in import _expect_saved, _notebook, evidence
 
 from ..notebooks.running import run
@@ -51,6 +52,20 @@ def test_evidence_is_written_and_handed_in(book, tmp_path):
     ]  # fmt: skip
 
 
+SOLVED = ["from coursekit.lab import *", 'me = "Vera Curse"', 'check("ch00.q1")', 'me = "Vera Course"', 'check("ch00.q1")']
+LATER = ["from coursekit.lab import *", 'evidence("s1", "words")', 'evidence("s1", "words", by="Ann Lee")']
+
+
+@pytest.mark.timeout(240)
+def test_after_a_restart_evidence_knows_the_name_of_exercise_1(book, tmp_path):
+    run(book(*SOLVED), tmp_path / "course", student="")
+    run(book(*LATER), tmp_path / "course", student="")
+    pictures = {file.name for file in (tmp_path / "course/evidence").iterdir()}
+    assert pictures == {"VeraCourse_evidence_s1.png", "AnnLee_evidence_s1.png"}
+    run(book(*SOLVED), tmp_path / "course", student="")
+    assert kept_name(tmp_path / "course/.coursekit") == "Ann Lee"
+
+
 def test_a_notebook_that_is_not_saved_is_not_handed_in(tmp_path, monkeypatch):
     cells = [nbformat.v4.new_code_cell("a = 1", id="one"), nbformat.v4.new_code_cell("hand_in()", id="two")]
     file = tmp_path / "mine.ipynb"
@@ -83,3 +98,5 @@ def test_wrong_names_of_evidence_and_nobody_s_name_are_told(tmp_path, monkeypatc
         evidence("picture", "text")
     with pytest.raises(ValueError, match="Whose is it"):
         evidence("s1", "text")
+    with pytest.raises(ValueError, match='by="Vera -"'):
+        evidence("s1", "text", by="Vera")

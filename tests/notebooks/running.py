@@ -44,12 +44,12 @@ def exercises_of(chapter: Path) -> dict[str, Exercise]:
     }
 
 
-def name_student(folder: Path) -> None:
+def name_student(folder: Path, name: str = "Vera Course") -> None:
     """Remember who works in a course folder, as chapter 0 does."""
     file = folder / ".coursekit" / "student.json"
-    if not file.exists():
+    if name and not file.exists():
         file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text('"Vera Course"', encoding="utf-8")
+        file.write_text(f'"{name}"', encoding="utf-8")
 
 
 def clock_of(notebook: Mapping[str, Any]) -> str:
@@ -58,9 +58,9 @@ def clock_of(notebook: Mapping[str, Any]) -> str:
 
 
 @contextlib.contextmanager
-def course_environment(folder: Path, clock: str = "virtual") -> Iterator[None]:
-    """The variables that a kernel of the course sees, with `folder` as the student's course."""
-    name_student(folder)
+def course_environment(folder: Path, clock: str = "virtual", student: str = "Vera Course") -> Iterator[None]:
+    """The variables that a kernel of the course sees, with `folder` as the course of this student, nobody's if empty."""
+    name_student(folder, student)
     wanted = {
         "COURSEKIT_TIME": clock,
         "COURSEKIT_COURSE": str(folder),
@@ -78,10 +78,17 @@ def course_environment(folder: Path, clock: str = "virtual") -> Iterator[None]:
             os.environ.pop(name, None) if value is None else os.environ.__setitem__(name, value)
 
 
-def run(notebook: nbformat.NotebookNode, folder: Path, *, allow_errors: bool = False, timeout: int = 120) -> None:
+def run(
+    notebook: nbformat.NotebookNode,
+    folder: Path,
+    *,
+    allow_errors: bool = False,
+    timeout: int = 120,
+    student: str = "Vera Course",
+) -> None:
     """Execute a notebook in place."""
     (folder / "ros2_ws" / "src").mkdir(parents=True, exist_ok=True)
-    with course_environment(folder, clock_of(notebook)):
+    with course_environment(folder, clock_of(notebook), student):
         client = NotebookClient(
             notebook,
             timeout=timeout,

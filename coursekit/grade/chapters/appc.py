@@ -15,6 +15,8 @@ from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
 
 PACKAGE = "c_signs"
+FLAT = "data_files copies files flat into the folder in front of them. Did you build after the change?"
+OLDER = "In install/ it is a file of an older build, which colcon leaves there: is it still in data_files?"
 URIS = (
     "package://coursekit_robots/meshes/rdk_x3/tyre.stl",
     "package://turtlesim/package.xml",
@@ -83,13 +85,14 @@ def large_cone(work: Work) -> None:
     wanted = ("urdf/cone.urdf", "urdf/large_cone.urdf", "meshes/cone.stl", "meshes/large/cone.stl")
     places = [f"install/{folder}share/{PACKAGE}/" for folder in (f"{PACKAGE}/", "")]
     share = next((place for place in places if work.exists(place + "package.xml")), places[0])
-    there = [file for file in wanted if work.exists(share + file)]
+    there = [file for file in wanted if work.installed(PACKAGE, file)]
     for file in wanted:
         if file not in there:
+            older = work.exists(share + file)
             raise Wrong(
                 f"share/{PACKAGE}/{file}, installed",
-                f"of the four files there are: {', '.join(there) or 'none'}",
-                "data_files copies files flat into the folder in front of them. Did you build after the change?",
+                f"of the four files the last build installed: {', '.join(there) or 'none'}",
+                OLDER if older else FLAT,
                 share=0.5 if len(there) >= 3 else 0.0,
                 hint=1 if len(there) >= 3 else 0,
             )

@@ -10,6 +10,7 @@ from coursekit.grade.exercise import exercise
 from coursekit.grade.figures.turtles import PAPER, walked
 from coursekit.grade.outputs import way_of
 from coursekit.grade.plain import is_number, shown
+from coursekit.grade.student_name import EXERCISE, VARIABLE, whole_name
 from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work, is_text_of_number
 
@@ -20,12 +21,13 @@ CHAPTERS = range(1, 10)
 ROWS_OF_KEYS = {"asdf", "asdfg", "sdfg", "qwer", "qwert", "qwerty", "bla", "foo"}
 
 
-@exercise("ch00.q1", "Who are you?", points=1, hints=("Write first and last name between quotes, with a space between.",))
+@exercise(EXERCISE, "Who are you?", points=1, hints=("Write first and last name between quotes, with a space between.",))
 def who(work: Work) -> None:
-    """Check for a name of at least two words."""
-    me = work.value("me", str)
-    if len(me.split()) < 2 or not all(word[0].isalpha() for word in me.split()):
-        raise Wrong("a first and a last name", gave=shown(me) if me.strip() else "an empty text", hint=0)
+    """Check for a first and a last name."""
+    me = work.value(VARIABLE, str)
+    if not whole_name(me):
+        cause = 'Do you have one name only? Then write a dash beside it: "Vera -".' if len(me.split()) == 1 else ""
+        raise Wrong("a first and a last name", "", cause, gave=shown(me) if me.strip() else "an empty text", hint=0)
 
 
 @exercise(

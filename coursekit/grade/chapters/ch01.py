@@ -14,10 +14,14 @@ from coursekit.grade.outputs import course_said, exit_code, last_words, said, wa
 from coursekit.grade.plain import close, numbers, shown, texts
 from coursekit.grade.verdict import NO_HINT, Wrong
 from coursekit.grade.work import Work
+from coursekit.systems.command_lines import split_words
 
 TURTLESIM = "run turtlesim turtlesim_node"
 CMD_VEL, POSE, TWIST = "/turtle1/cmd_vel", "/turtle1/pose", "geometry_msgs/msg/Twist"
 RED, PEN = (255, 0, 0), 5
+BARE = (255, 255, 255)
+"""What turtles sense where nothing is drawn."""
+LIFTED = "A pen that is off draws nothing: `off` stays 0."
 ASIDE = range(-4, 5)
 """The offsets from the line, in pixels, at which turtles sense the paper's colour."""
 START = 5.544445
@@ -123,11 +127,11 @@ def stage(work: Work) -> None:
     if not close(place, where, 0.01):
         raise Wrong(f"{name} at ({where[0]:g}, {where[1]:g})", f"({place[0]:.2f}, {place[1]:.2f})", share=0.5, hint=NO_HINT)
     line = {off: _colours(seen, topic) for off, topic in colours.items()}
-    if RED not in line[0]:
-        drawn = ", ".join(str(key) for key in sorted(line[0])) or "no colour"
+    if not any(RED in colours for colours in line.values()):
+        drawn = ", ".join(str(key) for key in sorted(line[0] - {BARE})) or "no line"
         wanted = f"turtle1 draws in red {RED}"
         complaint = _complaint(seen, commands, besides=_SPAWN)
-        cause = _pen_cause(commands) or why_refused(complaint)
+        cause = _pen_cause(commands) or why_refused(complaint) or (LIFTED if drawn == "no line" else "")
         raise Wrong(wanted, f"where it went there is {drawn}{complaint}", cause, share=0.5, hint=1)
     wide, right = sum(RED in line[off] for off in ASIDE), sum(map(_is_drawn, ASIDE))
     if wide != right:
@@ -168,7 +172,8 @@ def _complaint(seen: Any, commands: list[str], besides: re.Pattern[str]) -> str:
 
 def _pen_cause(commands: list[str]) -> str:
     """Explain that YAML reads an unquoted `off` as false, which is no field name."""
-    unquoted = any("{off:" in command.replace(" ", "") or ",off:" in command.replace(" ", "") for command in commands)
+    given = [word.replace(" ", "") for command in commands for word in split_words(command)]
+    unquoted = any(text in word for word in given for text in ("{off:", ",off:"))
     return "YAML reads off as false. Between quotes it is a name: \"off\": 0" if unquoted else ""
 
 

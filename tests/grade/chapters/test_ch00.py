@@ -34,3 +34,9 @@ def test_sentences_beside_other_numbers_are_not_told_to_be_too_short(tmp_path, c
 
 def test_too_few_words_are_told(tmp_path):
     assert "four words" in told_of("ch00.q3", {"wishes": {1: "nodes", 2: "topics", 3: "maps"}}, tmp_path).cause
+
+
+@pytest.mark.parametrize(("me", "cause"), [("Vera", "write a dash beside it"), (" ", ""), ("Vera 7", "")])
+def test_who_has_one_name_is_told_what_to_write(tmp_path, me, cause):
+    said = told_of("ch00.q1", {"me": me}, tmp_path)
+    assert cause in said.cause and bool(said.cause) == bool(cause)

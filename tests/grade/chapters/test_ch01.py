@@ -49,6 +49,23 @@ def test_the_word_ros2_is_named_however_it_is_written(tmp_path, command):
     assert told_of("ch01.q3", {"commands": [command]}, tmp_path).expected == "command lines without the word ros2"
 
 
+@pytest.mark.parametrize(
+    ("pen", "expected", "cause"),
+    [
+        ("'{r: 255, width: 1}'", "a line of width 5", "has a field"),
+        ("""'{r: 255, width: 5, "off": 1}'""", "turtle1 draws in red (255, 0, 0)", "`off` stays 0"),
+        ("'{r: 255, width: 5, 'off': 0}'", "turtle1 draws in red (255, 0, 0)", "YAML reads off as false"),
+        ("'{r: 255, width: 5, off: 0}'", "turtle1 draws in red (255, 0, 0)", "YAML reads off as false"),
+        ("'{g: 255, width: 5}'", "turtle1 draws in red (255, 0, 0)", ""),
+    ],
+)
+def test_of_a_pen_it_is_told_whether_it_is_thin_off_or_another_colour(tmp_path, pen, expected, cause):
+    commands = [SPAWN + "'{x: 2.5, y: 3.5, name: bob}'", f"service call /turtle1/set_pen turtlesim/srv/SetPen {pen}"]
+    said = told_of("ch01.q3", {"commands": commands}, tmp_path)
+    assert said.expected == expected and cause in said.cause and bool(said.cause) == bool(cause)
+    assert "(255, 255, 255)" not in said.got
+
+
 SPAWN = "service call /spawn turtlesim/srv/Spawn "
 
 

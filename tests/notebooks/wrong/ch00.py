@@ -12,6 +12,7 @@ WRONG = {
     ],
 }
 RIGHT = {
+    "ch00.q1": ['me = "Suharto -"', 'me = "山田太郎"', """me = "Gerard 't Hooft" """],
     "ch00.q2": ['presses = [["left", 1.57], ["up", 2]]'],
     "ch00.q3": [
         "wishes = {7: 'It shall know where its arm is', 8: 'It shall know my flat', 9: 'It shall find its way by itself'}",

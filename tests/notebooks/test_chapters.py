@@ -52,3 +52,9 @@ def test_a_chapter_is_short_to_read_and_every_section_is_compared(chapter):
             compared[section] = bool(compared.get(section)) or bool(cell.outputs)
     compared.pop("", None)  # the lines above the first section
     assert not [name for name, done in compared.items() if done is False]
+
+
+def test_files_of_the_workspace_are_added_to_by_write_which_keeps_its_parts(chapter):
+    """What a cell appends by itself is lost when the cell that begins the file is run again."""
+    for cell in code_cells(read(chapter)):
+        assert '"a")' not in cell.source, cell.source

@@ -1,14 +1,19 @@
 """Robots of chapter 7, a round of chapter 9, turtles, an arm, photographs: what happened, and what should have."""
 
+import colorsys
 import math
+from pathlib import Path
 
 import pytest
+from ament_index_python.packages import get_package_share_directory
 
 from coursekit.grade.chapters.ch09 import STOPS, _course_map
 from coursekit.grade.figures.drives import driven
 from coursekit.grade.figures.robots import four_robots, seen_by_me, table, worked
 from coursekit.grade.figures.turtles import PAPER, walked
+from coursekit.urdf import load
 from coursekit.view.figure import Arrow, Line, Mover, view_of
+from coursekit.view.figure_style import COLOURS
 
 from .seen import count, handed_out, labels
 
@@ -105,3 +110,17 @@ def test_a_side_that_no_photograph_shows_is_marked_in_its_middle():
     figure, passed = handed_out("appb.q4", views=views_of(0, 1, 2))
     assert not passed and figure.panels[0].rings == [(0.6, 0.0)]
     assert {"the outline", "what it sees", "a photograph"} == labels(figure)
+
+
+def _hue(red, green, blue):
+    return 360 * colorsys.rgb_to_hsv(red, green, blue)[0]
+
+
+@pytest.mark.parametrize("number", range(1, 5))
+def test_a_track_has_the_colour_of_its_robot_in_the_viewer(number):
+    robot = load(Path(get_package_share_directory("coursekit_robots")) / f"urdf/robot{number}.urdf")
+    materials = [part.material for link in robot.links.values() for part in link.visuals if part.material]
+    body = _hue(*next(material.colour for material in materials if material.name == "shell")[:3])
+    for shade in COLOURS[f"robot{number}"]:
+        drawn = _hue(*(int(shade[at : at + 2], 16) / 255 for at in (1, 3, 5)))
+        assert abs(math.remainder(drawn - body, 360)) < 25
